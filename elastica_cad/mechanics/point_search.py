@@ -25,7 +25,7 @@ DIRECTIONS = 16
 """Number of evenly spaced directions in which a control point is moved."""
 
 END_REACH = 3.0
-"""Largest distance by which an end may be moved, in multiples of the largest distance of other points."""
+"""Largest move of an end control point, as a multiple of the largest move of an inner control point."""
 
 SHARES = (0.1, 0.25, 0.5, 1.0)
 """Distances by which a control point is moved, as fractions of the largest allowed distance."""
@@ -40,7 +40,7 @@ ROUNDING = 1e-5
 """Precision of a moved control point, as a fraction of the length of the curve."""
 
 ALL_DIRECTIONS = slice(3)
-"""Directions in which `move_while_possible` searches: straight to the end, and along x and y."""
+"""Directions in which `move_while_possible` searches: straight to the end point, along x and along y."""
 
 
 def move_one_point(
@@ -51,9 +51,9 @@ def move_one_point(
 ) -> Iterator[tuple[int, PlaneCurve]]:
     """Yield possible curves that differ from an impossible curve in one control point.
 
-    Every inner control point is moved in 16 directions by four distances, small moves first, and then each
-    end. If three inflections come onto a common line at another distance, bisection finds it. A curve is
-    possible if a rod without weight has a ratio up to 8; the stability of the rod is not computed.
+    Every inner control point is moved in 16 directions by four distances, small moves first, and then each end. If
+    three inflections become collinear between two of these distances, bisection finds the distance. A curve is
+    possible if a rod without weight has a stiffness ratio up to 8. The stability of the rod is not computed.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def move_one_point(
         Impossible curve, mm. There is no result for a closed curve, a curve that was fitted to points, or a curve
         with more than 30 control points.
     farthest : float
-        Largest distance, mm, between the drawn and the possible curve; three times as much if an end is moved.
+        Largest distance, mm, between the drawn and the possible curve; three times this value if an end is moved.
     supports : Supports, optional
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
@@ -100,7 +100,7 @@ def move_one_point(
     directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
-    )  # largest weight of each control point along the curve
+    )  # largest value of the basis function of each control point
     ends = 0, len(points) - 1
     inner = range(1, len(points) - 1)
     for indices, reach in ((inner, farthest), (ends, END_REACH * farthest)):
@@ -134,11 +134,11 @@ def move_while_possible(
     halvings: int,
     directions: slice = ALL_DIRECTIONS,
 ) -> Found | None:
-    """Return the result of `possible` at a place as near as possible to an impossible `end`.
+    """Return the result of `possible` for a possible place that is close to an impossible `end`.
 
-    Places are tried along the straight line to `end`, else along x or y. The search stops within `step` of
-    the limit of the possible places, or after `halvings` trials. To reach the limit, repeat the call from the
-    result.
+    Places are tried along the straight line to `end`. If none is possible, they are tried along x or y. The search
+    stops within `step` of the limit of the possible places, or after `halvings` trials. To reach the limit, repeat
+    the call from the result.
 
     Parameters
     ----------
@@ -151,7 +151,8 @@ def move_while_possible(
     halvings : int
         Largest number of trials after the first in each direction.
     directions : slice
-        Directions that are tried: 0 is straight, 1 the longer and 2 the shorter of the parts along x and y.
+        Directions that are tried, by index: 0 is the straight line to `end`. 1 and 2 are its longer and its
+        shorter component along x or y.
 
     Examples
     --------
@@ -182,7 +183,7 @@ def move_while_possible(
 
 @dataclass(frozen=True)
 class _Move:
-    """Displacement of one control point: fractions of the vector `step` (2,), mm."""
+    """Move of one control point of a curve along the vector `step` (2,), mm."""
 
     curve: PlaneCurve
     index: int

@@ -31,23 +31,27 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-MAX_PANELS = 4000  # largest number of panels; a function that needs more panels cannot be resolved
-RESOLVED = 1e-11  # relative size of the last Legendre coefficients below which a function is resolved
-# relative size of the last Legendre coefficients up to which they may be rounding errors
+# largest number of panels; a function that needs more panels cannot be resolved
+MAX_PANELS = 4000
+# relative size of the last Legendre coefficients below which a function is resolved
+RESOLVED = 1e-11
+# relative size of the last Legendre coefficients below which they may be rounding errors
 NOISE = 1e-6
 
-APART_SHARE = 0.25  # distance up to which two cuts are merged, as a fraction of the width of a panel
+# distance between two cuts, as a fraction of the width of a panel, within which one of the cuts is omitted
+APART_SHARE = 0.25
 
-NARROWEST_SHARE = 1e-7  # width below which a panel is not cut further, as a fraction of the domain
+# width below which a panel is not cut further, as a fraction of the parameter range of the curve
+NARROWEST_SHARE = 1e-7
 
 ROUGH_AT_ZERO = 2
-"""Continuity of a knot up to which it becomes an end of a panel even near a zero of the curvature."""
+"""Largest continuity of a knot that is an end of a panel even very near a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Distance between mass and zero of the curvature, relative to the length, up to which panels are refined."""
+"""Largest distance of a mass from a zero of the curvature, relative to the length, at which panels are refined."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -73,7 +77,7 @@ class Panels:
         minus the natural curvature. In a panel with a zero it is integrated from the zero, so that its relative
         error is small.
     stretch : (N, p) array
-        Derivative of arc length by the panel coordinate x in [-1, 1], mm.
+        Derivative of arc length with respect to the panel coordinate x in [-1, 1], mm.
     from_left, from_right : (N, p, 2) arrays
         Positions of the nodes relative to the left and right end of the panel, mm.
     """
@@ -120,7 +124,7 @@ def cut_into_panels(
     orders: Sequence[int] | None = None,
     flats: Sequence[tuple[float, float]] = (),
 ) -> Panels:
-    """Return panels on which the curve, and moments divided by its curvature, are polynomials within rounding.
+    """Return panels on which the curve, and moments divided by curvature, are polynomials within rounding errors.
 
     A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of two functions of the parameter
     t are negligible. These functions are the speed, and (t - zero) / excess for the nearest zero of the
@@ -146,7 +150,7 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # in a narrow panel beside a zero, the values would be rounding errors
+    # least width of a panel beside a zero; in a narrower panel, the values would be rounding errors
     narrow = NARROWEST_SHARE * (high - low)
     breaks = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     breaks += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
@@ -201,8 +205,7 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
 class _Cut:
     """Panels on which the integrands are not yet evaluated.
 
-    `tail` is the relative size of the last Legendre coefficient on the larger panel from which each panel was
-    cut.
+    Each panel is a part of a larger panel, on which `tail` is the relative size of the last Legendre coefficients.
     """
 
     left: FloatArray
@@ -232,14 +235,20 @@ class _Cut:
 
 
 def _parts_per_panel(tail: FloatArray) -> IntArray:
-    """Halving a panel of p nodes divides its last Legendre coefficient by about 2^p."""
+    """Return the number of parts of each panel: 2, 4 or 8.
+
+    Halving a panel of p nodes divides its last Legendre coefficient by about 2^p.
+    """
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
 
 @dataclass(frozen=True, eq=False)
 class _Nodes:
-    """Panels with values at their Gauss nodes, as in `Panels`; `velocity` (N, p, 2) is the derivative by x."""
+    """Panels with values at their Gauss nodes, as in `Panels`.
+
+    `velocity` (N, p, 2) is the derivative of the position with respect to the panel coordinate x.
+    """
 
     left: FloatArray
     zero_left: BoolArray
@@ -274,7 +283,7 @@ def _evaluated(
 ) -> tuple[_Nodes, FloatArray]:
     """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
-    `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
+    `zeros` and `orders` (k,) are the parameters and orders of all zeros.
     """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
@@ -290,7 +299,7 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        # otherwise the slope at the zero would be a large rounding error relative to the slopes at the nodes
+        # the slope at a double zero is 0, so subtract its rounding error, which is large relative to other slopes
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
@@ -336,16 +345,19 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
-_ROUGH = 1e-9  # relative size of the last Legendre coefficients of K in a panel above which the panel is cut
-_SMOOTH = 4  # a panel ends at a knot of the load where K has fewer continuous derivatives
-_MOST_PARTS = 50  # largest number of parts of a panel under a large weight
+# relative size of the last Legendre coefficients of the stiffness above which a panel is cut
+_ROUGH = 1e-9
+# a panel ends at a knot of the load if the stiffness has fewer continuous derivatives there
+_SMOOTH = 4
+# largest number of parts of a panel under a large weight
+_MOST_PARTS = 50
 
 
 @dataclass(frozen=True, eq=False)
 class CutCurve:
     """Curve and the parameters at which it is cut into panels with a smooth stiffness.
 
-    Ends of panels are at the `cuts` and at the zeros of the excess curvature in `check`.
+    Panels end at the `cuts` and at the zeros of the excess curvature, which `check` contains.
 
     Attributes
     ----------
@@ -446,9 +458,10 @@ def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Return arc lengths, mm, at which panels end beyond a mass near a zero of the curvature.
+    """Return arc lengths, mm, of additional ends of panels if a mass at s is near a zero of the curvature.
 
-    Beyond the mass, the stiffness has a term that is inversely proportional to the distance from the zero.
+    On the other side of the mass, the stiffness has a term inversely proportional to the distance from the zero.
+    The widths of the panels there are proportional to this distance.
     """
     if not zeros.size:
         return []
@@ -461,7 +474,10 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return arc lengths, mm, at which masses and loads make the stiffness less smooth, with its continuity."""
+    """Return the arc lengths, mm, at which masses and loads make the stiffness less smooth.
+
+    Each arc length is returned with the number of continuous derivatives of the stiffness.
+    """
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

@@ -92,8 +92,8 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    At a jump it is the inverse mean compliance, so that the shape depends continuously on the position of the
-    jump.
+    The value at a jump is the inverse of the mean compliance near the node. The shape of the rod then depends
+    continuously on the position of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -126,7 +126,7 @@ def _stiffness_profile_of(
 ) -> tuple[Profile, int]:
     """Return the stiffness as a profile over [0, length], and the number of nodes.
 
-    The default number is the number of values in an array, and `DEFAULT_SAMPLES` otherwise.
+    By default, the number of nodes is the number of values in an array, or else `DEFAULT_SAMPLES`.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -148,7 +148,7 @@ DIFFERENCE_SHARE = 1e-7
 """Step of the finite differences for the slope of the stiffness, relative to the largest change of curvature."""
 
 CURL_POINTS = 24
-"""Number of quadrature points of the energy; its error is 1e-9 for flat strips and 1e-3 for other strips."""
+"""Number of quadrature points of the energy, whose error is 1e-9 for flat and 1e-3 for pre-bent strips."""
 
 CURL_STEPS = 8
 """Number of iterations from a moment to its curvature.
@@ -190,7 +190,7 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """Return the stiffness over the design stiffness (..., n), for changes of curvature (..., n), 1/mm."""
+        """Return the stiffness divided by the design stiffness, for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
@@ -242,13 +242,14 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference of edge lengths; for samples of a curve it is about (curvature * edge
-# length)^2 / 24
+# largest relative difference between edges and arc lengths of a discrete rod; the difference for samples of a
+# curve is about (curvature * edge length)^2 / 24
 EVEN_EDGES = 1e-7
-# power of the correction functions near the ends, which then extend over an eighth of the length
+# exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8
-NEWTON_STEPS = 5  # number of Newton steps; it is sufficient, because the initial angles are nearly exact
-# error of the tangent of the spline; over the length of a rod it is far below a micrometre
+# number of Newton steps, which is sufficient because the initial angles are nearly exact
+NEWTON_STEPS = 5
+# largest error of the tangents of the spline, which moves the end of a rod by far less than a micrometre
 TANGENT_RAD = 1e-8
 
 
@@ -305,7 +306,7 @@ def integrate_edges(
     low, high = (0.0, length) if bent is None else bent
     held = np.array([low <= 0.0, high >= length])
     if not held.all():
-        # omit the edges nearest to a straight end, because the force at the joint is spread over them
+        # omit the edges nearest to a straight end, because in a discrete rod they share the force at the joint
         inside = (middles > low + s[1] * (not held[0])) & (middles < high - s[1] * (not held[1]))
         middles, edge = middles[inside], edge[inside]
         # the curvature is 0 at the joint to a straight end, so mirror the angles there
@@ -341,9 +342,11 @@ def integrate_edges(
     )
 
 
-_MIRRORED = 8  # number of edges that are mirrored at the joint to a straight end
+# number of edges that are mirrored at the joint to a straight end
+_MIRRORED = 8
 
-_SHORTEST_BENT = 24  # least number of edges of a bent part between straight free ends
+# least number of edges of a bent part between straight free ends
+_SHORTEST_BENT = 24
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
@@ -569,7 +572,10 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """Moment over stiffness (n,), 1/mm: the change of curvature, or its effective value by the material law."""
+        """Moment divided by stiffness (n,), 1/mm.
+
+        For a linear material it is the change of curvature, otherwise the effective curvature of `law`.
+        """
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
@@ -580,10 +586,10 @@ class Rod:
 
     @cached_property
     def bending_law(self) -> MaterialLaw | None:
-        """Law M = K m(kappa - kappa_0) for every bend of the rod, as all solvers use it; see `MaterialLaw`.
+        """Law M = K m(kappa - kappa_0) of the rod in every shape; see `MaterialLaw`.
 
-        If the stiffness of the section depends on the curvature, the law describes a section with the stiffness
-        K in the present shape.
+        If the stiffness of the section depends on the curvature, K is the stiffness in the present shape, and the
+        law includes the change of stiffness.
         """
         law, section, rest = self.law, self.section, self.natural_curvature
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
@@ -601,7 +607,7 @@ class Rod:
 
     @property
     def support_forces(self) -> FloatArray:
-        """Forces (2, 2) of the supports on start and end over the least bending stiffness, 1/mm2.
+        """Forces (2, 2) of the supports on start and end, divided by the least bending stiffness, 1/mm2.
 
         The forces of elements at the ends are not included.
         """
@@ -613,16 +619,19 @@ class Rod:
 
     @property
     def between_forces(self) -> FloatArray:
-        """Forces (m, 2), 1/mm2, of `between` over the least bending stiffness; for a tie, at its start."""
+        """Forces (m, 2) of the elements `between`, divided by the least bending stiffness, 1/mm2.
+
+        The force of a tie is the force at its start.
+        """
         return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
 
     @property
     def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
-        """Sides of the thrust line, in order: the line of zero moment for each piece of rod between forces.
+        """Sides of the thrust line, in order along the rod.
 
-        Two neighbouring sides intersect on the line of action of the force at their common point. A side is None
-        if the moment of its piece is constant. A rod with weight has no sides, because its internal force turns
-        along each piece.
+        Elements and point forces divide the rod into pieces. The side of a piece is its line of zero moment, or
+        None if its moment is constant. Neighbouring sides intersect on the line of action of the force between
+        their pieces. A rod with weight has no sides, because its internal force turns along each piece.
         """
         from elastica_cad.mechanics.theorem1 import InflectionLine
 
@@ -646,7 +655,7 @@ class Rod:
         return tuple(sides)
 
     def following(self) -> "Rod":
-        """Return the rod with `bending_law` as its law, as needed to bend it to another shape."""
+        """Return the rod with `bending_law` as its law, so that it can be bent to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -663,7 +672,7 @@ class Rod:
 
     @property
     def flat_stiffness(self) -> FloatArray:
-        """Relative stiffness (n,) of the sections before bending, which is proportional to their E I."""
+        """Relative stiffness (n,) of the sections in the unbent strip."""
         law = self.bending_law
         return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
 
@@ -680,7 +689,7 @@ class Rod:
     def bend_at(self, s: FloatArray) -> FloatArray:
         """Return the change of curvature (n,), 1/mm, at arc lengths s (n,), mm.
 
-        Exact if the rod has a drawn curve.
+        The result is exact if the rod has a drawn curve.
         """
         s = numbers(s, "arc lengths")
         if self.shape is None:
@@ -703,7 +712,7 @@ class Rod:
 
     @property
     def nodal_load(self) -> FloatArray:
-        """Weight of each node (n, 2) over the least bending stiffness, 1/mm2; zero without gravity."""
+        """Weight of each node (n, 2) divided by the least bending stiffness, 1/mm2; zero without gravity."""
         if self.gravity is None:
             return np.zeros_like(self.position)
         down = np.asarray(self.gravity.direction)
@@ -737,7 +746,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # an element at a node makes the nodal force ambiguous, so take the median of all nodes
+        # an element at a node makes the force at this node ambiguous, so take the median of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length = self.length / angles.size
@@ -773,7 +782,7 @@ class Rod:
 
     @property
     def _bent_part(self) -> tuple[float, float] | None:
-        """Arc lengths, mm, between which forces bend the rod; beyond them its free ends are straight."""
+        """Arc lengths, mm, of start and end of the bent part between straight free ends, or None."""
         places = [float(s) for action in self.acting for s in action.s]
         free = [not (end.x or end.y or end.angle) for end in self.supports.ends]
         if self.gravity is not None or np.any(self.natural_curvature) or not places or not any(free):
@@ -790,11 +799,11 @@ class Rod:
         return replace(even, control_points=start + (even.control_points - start) * stretch)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
-        """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.
+        """Return the rod with another stiffness profile; `bend` then computes its equilibrium.
 
         `stiffness` contains values (n,) at the nodes, or is a `Profile`. The stiffness is divided by its
-        least value. Change the stiffness of a wide strip before `bend`, whose result has a law for its
-        widths.
+        least value. Do not change the stiffness of a wide strip after `bend`, because the law of a bent rod
+        applies only to its present widths.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -843,13 +852,13 @@ def resample(rod: Rod, samples: int) -> Rod:
 
 
 PROFILE_SHARE = 1e-6
-"""Error of the stiffness between the nodes, relative to its largest value."""
+"""Largest error of a fitted stiffness profile, relative to the largest stiffness."""
 
 
 def as_bent(rod: Rod) -> Rod:
     """Return the rod with the stiffness of its sections in the present shape.
 
-    The law of the result is the law of the material alone.
+    The law of the result is the law of the material, without the effect of the section.
     """
     law = rod.law
     if not isinstance(law, CurlingLaw):

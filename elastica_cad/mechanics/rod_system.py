@@ -1,4 +1,4 @@
-"""Equations of a discrete rod: its data, its unknowns, and the `Rod` of a solution."""
+"""Equations of a discrete rod (`RodSystem`), and values of its unknowns (`RodState`)."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -23,14 +23,14 @@ from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedEle
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
-# value that replaces an imbalance below its rounding error, relative to the moments
+# largest relative imbalance of moments that is reported if the imbalance is below its rounding error
 ROUNDED_IMBALANCE = 1e-12
 
 
 class Step(NamedTuple):
     """Change of the unknowns of a discrete rod.
 
-    The unknowns are the edge angles (n,), rad, and the reactions of supports and elements (p,), 1/mm2.
+    The unknowns are the edge angles (n,), rad, and the reactions (p,), as in `RodState`.
     """
 
     angles: FloatArray
@@ -40,8 +40,8 @@ class Step(NamedTuple):
 class Residual(NamedTuple):
     """Residuals of a discrete rod, which are zero in equilibrium.
 
-    The residuals are the moment imbalance of the edges (n,), 1/mm, and the errors of ends and elements (p,).
-    These errors are lengths, mm, or forces, 1/mm2; see `ElementEquations`.
+    `imbalance` (n,) contains the imbalance of moments of the edges, 1/mm. `miss` (p,) contains the errors of ends
+    and elements: position errors, mm, and forces, 1/mm2 (see `ElementEquations`).
     """
 
     imbalance: FloatArray
@@ -59,7 +59,7 @@ class RodSystem:
     edge_length : float
         Length of an edge, mm.
     load : (n+1, 2) array
-        Weight of each node over the least bending stiffness, 1/mm2.
+        Weight of each node divided by the least bending stiffness, 1/mm2.
     natural_curvature : float or (n+1,) array
         Curvature kappa_0 of the unloaded rod, 1/mm.
     supports : Supports
@@ -68,10 +68,10 @@ class RodSystem:
     end_angles : (2,) array
         Angles of the tangent at start and end, rad; angles that are free are ignored.
     force : (2,) array
-        Dead force over the least bending stiffness, 1/mm2. Each component acts at the end where its coordinate is
-        free.
+        Dead force divided by the least bending stiffness, 1/mm2. Each component acts at the end at which its
+        coordinate is free.
     moments : (2,) array
-        Counterclockwise moments over the least bending stiffness, 1/mm, applied at ends with a free angle.
+        Counterclockwise moments at ends with a free angle, divided by the least bending stiffness, 1/mm.
     law : MaterialLaw, optional
         Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
@@ -125,7 +125,7 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """Force lambda of the edges (n, 2) by the loads alone, over the least bending stiffness, 1/mm2."""
+        """Force lambda of the edges (n, 2) without reactions, divided by the least bending stiffness, 1/mm2."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -140,7 +140,7 @@ class RodSystem:
 
     @cached_property
     def chord(self) -> FloatArray:
-        """Required difference (p,), mm, between the end and the start, for the coordinates that both ends hold."""
+        """Required differences, mm, between end and start of the coordinates that both ends hold."""
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     @cached_property
@@ -155,9 +155,9 @@ class RodSystem:
         )  # fmt: skip
 
     def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
-        """Return the state with edge angles (n,), rad, and support reactions (p,), 1/mm2, which are 0 by default.
+        """Return the state with edge angles (n,), rad, and given reactions, as in `RodState`.
 
-        The reactions may include the unknowns of the elements; by default these have their initial values.
+        By default the reactions of the supports are 0, and the unknowns of the elements have their initial values.
         """
         if reactions is None:
             reactions = np.zeros(len(self.held))
@@ -182,8 +182,8 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        Contributions of both supports to the force lambda, 1/mm2, along the coordinates that both ends hold.
-        The unknowns of the elements follow.
+        First the support reactions: contributions to the force lambda, 1/mm2, along the coordinates that both ends
+        hold. Then the unknowns of the elements, as in `ElementEquations`.
     """
 
     system: RodSystem
@@ -232,13 +232,13 @@ class RodState:
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:
-        """Elements that act, with their forces and positions."""
+        """Taut elements with their forces and arc lengths."""
         elements = self.system.elements
         return () if elements is None else elements.solved(self._numbers)
 
     @cached_property
     def rows(self) -> FloatArray:
-        """Derivatives (p, n) of the errors `residual.miss` by the edge angles."""
+        """Derivatives (p, n) of the errors `residual.miss` with respect to the edge angles."""
         rows = self.discrete.constraint_rows
         if self._equations is not None:
             rows = np.concatenate([rows, self._equations.rows])
@@ -248,7 +248,7 @@ class RodState:
 
     @cached_property
     def _pulls(self) -> FloatArray | None:
-        """Derivatives (p, n) by the reactions of the components <lambda, T> of an axially elastic rod."""
+        """Derivatives (p, n) of the axial forces of an axially elastic rod with respect to the reactions."""
         rod, held = self.discrete, list(self.system.held)
         if rod.compression is None:
             return None
@@ -260,7 +260,7 @@ class RodState:
 
     @cached_property
     def corner(self) -> FloatArray | float:
-        """Derivatives (p, p) of the errors `residual.miss` by the reactions."""
+        """Derivatives (p, p) of the errors `residual.miss` with respect to the reactions."""
         if self._equations is None and self._pulls is None:
             return 0.0
         held, size = len(self.system.held), self.reactions.size
@@ -302,7 +302,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """Bending moments by Hooke's law, 1/mm. At an end that is free to turn, it is the applied moment."""
+        """Bending moments (n+1,) by Hooke's law, 1/mm, and applied moments at ends that are free to turn."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -312,14 +312,14 @@ class RodState:
 
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
-        """Effective curvature of the nodes (n+1,), 1/mm, by the material law, and its derivative (n+1,)."""
+        """Effective curvature of the nodes (n+1,), 1/mm, and its derivative with respect to the curvature."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
 
     @cached_property
     def residual(self) -> Residual:
-        """Imbalance of moments, and position errors of ends and elements."""
+        """Imbalance of moments, and errors of ends and elements."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
@@ -329,7 +329,7 @@ class RodState:
 
     @cached_property
     def energy(self) -> float:
-        """Elastic and potential energy over the least bending stiffness, 1/mm, without work of reactions."""
+        """Elastic energy and potential energy of the loads, divided by the least bending stiffness, 1/mm."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         stored = change**2 / 2 if system.law is None else system.law.energy(change)
@@ -343,7 +343,7 @@ class RodState:
             if held is None:
                 spring[node] = 0.0
                 work += float(moment * self.angles[node])
-        # the dead loads do the work -<lambda, gamma'> on each edge
+        # the dead loads do the work -<lambda, T> per length, with the unit tangent T
         work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
         if system.elements is not None:
             work += float(system.elements.load @ system.elements.shift(self._numbers))
@@ -351,19 +351,19 @@ class RodState:
 
     @cached_property
     def scale(self) -> float:
-        """Size of the moments, to which an imbalance is compared, over the least bending stiffness, 1/mm."""
+        """Moment, 1/mm, to which an imbalance of moments is compared."""
         force = np.abs(self.discrete.force).max(initial=0.0)
         return float(max(np.abs(self.moments).max(), force * self.system.length))
 
     @cached_property
     def noise(self) -> float:
-        """Imbalance of moments by rounding errors of the angles, over the least bending stiffness, 1/mm."""
+        """Imbalance of moments, 1/mm, that rounding errors of the angles can cause."""
         turning = 1.0 + float(np.abs(self.angles).max())
         return 8 * ROUNDING * turning * float((self.system.stiffness / self.system.node_lengths).max())
 
     @property
     def imbalance(self) -> float:
-        """Largest imbalance of moments, relative to `scale`, except for rounding errors of the angles."""
+        """Largest imbalance of moments divided by `scale`; at most 1e-12 if it is a rounding error."""
         largest, size = float(np.abs(self.residual.imbalance).max()), self.scale
         if largest <= self.noise:
             return min(largest / size, ROUNDED_IMBALANCE) if size > 0 else 0.0
@@ -371,7 +371,7 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Largest position error of ends and elements, relative to the length."""
+        """Largest relative error of ends and elements, as in `missed`."""
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:
@@ -380,7 +380,7 @@ class RodState:
 
     @property
     def position(self) -> FloatArray:
-        """Positions of the nodes (n+1, 2), mm, with the rod placed as its supports hold it."""
+        """Positions of the nodes (n+1, 2), mm."""
         system, position = self.system, self.discrete.position.copy()
         start = system.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -391,7 +391,7 @@ class RodState:
 
     @property
     def record(self) -> dict[str, Any]:
-        """Attributes of the `Rod` of this equilibrium, by name, without profile, weight and section."""
+        """Attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
@@ -400,7 +400,7 @@ class RodState:
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
-                # at an end that is free to turn, the curvature follows from the applied moment
+                # at an end that is free to turn, compute the curvature from the applied moment
                 if held is None:
                     effective = np.zeros_like(change)
                     effective[node] = change[node]
