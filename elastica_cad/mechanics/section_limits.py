@@ -33,7 +33,7 @@ OUTCOMES = {
 
 
 class StrainState(IntEnum):
-    """Results of comparing a strain with the limit of the sheet, the worst last."""
+    """Possible results of the comparison of a strain with its limit, in order of severity."""
 
     ALLOWED = 0
     WARNED = 1
@@ -118,7 +118,9 @@ def breaking_strain(sheet: Sheet) -> float | None:
 
 
 def thinner_for(sheet: Sheet, strain: float) -> float | None:
-    """Return the largest smaller thickness of this sheet on sale, mm, that withstands the same curve, or None.
+    """Return the thickness, mm, of the thickest thinner sheet on sale that withstands the same curve, or None.
+
+    `strain` is the strain of the given sheet.
 
     Examples
     --------
@@ -180,7 +182,7 @@ class LayerStrain:
         return int(np.argmax(self.strain))
 
     def judged(self, at: float | None = None) -> StrainVerdict:
-        """Compare the largest strain, at arc length `at`, mm, with the limit of the sheet."""
+        """Compare the largest strain with the limit of the sheet; `at` is the arc length of this strain, mm."""
         return judge_strain(self.sheet, self.largest, at)
 
 
@@ -204,9 +206,9 @@ class ScaleRange:
 
     @classmethod
     def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
-        """Return the scales from the least and largest E I (n,), N mm2, at stations.
+        """Return the scales for stations whose E I is limited to values from `least` to `most` (n,), N mm2.
 
-        `stiffness` is the relative stiffness (n,) of the stations.
+        `stiffness` (n,) is the relative stiffness of the stations.
         """
         K = positive(stiffness, "stiffness")
         low_EI, high_EI, K = matched(
@@ -225,7 +227,7 @@ class ScaleRange:
 
     @property
     def scale(self) -> float:
-        """Largest scale that can be built, as in the paper: as much added material as the outer width allows."""
+        """Largest scale that can be built within the outer width (paper, section 8.1)."""
         if not self.feasible:
             raise InputError(
                 f"no bending stiffness per unit of K suits all stations: station {self.lowest_at} needs at "

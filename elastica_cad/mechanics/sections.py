@@ -100,7 +100,7 @@ def anticlastic_factor(
     matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
-    flat = -x * slope / 2  # value for a strip that is flat before bending
+    flat = -x * slope / 2  # term of the moment for a strip that is flat before bending
     limited = _limited_curl(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
     return np.asarray((1 + nu**2 * (limited - 2 * ratio)) / (1 - nu**2))
 
@@ -109,7 +109,7 @@ def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Return the term `flat` of `anticlastic_factor`, corrected for a natural curvature `rest` (n,), 1/mm."""
-    # where kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
+    # where kappa is 0, use `share` = 1, because `flat` approaches 0 faster than kappa and `scaled` is 0
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -121,7 +121,7 @@ def _limited_curl(
 
 
 def _smoothly_limited(excess: FloatArray, limit: FloatArray) -> FloatArray:
-    """Limit `excess` smoothly: up to half of the limit it does not change."""
+    """Limit `excess` smoothly; values up to half of the limit do not change."""
     half = limit / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
@@ -135,9 +135,9 @@ def plate_width(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return widths of strips that are as stiff as narrow strips of the widths `effective`.
+    """Return the widths w of strips that are as stiff as narrow strips of the widths `effective`.
 
-    For each result w, w times `anticlastic_factor`(w, curvature) equals the effective width.
+    The effective width is w times `anticlastic_factor`(w, curvature).
     """
     h, nu = _checked(thickness, poisson_ratio)
     aim, kappa, rest = np.broadcast_arrays(
@@ -197,7 +197,7 @@ class SheetCurl:
         )  # fmt: skip
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
-        """Return the curl of a strip that is stiffer by factors `times` (n,) at curvatures (n,), 1/mm."""
+        """Return the `SheetCurl` of a wider strip whose stiffness is `times` (n,) as large at `curvature` (n,)."""
         width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
@@ -205,7 +205,7 @@ class SheetCurl:
         return replace(self, width=width)
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
-        """Return the curl at stations `at` (m,), mm, interpolated between stations `s` (n,), mm."""
+        """Return the `SheetCurl` at arc lengths `at` (m,), mm, interpolated from arc lengths `s` (n,), mm."""
         rest = at_stations(self.natural_curvature, s, at)
         return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
 
@@ -339,18 +339,18 @@ class PlainSection:
 
 
 WIDTH_SHARE = 1e-6
-"""Relative excess over the least width, so that rounding errors do not make a strip narrower than this width."""
+"""Relative increase of the least width, so that rounding errors do not make a strip narrower than the limit."""
 
 
 @dataclass(frozen=True)
 class WidthRange:
-    """Limits of the width of a plain strip whose loads determine its width.
+    """Limits of the width of a plain strip with given loads.
 
     Attributes
     ----------
     sheet : Sheet
     least : float
-        Least width, mm; 0 for no limit.
+        Least width, mm, or 0 for no limit.
     largest : float or None
         Width at the widest station, mm. None if `least` is the width at the narrowest station.
     """
@@ -361,7 +361,7 @@ class WidthRange:
 
     @property
     def stiffness(self) -> dict[str, float]:
-        """Arguments of `optimal_rod` that correspond to these widths, N mm2."""
+        """Arguments of `optimal_rod` for these widths: bending stiffnesses, N mm2, by name."""
         rigidity = PlainSection(self.sheet).rigidity
         if self.largest is None:
             return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
@@ -444,9 +444,9 @@ class WidthLaw:
 
     @classmethod
     def as_plate(cls, sheet: Sheet, largest: float | None) -> "WidthLaw | None":
-        """Return the law for widths up to `largest`.
+        """Return the law for widths up to `largest`, or None.
 
-        None if the largest width is None, or the plate effect unknown or 0.
+        The result is None if `largest` is None, or if Poisson's ratio of the sheet is unknown or 0.
         """
         require_record(sheet, Sheet, "the sheet", "a Sheet")
         has_plate_effect = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
@@ -481,10 +481,7 @@ class WidthLaw:
         return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """Return the effect of curling on the stiffness of strips with the widths `parameter` (n,), mm.
-
-        Without Poisson's ratio it is None.
-        """
+        """Return the effect of anticlastic bending for widths (n,), mm, or None if Poisson's ratio is 0."""
         return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
@@ -510,7 +507,7 @@ class WidthLaw:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain, half the thickness times the absolute change of curvature, for any width."""
+        """Return the surface strain: half the thickness times the absolute change of curvature."""
         return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
 
     @property

@@ -28,7 +28,7 @@ from elastica_cad.refusals import Either, FieldName, Length, Refusal, note, sent
 SCHEMA = 1
 
 NOMINAL_KEY = "nominal_poisson_ratio"
-"""Key, in a file of sheets, of a typical Poisson's ratio that was not measured for this sheet."""
+"""Key in files of sheets for a typical Poisson's ratio that was not measured."""
 
 UNITS = {
     "thickness": "mm",
@@ -45,7 +45,7 @@ OPTIONAL_UNITS = {
     **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
 }
 
-# key -> lowest value of any sheet, highest value, description of the unit
+# for each key: lowest and highest plausible value, and description of the unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
     "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
@@ -166,10 +166,11 @@ def _checked_poisson_ratio(value: Any, where: str) -> float:
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable with folders or files of sheets, separated as in PATH."""
 
-_WORDS = ("kind", "grain")  # keys that are attributes of `Sheet` without conversion
+# keys whose values are attributes of `Sheet` without conversion
+_WORDS = ("kind", "grain")
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# key in the file -> attribute of `Sheet`, name of its source
+# for each key of the file: attribute of `Sheet`, and label in the description of the sources
 _FIGURES = {
     "thickness_mm": ("thickness", "thickness"),
     "youngs_modulus_MPa": ("youngs_modulus", "E"),
@@ -179,7 +180,8 @@ _FIGURES = {
     "shear_modulus_MPa": ("shear_modulus", "G"),
     "break_strain": ("break_strain", "break"),
 }
-_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # estimated from other properties, if not published
+# keys of properties that are estimated from other properties if they are not published
+_ESTIMATED = ("shear_modulus_MPa", "break_strain")
 
 
 LARGEST_FILE = 2**20
@@ -237,7 +239,7 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
-        ratio = entry["poisson_ratio"]  # a number, or { value, source }
+        ratio = entry["poisson_ratio"]  # a number, or a table with value and source
         if isinstance(ratio, dict):
             fields["poisson_ratio"] = ratio["value"]
         else:
@@ -366,8 +368,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
-# thickness, and least radius along and across the face grain, in inches as published; along the grain means
-# that the mandrel is at 90 degrees to the grain
+# thickness, least radius along the face grain and least radius across it, in inches; along the grain means that the
+# mandrel is at 90 degrees to the grain
 ROWS_INCH = {
     3: (
         (0.035, 2.0, 1.1), (0.070, 5.2, 3.2), (0.100, 8.6, 5.2), (0.125, 12.0, 7.1), (0.155, 16.0, 10.0),
@@ -387,7 +389,7 @@ For example, plywood of 0.160 in is sold as 4 mm.
 """
 
 PRINTED_ACCURACY = 0.01
-"""Relative accuracy of a radius; the published radii have two digits, and the strain of a sheet is rounded."""
+"""Relative accuracy of a published radius, which has two digits."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
 """Range of thicknesses, mm, for which the table is used.
@@ -472,9 +474,8 @@ class Sheet:
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
         Range that occurs in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
-        Least width, mm, with which a piece can be cut and lifted out. They apply to strips and tongues, to
-        ligaments of perforated strips, and to bridges between the cuts of a plate. The defaults are rules of
-        thumb (`FabricationLimits`).
+        Least widths, mm, with which strips and tongues, ligaments of perforated strips, and bridges between the
+        cuts of a plate can be cut and lifted out. The defaults are rules of thumb (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional
@@ -723,7 +724,7 @@ class Sheet:
     def elasto_gravity_length(self) -> float:
         """Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1).
 
-        Weight has little effect on a strip that is much shorter.
+        Weight has little effect on a strip that is much shorter than this length.
         """
         weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
         return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))

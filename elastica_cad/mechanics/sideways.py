@@ -26,9 +26,9 @@ from elastica_cad.mechanics.sheets import even_shear_ratio
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
-"""Reduction of the width of a rectangle in torsion, in thicknesses.
+"""Constant in the torsional stiffness of a rectangle, G w h^3/3 (1 - 0.63 h/w) (St Venant).
 
-For shear modulus G, width w and thickness h, the torsional stiffness is G w h^3/3 (1 - 0.63 h/w) (St Venant).
+G is the shear modulus, w the width and h the thickness.
 """
 
 LEAST_TORSION = 0.25
@@ -47,7 +47,7 @@ class SidewaysSection:
     Attributes
     ----------
     width, thickness : (n,) array
-        Width and thickness, mm. A plate of this thickness has the same bending and membrane stiffness.
+        Width, mm, and thickness, mm, of a plate with the same bending and membrane stiffness.
     edgewise, torsion : (n,) array
         Stiffness of bending in the plane of the sheet, and torsional stiffness.
     """
@@ -61,7 +61,10 @@ class SidewaysSection:
     def rectangle(
         cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
     ) -> "SidewaysSection":
-        """Return the sections of a solid strip with in-plane bending stiffness (n,); `shear_ratio` is G / E."""
+        """Return the sections of a solid strip.
+
+        `stiffness` (n,) applies to bending in the plane of the curve, and `shear_ratio` is G / E.
+        """
         torsion = 4 * shear_ratio * stiffness * _torsion_factor(thickness, width)
         return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
 
@@ -93,14 +96,14 @@ class SidewaysSection:
 
         Notes
         -----
-        For the lower bound, stresses are in equilibrium. Every ligament, of width b across the strip, carries its
-        part alone. Along the axes of a ligament, a torque T is a torque T cos(theta) and a bending moment T
-        sin(theta). This reduces G b h^3/3, for sheet thickness h, by the factor cos^2 / (cos^2 + 4 G/E sin^2).
-        Edgewise, each ligament has the second moment of area b^3 h/12.
+        The lower bound assumes stresses in equilibrium. Every ligament, of width b across the strip, carries its
+        part of the load alone. A torque T on the strip is a torque T cos(theta) and a bending moment T sin(theta)
+        on the ligament. They reduce the torsional stiffness G b h^3/3, for sheet thickness h, by the factor
+        cos^2 / (cos^2 + 4 G/E sin^2). Edgewise, each ligament has the second moment of area b^3 h/12.
 
-        For the upper bound, displacements are compatible. All ligaments twist equally, with G t h^3/3 for their
-        total width t. Edgewise, the ligaments bend as a plane cross-section, whose second moment of area is at
-        most the value for material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
+        The upper bound assumes compatible displacements. All ligaments twist equally, with the torsional stiffness
+        G t h^3/3 for their total width t. Edgewise, the cross-section remains plane. Its second moment of area is
+        at most (W^3 - (W - t)^3) h/12, the value for material at the edges of an outline of width W.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
@@ -173,7 +176,7 @@ class SidewaysSection:
 
     @classmethod
     def round(cls, stiffness: FloatArray, diameter: float, shear_ratio: float) -> "SidewaysSection":
-        """Return the sections of a rod or tube with a largest diameter of `diameter` mm.
+        """Return the sections of a round rod or tube; `diameter` is its largest diameter, mm.
 
         The bending stiffness E I is the same in all directions, and the torsional stiffness is 2 E I G / E.
         """
@@ -200,35 +203,34 @@ def _torsion_factor(thickness: FloatArray | float, width: FloatArray) -> FloatAr
 
 
 EDGES = 200
-"""Number of edges of the checked rod.
+"""Number of edges of the rod whose margin is computed.
 
-The error of the margin is proportional to the inverse square of this number. Here it is below 1e-3, and with a rail
-below 5e-3.
+The error of the margin is below 1e-3, and with a rail below 5e-3.
 """
 
 SAFE_LOAD = 1.5
 """Least factor by which the forces and moments of a safe strip can grow, in the same shape, before it tips over.
 
-It covers the uncertainty of the stiffness out of the plane, such as the shear modulus of plywood.
+The factor covers the uncertainty of the stiffness out of the plane, such as the shear modulus of plywood.
 """
 
 RIBBON_NUMBER = 16.0
-"""Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
+"""Largest w^2 b / h, for width w, change of curvature b and thickness h, at which a section keeps its shape.
 
-Above it bending and twist are coupled (a ribbon). A small stability margin of the rod model then
-proves nothing. Finite elements show that ribbons are more stable than the rod model.
+Above this value, bending and twist are coupled (a ribbon), and a small margin of the rod model is not conclusive.
+Finite elements show that ribbons are more stable than the rod model.
 """
 
 MOST_RIBBON_NUMBER = 80.0
-"""Largest w^2 kappa / h that was compared with finite elements; see `RIBBON_NUMBER` for the symbols."""
+"""Largest w^2 b / h that was compared with finite elements; see `RIBBON_NUMBER` for the symbols."""
 
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
-# error of an eigenvalue, as a fraction of the largest entry of the matrix
+# largest error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-# distance from an eigenvalue, as a fraction of the gap to the next, within which the margin counts as
-# this eigenvalue
+# distance of the margin from an eigenvalue, as a fraction of the gap between the two lowest eigenvalues, within
+# which the margin counts as this eigenvalue
 _SIGN_SHARE = 1e-9
 
 
@@ -245,7 +247,8 @@ class SidewaysStability:
     overloaded : float
         Margin under `SAFE_LOAD` times the forces and moments, in the same shape.
     ribbon_number : float
-        Largest w^2 kappa / h along the strip, for width w, curvature kappa and thickness h; see `RIBBON_NUMBER`.
+        Largest w^2 b / h along the strip, for width w, change of curvature b and thickness h (`RIBBON_NUMBER`).
+        Sections that are not wider than thick are left out.
     slenderness : float
         Ratio of the length to the largest width.
     most : float or None
@@ -405,10 +408,10 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # growing loads have the same effect as a decreasing stiffness
+        # an increase of all loads has the same effect as a decrease of the stiffness
         overloaded=SAFE_LOAD
         * sideways_margin(rod, section.edgewise / SAFE_LOAD, section.torsion / SAFE_LOAD),
-        # sections that are as thick as wide keep their shape
+        # sections that are not wider than thick keep their shape
         ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
         slenderness=float(rod.length / w.max()),
         most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
@@ -421,11 +424,13 @@ def stations_of_sideways(rod: Rod) -> FloatArray:
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
-    """Return the margin for stiffnesses (n,) at equal distances, divided by the least bending stiffness.
+    """Return the stability margin of a rod against tipping.
+
+    `edgewise` and `torsion` (n,) are the stiffnesses at equal distances, divided by the least bending stiffness.
 
     Examples
     --------
-    A straight strip without load: the least of torsion and edgewise bending, pi^2 GJ for clamped ends.
+    A straight strip with clamped ends and without load has the margin pi^2 GJ, with the torsional stiffness GJ.
 
     >>> round(sideways_margin(Rod.straight(100.0), np.full(201, 400.0), np.full(201, 1.5)) / np.pi**2, 3)
     1.5
@@ -499,7 +504,8 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
             terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
     if not places and len(terms) == len(taut):
-        rows += list(np.tile(np.eye(2), n))  # a bow can turn as a whole without a change of energy
+        # if only cords hold the strip, it can turn as a whole without a change of energy
+        rows += list(np.tile(np.eye(2), n))
     none = np.zeros((0, 2 * n))
     return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
 
@@ -507,7 +513,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
     """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
     first, second = _two_lowest(lower)
-    # below the lowest eigenvalue, so that the shifted matrix is positive definite
+    # a shift below the lowest eigenvalue makes the shifted matrix positive definite
     shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
     shifted = lower.copy()
     shifted[0] -= shift
@@ -540,7 +546,10 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """Return the second variation for rotations about x and y of every edge, as lower band (4, 2 n)."""
+    """Return the matrix of the second variation for rotations about x and y of every edge.
+
+    The result is the lower band (4, 2 n) of the matrix.
+    """
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
@@ -589,7 +598,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
-    # stay away from both eigenvalues, at which `along` is infinite
+    # distance from the eigenvalues `first` and `second`, at which `along` is infinite
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
     if low >= high or along(low) >= 0:  # the lowest mode already satisfies the constraint

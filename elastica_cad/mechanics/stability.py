@@ -33,8 +33,8 @@ class Determinant:
         Values of Z. The sign changes of Z are the conjugate points, except for rounding errors near s = 0,
         where Z has a zero of high order.
     fields : (n+2, 1+p) array
-        Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, and on a fictitious edge before and
-        after them.
+        Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, with a fictitious edge before the first
+        and after the last edge.
     integrals : (n, p, 1+p) array
         Integrals M_i and N_ij of the paper up to the end of each edge.
     """
@@ -91,7 +91,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
 def determinant_gradient(
     rod: DiscreteRod, *, weights: FloatArray, moments: FloatArray, load_slope: FloatArray | None = None
 ) -> FloatArray:
-    """Return the derivative of a weighted sum of the stability determinant by the stiffness of the nodes.
+    """Return the gradient of a weighted sum of the stability determinant with respect to the nodal stiffness.
 
     The method is the adjoint method (paper, Appendix B). The rod remains in equilibrium while the stiffness K
     changes: its ends are held, and its angles and forces change. If the weights are positive only near a
@@ -108,8 +108,8 @@ def determinant_gradient(
     moments : (n+1,) array
         Bending moments of the nodes divided by the least bending stiffness, 1/mm.
     load_slope : (n+1, 2) array, optional
-        Derivative of the weight of each node by its stiffness, 1/mm2. The derivative is load / K if the weight
-        is proportional to K.
+        Derivative of the weight of each node with respect to its stiffness K, 1/mm2. The derivative is load / K if
+        the weight is proportional to K.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod")
     for name, values in (("weights", weights), ("moments", moments)):
@@ -123,7 +123,7 @@ def determinant_gradient(
 
     # propagate the derivatives back through the determinants and integrals
     G = weights[:, None, None] * _cofactors(_stability_matrices(X, z.integrals))
-    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # a term of an integral affects all following edges
+    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # each term is in the integrals of all following edges
     per_field = G[:, 0, :].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
@@ -135,7 +135,7 @@ def determinant_gradient(
     per_pull = -np.einsum("km,km->k", adjoint[1:-1], X[1:-1])
     per_row -= adjoint[1:-1, 1:]
 
-    # direct derivatives of Z by angles and forces
+    # derivatives with respect to angles and forces, for a constant stiffness
     held = list(rod.held)
     per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
     per_force = (per_pull * lengths)[:, None] * T
@@ -169,7 +169,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    # positions of the clamp at the end of a piece of k edges
+    # position of the clamp for each number of edges in the piece
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
     if count == 1:
         return float(place[0])
@@ -184,7 +184,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Return the least number of edges, from the start, that form an unstable piece, or None."""
+    """Return the number of edges of the shortest unstable piece from the start, or None."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 
     def is_unstable(k: int) -> bool:
@@ -265,8 +265,10 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     return per_load
 
 
-SAFE_MARGIN = 5.0  # least margin that tolerates inaccurate cutting and mounting; the limit of stability is 0
-OUT_OF_BALANCE = 0.05  # largest imbalance of moments, relative to the moments, that `stability` accepts
+# least margin of a rod that remains stable if it is cut and mounted inaccurately
+SAFE_MARGIN = 5.0
+# largest imbalance of moments, relative to the moments, that `stability` accepts
+OUT_OF_BALANCE = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -402,7 +404,7 @@ def stability(rod: Rod) -> Stability:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    """Return the lowest mode at the nodes, as means of the edges, scaled to a largest value of 1."""
+    """Return the lowest mode at the nodes, scaled to a largest value of 1."""
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
     nodal[1:-1] = (mode[:-1] + mode[1:]) / 2

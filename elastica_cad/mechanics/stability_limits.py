@@ -21,10 +21,14 @@ from elastica_cad.refusals import Point
 PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
 Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
 
-LARGEST_TURN_RAD = 0.3  # largest rotation of an edge in a step along the path
-FIRST_STEPS = 16  # initial number of steps for each leg of the path
-RESOLUTION_SHARE = 1e-9  # accuracy of the limit, as a fraction of the path
-PUSH_RAD = 0.02  # displacement along the critical mode, from which the next stable shape is found
+# largest rotation of an edge in a step along the path
+LARGEST_TURN_RAD = 0.3
+# initial number of steps for each leg of the path
+FIRST_STEPS = 16
+# accuracy of the limit, as a fraction of the path
+RESOLUTION_SHARE = 1e-9
+# rotation along the critical mode before the search for the next stable shape
+PUSH_RAD = 0.02
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -34,9 +38,9 @@ class StabilityLimit:
     Attributes
     ----------
     parameter : float or None
-        Path parameter at which stability is lost. For a function it is t. For a sequence it is the number of
-        completed steps: 2.25 is a quarter of the third step, and 0 is the initial rod. None if the rod is stable
-        along the whole path.
+        Path parameter at which the rod becomes unstable, or None if the rod is stable along the whole path. The
+        parameter of a function is t. The parameter of a sequence is the number of completed steps: 0 is the
+        initial rod, and 2.25 is a quarter of the third step.
     at : dict
         Entry of the path at this parameter: keywords of `bend`, {"end": ...} or {"load": factor}.
     kind : {"snap", "bifurcation"} or None
@@ -179,7 +183,7 @@ class Course:
         return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """Return the parameter of the next step; steps end at corners of the path."""
+        """Return the parameter after a step from t; the step ends at the next corner of the path, or before."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 
@@ -190,7 +194,7 @@ class Course:
         return a, min(a + 2 * reach_t, self.end)
 
     def loaded(self, t: float) -> Rod:
-        """Return the rod with its weight at parameter t."""
+        """Return the rod with the weight of the path at parameter t."""
         entry = self.entry(t)
         rod = self.base
         if "gravity" in entry:
@@ -207,7 +211,10 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the first equilibrium of the path and its parameter, which is above 0 if a straight rod must bend."""
+    """Return the parameter and state of the first equilibrium of the path.
+
+    The parameter is 0. If a straight rod would buckle immediately, the parameter is slightly larger.
+    """
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
@@ -231,9 +238,9 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
-    """Return the last stable state before the margin changes its sign, and True if the margin is 0 there.
+    """Return the last stable state before the margin becomes negative, and True if the margin is 0 there.
 
-    Near a fold the margin jumps, because a step may reach the neighbouring unstable branch.
+    The margin may also jump to negative values near a fold, where a step may reach the unstable branch.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -262,8 +269,7 @@ def _limit_at(
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """Return the kind of instability: "snap" if the load does work on the critical mode, else "bifurcation".
 
-    The work is relative to the response of the rod without its axial force. The imbalance itself is not
-    suitable, because a turned end concentrates it in one edge.
+    The work counts as 0 if it is small compared with the work on the response of a rod without axial force.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)
