@@ -1,8 +1,7 @@
 """Choice between compiled code and Python for the inner loops of rods.
 
-`compiled` is None if the package was built without a C compiler, or if the environment has ELASTICA_PURE.
-Each caller then computes the same result in Python; tests compare both. The compiled code checks the sizes of
-all arrays.
+`compiled` is None if the package was built without a C compiler, or if the environment variable ELASTICA_PURE is
+set. Each caller then computes the same result in Python. The compiled code checks the sizes of all arrays.
 """
 
 import os
@@ -50,7 +49,7 @@ def shoot(
 def shape(
     angles: FloatArray, force: FloatArray, start: FloatArray, edge_length: float
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Return tangents, positions, pull and shear of a `DiscreteRod` with edges of equal length."""
+    """Return `tangents`, `position`, `pull` and `shear` of a `DiscreteRod` with edges of equal length."""
     n = angles.size
     out = np.empty((n, 2)), np.empty((n + 1, 2)), np.empty(n), np.empty(n)
     _loops().shape(n, *map(_plain, (angles, force, start)), edge_length, *out)
@@ -61,7 +60,7 @@ def second_variation(
     stiffness: FloatArray, node_lengths: FloatArray, edge_lengths: FloatArray, pull: FloatArray,
     tangents: FloatArray, *, free_ends: tuple[bool, bool], held: tuple[bool, bool], straight: float,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return diagonal and off-diagonal of `DiscreteRod.hessian`, and `DiscreteRod.constraint_rows`."""
+    """Return the two diagonals of `DiscreteRod.hessian`, and `DiscreteRod.constraint_rows`."""
     n = edge_lengths.size
     out = np.empty(n), np.empty(n - 1), np.empty((sum(held), n))
     given = map(_plain, (stiffness, node_lengths, edge_lengths, pull, tangents))
@@ -75,7 +74,7 @@ def sensitivities(
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
     to_equilibrium: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return the derivatives of angles, moments and positions: see `forming.rod_map.StripGrid.sensitivities`."""
+    """Return the derivatives of angles, moments and positions, as in `forming.rod_map.StripGrid.sensitivities`."""
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + to_equilibrium
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))
@@ -91,8 +90,9 @@ def sensitivities(
 def lowest_mode(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, polynomials: FloatArray
 ) -> tuple[float, FloatArray, FloatArray] | None:
-    """Return value, mode and multipliers of `mechanics.discrete_rod.lowest_weighted`, or None if the search
-    fails.
+    """Return the result of `mechanics.discrete_rod.lowest_weighted`: value, mode and multipliers.
+
+    The result is None if the search fails.
     """
     mode, multipliers = np.empty(diagonal.size), np.empty(len(rows))
     given = map(_plain, (diagonal, off, lengths, rows, polynomials))
@@ -105,10 +105,10 @@ def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
     right: FloatArray, penalty: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
-    """Return the solution of `forming.quadratic_program`, True if it converged, and the number of
-    factorisations.
+    """Solve a quadratic program of `forming.quadratic_program`.
 
-    The solution is x and the multipliers of the rows, lower bounds and upper bounds.
+    Return the solution, True if the iteration converged, and the number of factorisations. The solution is x and
+    the multipliers of the rows, lower bounds and upper bounds.
     """
     n, m = gradient.size, right.size
     out = np.empty(n), np.empty(m), np.empty(n), np.empty(n)

@@ -42,9 +42,9 @@ class FixedLaw:
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):
-    """Law E I = E `inertia` p^`power` for a parameter p, mm; the area is `area` p^(`power` - 2).
+    """Law E I = E `inertia` p^`power` for a parameter p, mm, and an area `area` p^(`power` - 2).
 
-    The thickness of `sheet` is ignored.
+    `_shape` contains `power`, `inertia` and `area`. The thickness of `sheet` is ignored.
     """
 
     sheet: Sheet
@@ -74,7 +74,7 @@ class _PowerLaw(FixedLaw):
 
     @property
     def _shape(self) -> tuple[int, float, float]:
-        """Exponent of the parameter in E I, and second moment of area and area for the parameter 1."""
+        """Exponent of the parameter in E I, then second moment of area and area if the parameter is 1 mm."""
         raise NotImplementedError
 
     @property
@@ -269,14 +269,17 @@ class LeavesLaw(FixedLaw):
         return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
-        """Return the law of a stack whose plies have fixed positions."""
+        """Return the law of a stack whose plies `leaves` have fixed positions."""
         thick = self.relaxed
         return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """Ply of a stack, or piece of it, from `start` to `end`, mm; `number` counts from a full-length ply (1)."""
+    """Ply of a stack, or piece of a ply, from arc length `start` to `end`, mm.
+
+    `number` is the number of the ply in the stack. Ply 1 has the full length.
+    """
 
     number: int
     start: float
@@ -295,7 +298,7 @@ class LaidLeaves(ThicknessLaw):
     Parameters
     ----------
     sheet, least, largest, width
-        As in `ThicknessLaw`; the sheet is the sheet of a ply.
+        As in `ThicknessLaw`; `sheet` is the sheet of each ply.
     leaves : tuple of Leaf
         Plies over the full length first, then the other plies in the order of their numbers.
     """
@@ -309,7 +312,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the plies: a number, and a letter if the ply consists of several pieces."""
+        """Names of the plies or pieces: the number of the ply, and a letter if the ply has several pieces."""
         numbers = [leaf.number for leaf in self.leaves]
         counts: dict[int, int] = {}
         labels = []
@@ -334,17 +337,17 @@ class LaidLeaves(ThicknessLaw):
 
 
 SAME_SCALE = 1e-4
-"""Relative difference of bending stiffnesses that is within the accuracy of an optimal rod."""
+"""Relative difference up to which bending stiffnesses count as equal; optimal rods are not more accurate."""
 
 BETWEEN_NODES = 1e-3
-"""Largest relative excess of the stiffness over a limit between nodes, if the limit is imposed at the nodes."""
+"""Relative excess over the largest stiffness that may occur between the nodes if only the nodes are limited."""
 
 
 class StiffnessLaw(Protocol):
     """Cross-section with a parameter, mm, that varies along the strip and determines its bending stiffness.
 
-    The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. The law contains the
-    values of other properties, such as the width of the base of a laminate, for every station.
+    The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. Other properties, such
+    as the width of the base of a laminate, are part of the law.
     """
 
     def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
@@ -375,7 +378,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def follows_bend(self) -> bool:
-        """True if the stiffness depends on the curvature; the stiffness is then known only for a given bend."""
+        """True if the stiffness depends on the curvature, so that it is known only in a given shape."""
 
     @property
     def stack(self) -> LaidLeaves | None:
@@ -384,9 +387,8 @@ class BoundedLaw(StiffnessLaw, Protocol):
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
         """Return the law at stations (n,) that are bent by a change of curvature, 1/mm.
 
-        `curvature` is the change kappa - kappa_0, and `rest` the natural curvature kappa_0.
-
-        The result is the law itself if bending does not change it.
+        `curvature` is the change kappa - kappa_0, and `rest` the natural curvature kappa_0. If bending has no
+        effect on the law, the law itself is returned.
         """
 
     def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
@@ -400,11 +402,11 @@ class BendFactor(Protocol):
         """Return the factors of the stations (..., n) for their curvatures (..., n), 1/mm."""
 
     def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
-        """Return the factors as a function at stations `at` (m,), interpolated between stations `s` (n,), mm."""
+        """Return the function for stations at arc lengths `at` (m,), mm, by interpolation from `s` (n,), mm."""
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
-    """Return values (..., n) at arc lengths `s` (n,), mm, interpolated at `at` (m,), mm; a number is constant.
+    """Return values (..., n) at arc lengths `s` (n,), mm, interpolated at `at` (m,), mm, or a constant unchanged.
 
     Examples
     --------
@@ -432,9 +434,9 @@ def scale_within(
     stiffness : (n,) array
         Relative stiffness of the stations.
     solved : float, optional
-        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the weight of
-        its sections, so its B is returned. The sections of a weightless rod may be increased to their limits,
-        which include the limit of strain.
+        B of a rod that is already in equilibrium. This value is returned for a rod with weight (`heavy`), which is
+        in equilibrium only with the weight of its sections. It is also returned if it is below the limit, because
+        another limit, such as the strain, may determine it.
     """
     least, largest = law.limits
     limited = bool(np.isfinite(largest))
@@ -443,7 +445,7 @@ def scale_within(
     if solved is None:
         return B
     bounded = solved < B
-    # a search limits the section at the nodes; between nodes it may be slightly larger
+    # a search limits the section only at the nodes, so it may be slightly larger between nodes
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     unchanged = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if unchanged else B

@@ -23,16 +23,16 @@ PLACES = 11
 """Number of points along the curve, evenly spaced between its ends, at which elements are tried."""
 
 PLACE_DIGITS = 3
-"""Number of significant digits of an arc length."""
+"""Number of significant digits of a suggested arc length."""
 
 CLEARLY_BETTER = 2.0
-"""Factor by which the stiffness ratio must decrease, for a pin to replace a rail, or a tie to replace both."""
+"""Factor by which a pin must decrease the stiffness ratio of a rail to be suggested, and a tie that of a pin."""
 
 MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""
 
 MOST_STABLE_TRIED = 3
-"""Largest number of elements of one kind whose stability is computed."""
+"""Largest number of elements of each kind for which the stability of the rod is computed."""
 
 
 def suggest_support(
@@ -98,9 +98,9 @@ def suggest_support(
 
 
 def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
-    """Return the stable rod of least ratio: its ratio, up to `most`, and its element.
+    """Return the ratio and the element of the stable rod of least stiffness ratio.
 
-    None if there is no such rod.
+    The result is None if no rod with a ratio up to `most` is stable.
     """
     possible = []
     for i, request in enumerate(requests):

@@ -1,4 +1,4 @@
-"""Theorem 1 on realizable curves: conditions on the curvature, and result of the check of a drawn curve."""
+"""Conditions on the curvature by Theorem 1 of the paper, and result of the check whether a curve is realizable."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -105,8 +105,8 @@ class Undecided:
     resolution : float
         Rounding error of a point, mm, estimated from its number of decimals.
     fit, other : FittedVerdict
-        Results for the curve of the check and for another curve. If both curves are refused, the points do not
-        require the inflections for which the first curve is refused.
+        Results for the checked curve and for another curve. If no strip can have the shape of either curve, the
+        other curve lacks inflections that make the checked curve impossible.
     """
 
     resolution: float
@@ -184,8 +184,7 @@ class EquilibriumCheck:
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
         Only for a curve that was fitted to points: the comparison with another curve that fits the points
-        equally well. The other curve has a different result, or lacks inflections for which this curve is
-        refused.
+        equally well. The other curve has a different result, or lacks inflections that make this curve impossible.
     """
 
     realizable: bool
@@ -220,14 +219,14 @@ class EquilibriumCheck:
 
     @property
     def details(self) -> tuple[str, ...]:
-        """Sentences that explain an undecided result and are not part of `str()`; otherwise empty."""
+        """Sentences that explain an undecided result; empty if the result is decided."""
         if self.undecided is None:
             return ()
         return self.undecided.details, *self.points_message, *self.reasons, *self.warnings
 
     @property
     def cautions(self) -> tuple[str, ...]:
-        """Warnings for a finished strip, after the message that the points do not decide the result."""
+        """Warnings for a finished strip; if the result is undecided, the first warning states this."""
         return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
@@ -431,7 +430,10 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return changes that may help; none if a point is an outlier, which is probably a typing error."""
+    """Return changes of options that may help.
+
+    The result is empty if a point is an outlier, because this is probably a typing error.
+    """
     points = measured_points(curve)
     if points is not None and points.outlier:
         return ()
@@ -449,9 +451,9 @@ def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse objects other than curves, and curves with a corner, also where a closed curve starts and ends.
+    """Refuse objects that are not curves, and curves with a corner, which no strip can follow.
 
-    No strip can follow a corner.
+    A closed curve may also have a corner at its start.
     """
     require_curve(curve)
     corners = curve.tangent_breaks
@@ -473,8 +475,8 @@ def require_bendable(curve: PlaneCurve) -> None:
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
 """Criteria for a corner that may be a bend through measured points.
 
-`SAMPLED_SHARE` is the least turn at a neighbouring point, as a fraction of the turn at the corner.
-`CORNER_DEG` is the turn of a corner in degrees, as in `curve_from_points`.
+The turn at a neighbouring point must be at least `SAMPLED_SHARE` times the turn at the corner. It must be less than
+`CORNER_DEG` degrees, the limit above which `curve_from_points` makes a corner.
 """
 
 
@@ -545,26 +547,26 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
 SMOOTHED = (Change("smooth", SMOOTH_WITHIN + 0.0),)
-"""Change that messages suggest if the curvature jumps, with its distance, mm."""
+"""Smoothing that messages suggest if the curvature jumps, with the largest displacement of the curve, mm."""
 
 
 PLACES = 721
 """Number of points along a closed curve among which the flattest point is chosen."""
 
 CLEAR_SHARE = 0.05
-"""Least curvature at the start of a closed curve, relative to the largest; the start is not near an inflection."""
+"""Least curvature, relative to the largest, of a point that is not near an inflection."""
 
 PLACE_DIGITS = 6
-"""Number of decimals, mm, of a start point, so that equal curves from two programs begin at the same point."""
+"""Number of decimals of a start point in mm, so that equal curves from two programs begin at the same point."""
 
 ALIKE = 1e-6
-"""Largest relative difference of curvatures of two points that count as equally flat."""
+"""Difference of curvature, relative to the largest, up to which two points count as equally flat."""
 
 
 NEAR_KNOT_SHARE = 1e-5
-"""Distance, as a fraction of the domain, within which the start of a closed curve is moved to a knot.
+"""Distance from a knot, as a fraction of the parameter range, within which a start is moved to the knot.
 
-The curvature of a shorter piece between knots would consist of rounding errors.
+If a shorter piece were left between start and knot, its curvature would consist of rounding errors.
 """
 
 
@@ -598,14 +600,14 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # scale the weights of the second part, which does not change it, so that they continue the first part
+        # scale the weights of the second part to continue those of the first part; its shape does not change
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with its last point equal to its first, so that rounding in the file has no effect."""
+    """Return the closed curve with exactly equal first and last points, which rounding may have separated."""
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
@@ -614,7 +616,10 @@ def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
 
 
 def flattest_place(curve: PlaneCurve) -> float:
-    """Return the arc length, mm, of the flattest point away from inflections; 0 if the start is equally flat."""
+    """Return the arc length, mm, of the flattest point that is not near an inflection.
+
+    Of several equally flat points, the first is returned.
+    """
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
@@ -627,50 +632,49 @@ AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, within which a zero of the curvature is at the end."""
 
 SEAM_SHARE = 0.01
-"""Curvature at the start of a closed curve, relative to the largest, below which the start is moved."""
+"""Curvature at the start of a closed curve, relative to the largest curvature, below which the start is moved."""
 
 PINNED_SHARE = 1e-6
 """Largest curvature at a pinned end, relative to the largest of the curve, that counts as 0."""
 
 GENTLE_SHARE = 1e-5
-"""Slope of the curvature at an inflection up to which it counts as 0.
+"""Largest slope of the curvature at an inflection that counts as 0.
 
-The slope is relative to the largest curvature over the length. For this slope, the stiffness at the inflection
-would be some ten thousand times the stiffness at other points.
+The slope is relative to the largest curvature divided by the length. With this slope, the stiffness at the
+inflection would be some ten thousand times the stiffness at other points.
 """
 
 FAINT_SHARE = 1e-7
-"""Curvature at a minimum of its absolute value up to which it counts as 0, relative to the largest curvature.
+"""Largest minimum of the absolute curvature that counts as 0, relative to the largest curvature.
 
-The fraction is about the square of the limit for slopes, because the curvature near a minimum increases with
-the square of the distance.
+This value is much less than the limit for slopes, because the curvature near a minimum increases with the square of
+the distance.
 """
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Curvature at an end, relative to the largest, up to which a zero of the extended curve counts as at the end."""
+"""Largest curvature at an end, relative to the largest, for which a zero close beyond the end is at the end."""
 
 STEP_SHARE = 1e-3
-"""Largest jump of the curvature, relative to the larger side, that is not reported.
+"""Largest jump of the curvature, relative to the curvature, that is not reported.
 
-Such a jump changes the width of a strip of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller
-jumps.
+Such a jump changes a width of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller jumps.
 """
 
 KINK_SHARE = 0.01
-"""Largest jump of the slope of the curvature, times length over curvature, that is not reported.
+"""Largest jump of the slope of the curvature, times length divided by curvature, that is not reported.
 
-Such a jump turns the edge of a strip whose width is a fifth of its length by at most 0.1 degree.
+If the width of a strip is a fifth of its length, such a jump turns its edge by at most 0.1 degree.
 """
 
 SHARP_SHARE = 5.0
-"""Jump of the slope of the curvature, times length over curvature, from which the edge has a visible corner.
+"""Jump of the slope of the curvature, times length divided by curvature, from which the edge has a visible corner.
 
-The corner has 10 degrees on a strip whose width is a fifteenth of its length.
+If the width of a strip is a fifteenth of its length, the corner has 10 degrees.
 """
 
 TINY = float(np.finfo(float).tiny)
 
-# curvature at a minimum, as a fraction of the largest, below which the minimum is examined more closely
+# absolute curvature, as a fraction of the largest, below which a minimum is located exactly
 _DIP_SHARE = 0.01
 
 
@@ -683,7 +687,7 @@ def examine_curvature(
 ) -> EquilibriumCheck:
     """Check the excess curvature (curvature minus natural curvature): zeros, jumps, straight pieces, kinks.
 
-    `tails` are the ends (0 start, 1 end) at which a straight piece carries no moment up to an element.
+    `tails` are the ends (0 start, 1 end) with a straight tail, which carries no moment.
     """
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
@@ -737,9 +741,9 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move an unbent start of a closed curve to a bent point; return the curve and a message."""
+    """Return the curve and a message; move the start of a closed curve to a bent point if it is not bent there."""
     curve = excess.curve
-    # do not move the start, because the arc length of a `RestCurvature` is measured from it
+    # do not move the start if the arc length of a `RestCurvature` is measured from the start
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
@@ -773,7 +777,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # the extended curve would have a zero just beyond the end
+        # True if the curve, extended beyond this end, would have a zero close to the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             slope_sign = int(np.sign(slope))
@@ -899,7 +903,11 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Return messages about bent joints to straight ends, and arc lengths, mm, of joints with too small slopes."""
+    """Check the joints between straight tails and the bent part of a strip.
+
+    Return messages about joints at which the curvature is not 0, and the arc lengths, mm, of joints at which the
+    slope of the curvature is 0.
+    """
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0
@@ -919,7 +927,7 @@ def _faulty_joints(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if excess curvature and slope are almost zero at t; the bent piece is then impossible too."""
+    """Return True if excess curvature and its slope are almost zero at t, so that no support helps."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -988,14 +996,17 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return jumps (n,) of the curvature, and of its slope times the length, relative to the curvature."""
+    """Return the relative jumps of the curvature and of its slope at the breaks.
+
+    Both arrays (n,) are divided by the curvature; the jumps of the slope are multiplied by the length.
+    """
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
     before = np.where(after == low, high, after)  # at the start of a closed curve, `before` is the end
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)
-    with np.errstate(over="ignore"):  # where the curvature is 0, any jump is infinitely larger
+    with np.errstate(over="ignore"):  # where the curvature is 0, the relative jump is infinite
         return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 
 

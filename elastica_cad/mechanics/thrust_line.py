@@ -11,9 +11,9 @@ PARALLEL = 1e-6
 
 
 def inflections_of(rod: Rod) -> FloatArray:
-    """Return the points (k, 2) at which the change of curvature by bending changes its sign.
+    """Return the points (k, 2) at which kappa - kappa_0 changes sign: curvature minus natural curvature.
 
-    If the strip is cut flat, these are its inflections.
+    For a strip that is cut flat, these points are the inflections of its shape.
     """
     if rod.shape is not None and not np.any(rod.natural_curvature):
         return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
@@ -24,11 +24,11 @@ def inflections_of(rod: Rod) -> FloatArray:
 
 
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the sides (n, 2) of the thrust line in a box.
+    """Return the sides of the thrust line inside a box, each side as points (n, 2).
 
-    The sides extend between the corners of the line, and beyond the inflections of the rod. Without weight the
-    sides are straight, n = 2. The result is empty for a rod without elements and point forces, because its
-    thrust line is the inflection line.
+    `low` and `high` are opposite corners of the box. A side extends as far as its corners with other sides and its
+    inflections. Sides of a rod without weight are straight (n = 2). The result is empty for a rod without elements
+    and point forces, because its thrust line is the inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)
@@ -68,11 +68,11 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
 
 
 def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the parts (n, 2) inside a box of the thrust line of a rod with weight, divided at the elements.
+    """Return the parts (n, 2) of the thrust line of a rod with weight inside a box, divided at the elements.
 
-    The internal force at the point gamma of the rod acts along the line M + <b, x - gamma> = 0. M is the
-    moment, and b the force after a quarter turn. Weight changes only the component of the force along gravity
-    e, so all these lines touch the curve gamma - M / <b, e> e.
+    Let M be the moment at the point gamma of the rod, b the force there after a quarter turn, and e the direction
+    of gravity. The internal force acts along the line M + <b, x - gamma> = 0. All these lines touch the curve
+    gamma - M / <b, e> e, because weight changes only the component of the force along e.
     """
     assert rod.gravity is not None
     e = np.array(rod.gravity.direction)

@@ -22,12 +22,12 @@ from elastica_cad.mechanics.sheets import Range, Sheet
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Force or moment at a free end, as a fraction of the largest in the rod, up to which it counts as 0."""
+"""Largest load at a free end that counts as 0, as a fraction of the largest force or moment in the rod."""
 
 
 @dataclass(frozen=True)
 class Imperfection:
-    """Difference between a real strip and its design; by default there is none.
+    """Differences between a real strip and its design; the default values mean no difference.
 
     Attributes
     ----------
@@ -43,8 +43,8 @@ class Imperfection:
         Largest elastic change of curvature, 1/mm; the change beyond it is permanent (ideal plasticity, paper,
         Appendix D).
     width_loss : float
-        Loss of width along the whole strip, mm, in addition to the corrected kerf; negative for a strip that is too
-        wide.
+        Loss of width along the whole strip, mm, in addition to the compensated kerf. It is negative for a strip
+        that is too wide.
     thickness_wave, wave_phase : float
         Amplitude of a wave of the thickness, as a fraction of the thickness, and its phase at the start, rad. The
         wave has one period over the length.
@@ -97,7 +97,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    # loads on free ends are in newtons, so divide them by the changed stiffness
+    # loads on free ends have the same values in newtons, so divide them by the changed stiffness
     softer = 1 / (v.youngs_modulus * v.thickness**3 * B)
     force, moment = dead_loads(rod, softer)
     return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
@@ -128,7 +128,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
-    """Return the section law of a strip that bends as a plate, and the curl of its sheet; None for other strips."""
+    """Return the `CurlingLaw` and `SheetCurl` of a strip that bends as a plate; None for other strips."""
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
@@ -156,7 +156,10 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """Do the same as `_as_cut` for a strip that bends as a plate; `stiffer` (n,) are factors on the stiffness."""
+    """Return the result of `_as_cut` for a strip that bends as a plate.
+
+    `stiffer` (n,) contains factors on the stiffness by the stiffness range and the thickness wave.
+    """
     kappa = np.asarray(rod.curvature)
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)
@@ -174,7 +177,10 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """Scale the weight; `width_factor` is the change of the least bending stiffness by width and thickness."""
+    """Return the rod with the weight of the cut strip.
+
+    `width_factor` is the factor by which the relative stiffness of the weakest section changed.
+    """
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -242,13 +248,12 @@ class ToleranceRanges:
     def of(
         cls, sheet: Sheet, *, stiffness_range: Range = (0.9, 1.1), angle: Range = (-0.035, 0.035)
     ) -> "ToleranceRanges":
-        """Return the ranges of a sheet; quantities for which it has no range do not vary.
+        """Return the ranges of a sheet; a quantity without a range does not vary.
 
         Parameters
         ----------
         sheet : Sheet
-            Sheet with ranges. Only the deviation from its kerf varies the width, because the kerf itself is
-            corrected.
+            Sheet with ranges. The kerf is compensated, so only deviations from it change the width.
         stiffness_range, angle : (low, high)
             Ranges of quantities that are not properties of a sheet.
         """
@@ -415,13 +420,13 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation, mm, or None if there is no rest shape; `snapped` is True if the rod snapped."""
+    """Deviation of a rest shape, mm, or None if there is no rest shape; `snapped` is True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
 
 
-# cause -> changed attributes of Imperfection, each with the name of its range
+# for each cause: varied attributes of `Imperfection`, each with the name of its range in `ToleranceRanges`
 _CAUSES: dict[str, dict[str, str]] = {
     "stiffness range": {"stiffness_range": "stiffness_range"},
     "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},

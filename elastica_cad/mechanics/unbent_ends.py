@@ -1,6 +1,7 @@
-"""Ends of a curve that carry no moment: almost unbent ends made exactly unbent, and straight tails.
+"""Ends of a curve that carry no moment: unbent ends and straight tails.
 
-A strip without weight carries no moment between a free end and the first element or force. This tail is straight.
+The part of a strip between a free end and the first element or force is a tail. Without weight, a tail carries no
+moment and is straight.
 """
 
 from collections.abc import Iterator, Sequence
@@ -27,27 +28,32 @@ from elastica_cad.mechanics.theorem1 import AT_END_SHARE
 from elastica_cad.refusals import Length, Refusal, note
 
 MEANT_SHARE = 0.01
-"""Fraction up to which a drawn end counts as unbent, because drawings are not more accurate.
+"""Inaccuracy of a drawn end that is meant to be unbent.
 
-It is relative to the length for the distance of a curvature zero from the end, and to the largest curvature for the
-start of a straight tail.
+The distance of a zero of the curvature from the end may be this fraction of the length. The curvature at the start
+of a straight tail may be this fraction of the largest curvature.
 """
 
 
 LOCAL_SHARE = 0.05
-"""Distance of a knot from an end, as a fraction of the parameter range, so that a change of the end stays local."""
+"""Distance of an inserted knot from an end, as a fraction of the parameter range.
+
+The knot keeps changes of the end local.
+"""
 
 LOCAL_DEGREE = 4
-"""Least degree of a curve with these knots, so that the slope of the curvature is continuous there."""
+"""Least degree of a curve with inserted knots, at which the slope of the curvature must be continuous."""
 
 
 def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
-    """Return the curve without bending at the parameters `ends`, with the same end positions and tangents.
+    """Return a nearby curve that has the natural curvature at `ends`, and the same end positions and tangents.
+
+    `ends` are parameters of the curve.
 
     Raises
     ------
     NotConvergedError
-        No such curve is near.
+        No such curve is found.
     """
     curve = excess.curve
     constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
@@ -66,9 +72,9 @@ class FreeTail:
     station : float
         Arc length of the element or force, mm.
     straight : float or None
-        Arc length, mm, at which a straight piece at the free end stops; None without such a piece.
+        Arc length, mm, to which the curve is straight from the free end; None if it is not straight there.
     t, length : float
-        Parameter of the curve at which the tail begins, and length of the tail, mm.
+        Parameter of the curve at the joint of tail and bent part, and length of the tail, mm.
     """
 
     end: int
@@ -83,7 +89,8 @@ def find_free_tails(
 ) -> list[FreeTail]:
     """Return the tails of a strip that is cut flat, for elements and forces at arc lengths `stations`, mm.
 
-    A tail ends at a nearby end of a straight piece or kink of the curvature, otherwise at its station.
+    A tail extends from a free end to the nearest station. If a straight piece or a kink of the curvature ends near
+    this station, the tail extends to that point.
     """
     prebent = ExcessCurvature(curve, natural_curvature).is_bent_beforehand
     if not stations or prebent or curve.is_closed or curve.is_straight:

@@ -25,13 +25,16 @@ from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
-_ALONG = 0.1  # weight of a displacement along the curve, relative to a displacement across it
-# a change of the curvature by 1 / length counts as a displacement by this fraction of the length
+# weight of a displacement along the curve, relative to a displacement across the curve
+_ALONG = 0.1
+# displacement, as a fraction of the length, that counts as much as a change of the curvature by 1 / length
 _BEND = 0.005
-_STRETCH = 0.05  # a change of the speed d/dt by 100 % counts as a displacement by this fraction of the length
-# change of the line that counts as a displacement of the curve by this fraction of its length
+# displacement, as a fraction of the length, that counts as much as a change of the parametric speed by 100 %
+_STRETCH = 0.05
+# displacement, as a fraction of the length, that counts as much as a change of the moment by its largest value
 _LINE_STEP = 0.02
-_RANK = 1e-11  # relative size of singular values below which conditions count as dependent
+# relative size of singular values below which conditions count as dependent
+_RANK = 1e-11
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,10 +62,11 @@ class CurveChanges:
 
     @cached_property
     def distance_rows(self) -> FloatArray:
-        """Rows (2 g, 2 m) such that the squared norm of rows @ move is the weighted mean square distance.
+        """Matrix R (2 g, 2 m) for g Gauss nodes and m control points.
 
-        `move` contains x and y of the moves of all control points. The first g rows give moves across the curve
-        at the Gauss nodes; the others give moves along the curve, times `_ALONG`.
+        If `move` contains the displacements x and y of all control points, the squared norm of R @ move is the
+        weighted mean square displacement of the curve. The first g rows are displacements across the curve, the
+        others displacements along the curve times `_ALONG`.
         """
         basis = self.state.curve.basis(self._t)
         return np.concatenate([directed_rows(basis, d * self._root_weights) for d in self._frame])
@@ -85,10 +89,10 @@ class CurveChanges:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Allowed moves as columns (2 m + 3, r), for control points and the line of the inflections.
+        """Matrix (2 m + 3, r) whose columns are the allowed changes of m control points and of the inflection line.
 
-        The first 2 m rows move x and y of the control points in turn; the last three change a, b_x and b_y of the
-        line.
+        The first 2 m rows are changes of x and y of the control points, in turn. The last three rows are changes
+        of a, b_x and b_y of the line a + <b, x> = 0.
         """
         curve = self.state.curve
         a, b = self.state.line
@@ -101,7 +105,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # describe the line by numbers of order 1: the moment in the middle of the curve, and its slope
+        # describe the line by numbers of order 1: the moment at the centre of the curve, and its gradient
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
@@ -137,10 +141,10 @@ class CurveChanges:
 
     @cached_property
     def compliance(self) -> PanelFunction:
-        """Derivatives (r,) by u of the compliance C = 1/K = kappa / M at fixed parameters.
+        """Derivatives (r,) of the compliance C = 1/K = kappa / M with respect to u, at fixed parameters.
 
         They are dC = (d kappa - C dM) / M, with curvature kappa and moment M. At an inflection, numerator and
-        denominator are zero, and the polynomial through the Gauss nodes interpolates the quotient.
+        denominator are zero, and a polynomial through the Gauss nodes interpolates the quotient.
         """
         state, curve = self.state, self.state.curve
         _, b = state.line
@@ -155,15 +159,15 @@ class CurveChanges:
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
     def watched(self) -> tuple[FloatArray, FloatArray]:
-        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives by u (n, r)."""
+        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)."""
         return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Derivatives by u of arc lengths, from moves along the tangent.
+        """Derivatives of arc lengths with respect to u.
 
-        The results are the changes of arc length from the left end of each panel, at its left end (N, r), and of
-        the whole curve (r,).
+        There are three results: the derivatives of the arc length from the left end of a panel, as a function, of
+        the arc length at the left ends of all panels (N, r), and of the length of the curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
@@ -180,7 +184,7 @@ class CurveChanges:
 
     @cached_property
     def margin(self) -> FloatArray:
-        """Derivatives (r,) by u of the stability margin, for a fixed scale of the moment."""
+        """Derivatives (r,) of the stability margin with respect to u, for a fixed scale of the moment."""
         state, rod, nodes = self.state, self.state.rod, self.state.nodes
         panels, curve = state.balance.panels, state.curve
         panel, x = panels.locate(nodes.t)
@@ -188,7 +192,7 @@ class CurveChanges:
         d1 = curve.evaluate(nodes.t, 1)
         speed = np.linalg.norm(d1, axis=1)
         fractions = np.linspace(0.0, 1.0, nodes.t.size)
-        # nodes also move along the curve, to stay at equal distances
+        # the nodes also move along the curve, because they remain at equal distances
         slide = (fractions[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
@@ -206,23 +210,29 @@ class CurveChanges:
 
 # penalty of a violated bound, relative to half the mean square distance; far above all multipliers
 _PENALTY = 0.1
-_ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied, above the penalty of every bound
-# accuracy of a step, relative to the penalty, at which half a mean square distance of 1e-8 still has an
-# effect
+# penalty of a violated linear condition of a step, above the penalty of every bound
+_ROW_PENALTY = 10.0
+# accuracy of a step, relative to the penalties; it resolves half a mean square distance of 1e-8
 _ACCURACY = 1e-12
-_MARGIN_UNIT = 50.0  # violation of the margin that counts as 1
-_COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
-_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of one step: factor of the ratio, and increase of the margin
+# missing margin that counts as a violation of 1
+_MARGIN_UNIT = 50.0
+# largest ratio after a step, as a multiple of the present ratio or of its bound
+_COARSE = 3.0
+# targets of one step: the present ratio is multiplied by the first number, the second is added to the margin
+_RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-_SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
-# least gain of a step, in the unit of the distance; a smaller gain is a rounding error
+# predicted gain of a step, as a fraction of half the mean square distance, below which the search ends
+_SETTLED = 1e-3
+# gain of a step that is a rounding error, relative to the squared length
 _RESOLUTION = 1e-12
-_INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
+# relative distance from the bounds at the samples, so that the bounds are also satisfied between them
+_INSIDE = 1e-5
 _ENFORCED = 1e-11
 """Largest error of a satisfied constraint, as a fraction of the length of the curve or in rad."""
 
-_ROUNDS = 12  # largest number of times that samples are added where a step would violate the bounds
+# largest number of times that samples are added where a step would violate the bounds
+_ROUNDS = 12
 
 
 @dataclass(frozen=True)
@@ -235,7 +245,7 @@ class Bounds:
     def broken(self, state: EquilibriumCurve) -> float:
         """Return the violation of the bounds.
 
-        It is 1/ratio minus 1/present ratio, plus the missing margin over `_MARGIN_UNIT`.
+        The violation of the ratio is 1/bound - 1/ratio. The missing margin divided by `_MARGIN_UNIT` is added.
         """
         excess = max(0.0, 1 / self.ratio - 1 / state.ratio)
         if self.margin is None:
@@ -253,7 +263,7 @@ class Bounds:
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """Return slightly stricter bounds, so that the given bounds hold between the samples too."""
+        """Return slightly stricter bounds, so that these bounds are also satisfied between the samples."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 
@@ -355,7 +365,7 @@ def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Move of the control points (m, 2), mm, its size relative to the length, and the predicted objective."""
+    """Displacements (m, 2) of control points, mm, their size relative to the length, and predicted objective."""
 
     points: FloatArray
     size: float
@@ -400,13 +410,16 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
     def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of R (C + dC u) - c + R s >= 0: the compliance C is at least c / R, except for a slack s."""
+        """Return rows of R (C + dC u) - c + R s >= 0, so that the compliance is at least c / R - s.
+
+        R is the largest ratio, c the largest compliance and s the slack.
+        """
         ones = np.ones((places.size, 1))
         rows = np.hstack([aim.ratio * dC[places], -ones, aim.ratio * ones, 0 * ones])
         return rows, -aim.ratio * C[places]
 
     def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of c - (C + dC u) >= 0: the compliance C is at most c."""
+        """Return rows of c - (C + dC u) >= 0, so that the compliance is at most c."""
         ones = np.ones((places.size, 1))
         return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
 
@@ -447,7 +460,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
-    """Return the indices of the eight highest local maxima above a level, of values (n,)."""
+    """Return the indices of the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])

@@ -22,8 +22,8 @@ class SampledStiffness:
         Ratio of largest to least stiffness.
     a : float
     b : (2,) array
-        Numbers a, 1/mm, and b, 1/mm2, of the paper's Eqs. 3 and 5. At the last sample, a is the moment about the
-        origin and b the force.
+        Numbers a, 1/mm, and b, 1/mm2, of the paper's Eqs. 3 and 5: moment about the origin, and force, at the last
+        sample.
     """
 
     stiffness: FloatArray
