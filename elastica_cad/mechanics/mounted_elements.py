@@ -77,8 +77,8 @@ class MountedElements:
         unknowns.
     supports : Supports
     anchor : (2,) array
-        Coordinates x and y, mm, from which positions are computed: of the start where the start is held, otherwise
-        of the end.
+        Coordinates x and y, mm, from which positions are computed. Each is a coordinate of the start if the start
+        holds it, otherwise of the end.
     load : (2,) array
         Sum of the known forces divided by the least bending stiffness, 1/mm2.
     edge_length : float
@@ -233,7 +233,7 @@ MEETS_SHARE = 1e-9
 PULLS_SHARE = 1e-9
 """Force in the wrong direction, as a fraction of the largest force, that counts as a rounding error."""
 
-# largest number of Newton steps in the search for the point of the strip nearest to a rail
+# largest number of Newton steps in `ShapeOfRod.foot`
 _FOOT_STEPS = 30
 
 
@@ -282,7 +282,7 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     its two points.
     """
     if not (rod.between if between is None else between):
-        return ()  # before the curve is computed, because a rod with jumps of the curvature has no spline
+        return ()  # `rod.curve` is not used, because a rod with jumps of the curvature has no spline
     curve = rod.curve
     shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
     if between is None:

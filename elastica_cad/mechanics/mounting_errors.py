@@ -72,10 +72,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacements (n, 2) of the nodes per mm of a position error in the given direction.
-
-    `rows` are the indices of the position error among the residuals.
-    """
+    """Return the displacements (n, 2) of the nodes per mm of a position error, which is in the residuals `rows`."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

@@ -1,6 +1,6 @@
 """Rest shapes by Newton's method while supports or loads change, and branches of buckled shapes.
 
-The path of a continuation is the interval from 0 (start) to 1 (required supports and loads).
+The path of a continuation leads from 0 (start) to 1 (required supports and loads).
 """
 
 from collections.abc import Callable
@@ -229,7 +229,6 @@ def trace(
 
 
 def _polish(state: RodState) -> RodState:
-    """Return the state after Newton steps that reduce its error to rounding errors."""
     size = _relative_error(state, state.residual)
     for _ in range(6):
         if size == 0:
@@ -302,10 +301,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state after the least change of angles that corrects the positions of ends and elements.
-
-    In an axially elastic rod, the forces change too.
-    """
+    """Return the state after the least change of angles that corrects the positions of ends and elements."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length
@@ -347,9 +343,9 @@ def _relative_error(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# largest difference of the edge angles of a straight rod; it displaces an end of a rod of 10 m by a micrometre
+# largest difference of the edge angles of a straight rod, which displaces an end by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
-# angle between the clamped ends above which the rod bends to the side of this angle by default
+# difference of the held end angles above which its sign determines the side to which a rod bends by default
 DECIDING_TURN_RAD = 0.5
 # least distance between the ends of the first buckled rod, as a fraction of the length
 FIRST_CHORD = 0.9
@@ -457,7 +453,6 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    """Return the buckled equilibrium under the full load; `mode` is the buckling mode."""
     system = state.system
 
     def scaled(factor: float) -> RodState:

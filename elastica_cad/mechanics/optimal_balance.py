@@ -77,7 +77,7 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
 def ratio_within(request: RodRequest, most: float) -> float | None:
     """Return the least stiffness ratio of a weightless rod, or None if it is above `most` or no rod exists.
 
-    This takes less time than `balance_of`, because the reason why no rod exists is not computed.
+    `balance_of` takes longer, because it computes the reason why no rod exists.
     """
     problem, numbers, _ = _weightless(request)
     optimum = problem.ratio(numbers, most=most)
@@ -85,7 +85,6 @@ def ratio_within(request: RodRequest, most: float) -> float | None:
 
 
 def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
-    """Return the conditions of equilibrium without weight, their solutions, and the curve cut into panels."""
     cut = request.cut
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
@@ -341,10 +340,7 @@ SETTLED_SHARE = 1e-7
 """Relative change of E I below which the search ends; the relative error of the weight is about its square."""
 
 TANGENT_STEP = 1e-4
-"""Relative change of E I in the finite difference for the slope of the weight.
-
-An error of this slope only slows the iteration.
-"""
+"""Relative change of E I in the finite difference for the slope of the weight."""
 
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
@@ -518,7 +514,6 @@ def _best_numbers_near(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """Return the parameters (d,) for which the family is closest to `state`, by least squares."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -599,6 +594,5 @@ def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> Balance
 
 
 def _ratio_to_least_section(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
-    """Return the least ratio of E I (N, p), N mm2, to the E I of the least section."""
     least, _ = law.limits
     return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

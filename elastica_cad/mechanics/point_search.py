@@ -136,14 +136,14 @@ def move_while_possible(
 ) -> Found | None:
     """Return the result of `possible` for a possible place that is close to an impossible `end`.
 
-    Places are tried along the straight line to `end`. If none is possible, they are tried along x or y. The search
+    Places are tried along the straight line to `end`, and then along x and y if no place is possible. The search
     stops within `step` of the limit of the possible places, or after `halvings` trials. To reach the limit, repeat
     the call from the result.
 
     Parameters
     ----------
     start, end : ndarray, shape (2,) or (n, 2)
-        A possible place, or n places that move together, and the impossible end.
+        Possible start and impossible end: one place each, or n places that move together.
     possible : callable
         Returns a result for a possible place, and None for an impossible one.
     step : float
@@ -151,8 +151,7 @@ def move_while_possible(
     halvings : int
         Largest number of trials after the first in each direction.
     directions : slice
-        Directions that are tried, by index: 0 is the straight line to `end`. 1 and 2 are its longer and its
-        shorter component along x or y.
+        Directions that are tried: 0 is the straight line, 1 its longer and 2 its shorter component along x or y.
 
     Examples
     --------

@@ -31,7 +31,7 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-# largest number of panels; a function that needs more panels cannot be resolved
+# largest number of panels
 MAX_PANELS = 4000
 # relative size of the last Legendre coefficients below which a function is resolved
 RESOLVED = 1e-11
@@ -45,13 +45,13 @@ APART_SHARE = 0.25
 NARROWEST_SHARE = 1e-7
 
 ROUGH_AT_ZERO = 2
-"""Largest continuity of a knot that is an end of a panel even very near a zero of the curvature."""
+"""Number of continuous derivatives up to which a knot ends a panel even close to a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Largest distance of a mass from a zero of the curvature, relative to the length, at which panels are refined."""
+"""Distance of a mass from a zero of the curvature, relative to the length, up to which panels are refined."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -158,7 +158,7 @@ def cut_into_panels(
     places = sorted(
         fixed + [t for (t, apart), distance in zip(breaks, away, strict=True) if distance > apart]
     )
-    # panels on which the speed is resolved
+    # ends of panels on which the speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
     finer = between[
@@ -460,8 +460,7 @@ def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
     """Return arc lengths, mm, of additional ends of panels if a mass at s is near a zero of the curvature.
 
-    On the other side of the mass, the stiffness has a term inversely proportional to the distance from the zero.
-    The widths of the panels there are proportional to this distance.
+    Beyond the mass, the stiffness has a term inversely proportional to the distance from the zero.
     """
     if not zeros.size:
         return []
@@ -474,10 +473,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return the arc lengths, mm, at which masses and loads make the stiffness less smooth.
-
-    Each arc length is returned with the number of continuous derivatives of the stiffness.
-    """
+    """Return arc length, mm, and number of continuous derivatives for each kink of the stiffness by a load."""
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

@@ -151,10 +151,7 @@ CURL_POINTS = 24
 """Number of quadrature points of the energy, whose error is 1e-9 for flat and 1e-3 for pre-bent strips."""
 
 CURL_STEPS = 8
-"""Number of iterations from a moment to its curvature.
-
-The iterations converge fast, because the stiffness depends only slightly on the curvature.
-"""
+"""Number of iterations from a moment to its curvature."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,17 +192,17 @@ class CurlingLaw(MaterialLaw):
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the effective curvature of all nodes (..., n), as in `MaterialLaw.effective_curvature`."""
+        """Return the effective curvatures (..., n) for changes of curvature (..., n), 1/mm."""
         change = np.asarray(curvature, dtype=float)
         m = change if self.below is None else self.below.effective_curvature(change)
         return np.asarray(m * self.share(change))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.slope`; the result is for all nodes (n,)."""
+        """Return the derivative of the effective curvature (n,)."""
         return self.with_slope(curvature)[1]
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """See `MaterialLaw.with_slope`; both results are for all nodes (n,)."""
+        """Return the effective curvature (n,) and its derivative (n,)."""
         change = np.asarray(curvature, dtype=float)
         step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))
@@ -213,14 +210,14 @@ class CurlingLaw(MaterialLaw):
         return m * here, np.asarray(slope * here + m * (beyond - here) / step)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.energy`; the result is for all nodes (n,)."""
+        """Return the elastic energy per length, divided by the stiffness K, (n,), 1/mm2."""
         change = np.asarray(curvature, dtype=float)
         x, weight = gauss_rule(CURL_POINTS)
         root = (x + 1) / 2  # points are denser near 0, where the stiffness changes most
         return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.curvature`; the result is for all nodes (n,)."""
+        """Return the changes of curvature (n,), 1/mm, for effective curvatures (n,)."""
         m = np.asarray(effective, dtype=float)
         change = m if self.below is None else self.below.curvature(m)
         for _ in range(CURL_STEPS):
@@ -229,7 +226,7 @@ class CurlingLaw(MaterialLaw):
         return change
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
-        """See `MaterialLaw.resampled`."""
+        """Return the law at arc lengths `at` (m,), interpolated from arc lengths `s` (n,)."""
         return CurlingLaw(
             self.factor.resampled(s, at), np.interp(at, s, self.designed),
             at_stations(self.natural_curvature, s, at),
@@ -238,7 +235,7 @@ class CurlingLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`."""
+        """Injective limit of the law of the material, 1/mm."""
         return float("inf") if self.below is None else self.below.injective_limit
 
 
@@ -249,7 +246,7 @@ EVEN_EDGES = 1e-7
 TURN_POWER = 8
 # number of Newton steps, which is sufficient because the initial angles are nearly exact
 NEWTON_STEPS = 5
-# largest error of the tangents of the spline, which moves the end of a rod by far less than a micrometre
+# largest error of the tangents of the spline
 TANGENT_RAD = 1e-8
 
 
@@ -792,14 +789,13 @@ class Rod:
         return (low, high) if high - low > _SHORTEST_BENT * edge else None
 
     def _stretched_curve(self) -> PlaneCurve:
-        """Return the spline of an axially elastic rod, stretched everywhere by its mean strain."""
         start = self.position[0]
         stretch = np.hypot(*np.diff(self.position, axis=0).T).sum() / self.length
         even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle, self._bent_part)
         return replace(even, control_points=start + (even.control_points - start) * stretch)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
-        """Return the rod with another stiffness profile; `bend` then computes its equilibrium.
+        """Return the rod with another stiffness profile, before `bend` computes its equilibrium.
 
         `stiffness` contains values (n,) at the nodes, or is a `Profile`. The stiffness is divided by its
         least value. Do not change the stiffness of a wide strip after `bend`, because the law of a bent rod

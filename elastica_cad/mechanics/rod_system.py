@@ -50,7 +50,9 @@ class Residual(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RodSystem:
-    """Discrete rod with its loads and supports; the residual of a `RodState` is zero in equilibrium.
+    """Discrete rod with its loads and supports.
+
+    Forces and moments are divided by the least bending stiffness.
 
     Attributes
     ----------
@@ -59,7 +61,7 @@ class RodSystem:
     edge_length : float
         Length of an edge, mm.
     load : (n+1, 2) array
-        Weight of each node divided by the least bending stiffness, 1/mm2.
+        Weight of each node, 1/mm2.
     natural_curvature : float or (n+1,) array
         Curvature kappa_0 of the unloaded rod, 1/mm.
     supports : Supports
@@ -68,10 +70,9 @@ class RodSystem:
     end_angles : (2,) array
         Angles of the tangent at start and end, rad; angles that are free are ignored.
     force : (2,) array
-        Dead force divided by the least bending stiffness, 1/mm2. Each component acts at the end at which its
-        coordinate is free.
+        Dead force, 1/mm2. Each component acts at the end at which its coordinate is free.
     moments : (2,) array
-        Counterclockwise moments at ends with a free angle, divided by the least bending stiffness, 1/mm.
+        Counterclockwise moments at ends with a free angle, 1/mm.
     law : MaterialLaw, optional
         Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
@@ -125,7 +126,7 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """Force lambda of the edges (n, 2) without reactions, divided by the least bending stiffness, 1/mm2."""
+        """Force lambda of the edges (n, 2) without reactions, 1/mm2."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -174,7 +175,7 @@ class RodSystem:
 
 @dataclass(frozen=True, eq=False)
 class RodState:
-    """Unknowns of a discrete rod; derived quantities are computed once.
+    """Values of the unknowns of a discrete rod; derived quantities are computed once.
 
     Attributes
     ----------

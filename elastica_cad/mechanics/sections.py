@@ -109,7 +109,7 @@ def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Return the term `flat` of `anticlastic_factor`, corrected for a natural curvature `rest` (n,), 1/mm."""
-    # where kappa is 0, use `share` = 1, because `flat` approaches 0 faster than kappa and `scaled` is 0
+    # `flat` decreases faster than kappa, so `scaled` is 0 where kappa is 0
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)

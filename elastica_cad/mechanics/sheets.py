@@ -383,7 +383,7 @@ ROWS_INCH = {
 """Published least radii of aircraft plywood (FAA AC 43.13-1B, table 1-2), by number of plies."""
 
 SOLD_AS = 0.02
-"""Fraction by which a sheet may be thinner than the first row of its number of plies.
+"""Fraction by which a sheet may be thinner than the first row of the table with its number of plies.
 
 For example, plywood of 0.160 in is sold as 4 mm.
 """
@@ -575,7 +575,6 @@ class Sheet:
             )
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
-        """Return the value, or refuse it if it is not positive; a kerf may be 0."""
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
         if value < 0 or (value == 0 and field_name != "kerf"):
             raise InputError(
@@ -794,8 +793,6 @@ class Sheet:
 def sheet_names() -> list[str]:
     """Return the names of the user's sheets and of the built-in sheets.
 
-    `Sheet.named(name).source` is the source of the numbers of a sheet.
-
     Examples
     --------
     >>> "birch-plywood-0.8" in sheet_names()
@@ -1011,7 +1008,7 @@ _COLOR_BY_KIND = {
     "composite": (0.78, 0.80, 0.60),
     "rod": (0.78, 0.80, 0.60),
 }
-_USUAL_COLOR = (0.80, 0.74, 0.62)  # a colour between wood and card
+_USUAL_COLOR = (0.80, 0.74, 0.62)
 
 
 def sheet_color(sheet: Sheet) -> Color:

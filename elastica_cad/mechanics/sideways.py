@@ -185,7 +185,6 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """Return G / E, by default the ratio of an isotropic sheet; refuse an impossible value."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -229,8 +228,7 @@ RIBBON_SLENDERNESS = 6.0
 
 # largest error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-# distance of the margin from an eigenvalue, as a fraction of the gap between the two lowest eigenvalues, within
-# which the margin counts as this eigenvalue
+# least distance from the two lowest eigenvalues in the search for the margin, as a fraction of the gap between them
 _SIGN_SHARE = 1e-9
 
 
@@ -248,7 +246,6 @@ class SidewaysStability:
         Margin under `SAFE_LOAD` times the forces and moments, in the same shape.
     ribbon_number : float
         Largest w^2 b / h along the strip, for width w, change of curvature b and thickness h (`RIBBON_NUMBER`).
-        Sections that are not wider than thick are left out.
     slenderness : float
         Ratio of the length to the largest width.
     most : float or None
@@ -333,9 +330,8 @@ def sideways_stability(
 ) -> SidewaysStability:
     """Return the stability of a rectangular strip against tipping out of its plane.
 
-    The computation takes O(n) operations. Every support in the plane also supports the end in space: clamps,
-    hinges and sliders prevent twist and sideways displacement. An end without support is free. Gravity acts in
-    the plane.
+    Every support in the plane also supports the end in space: clamps, hinges and sliders prevent twist and sideways
+    displacement. An end without support is free. Gravity acts in the plane.
 
     Parameters
     ----------
@@ -546,10 +542,7 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """Return the matrix of the second variation for rotations about x and y of every edge.
-
-    The result is the lower band (4, 2 n) of the matrix.
-    """
+    """Return the lower band (4, 2 n) of the second variation for rotations about x and y of every edge."""
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
@@ -598,7 +591,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
-    # distance from the eigenvalues `first` and `second`, at which `along` is infinite
+    # keep this distance from both eigenvalues, at which `along` is infinite
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
     if low >= high or along(low) >= 0:  # the lowest mode already satisfies the constraint

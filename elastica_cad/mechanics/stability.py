@@ -62,7 +62,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     """Return the stability determinant from the start of the rod, by the discrete Jacobi recursion.
 
     The recursion is described in the paper, section 7.1. If the angle is free at the start, the solution zeta
-    starts with the slope 0. The rows of a coordinate that is not held at both ends are omitted.
+    starts with the slope 0. The determinant has rows only for coordinates that both ends hold.
 
     Examples
     --------
@@ -251,7 +251,7 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Return the derivatives (n+1, 2) by the nodal loads, from the derivatives by the edge forces."""
+    """Convert derivatives with respect to edge forces to derivatives (n+1, 2) with respect to nodal loads."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends
@@ -343,8 +343,8 @@ class Stability:
 def stability(rod: Rod) -> Stability:
     """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    The computation takes O(n) operations. Two independent methods must agree: the number of negative
-    eigenvalues of the constrained second variation (LDL^t), and its lowest eigenvalue (inverse iteration).
+    Two independent methods must agree: the number of negative eigenvalues of the constrained second variation
+    (LDL^t), and its lowest eigenvalue (inverse iteration).
     The result also contains the stability determinant of the Jacobi equation (paper, section 6.2). The
     determinant is valid with weight too, because weight changes only the force. All methods use the stiffness
     dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is bent, it
@@ -404,7 +404,6 @@ def stability(rod: Rod) -> Stability:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    """Return the lowest mode at the nodes, scaled to a largest value of 1."""
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
     nodal[1:-1] = (mode[:-1] + mode[1:]) / 2

@@ -378,7 +378,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def follows_bend(self) -> bool:
-        """True if the stiffness depends on the curvature, so that it is known only in a given shape."""
+        """True if the stiffness depends on the curvature."""
 
     @property
     def stack(self) -> LaidLeaves | None:
@@ -406,7 +406,7 @@ class BendFactor(Protocol):
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
-    """Return values (..., n) at arc lengths `s` (n,), mm, interpolated at `at` (m,), mm, or a constant unchanged.
+    """Interpolate values (..., n) from arc lengths `s` (n,) to `at` (m,), mm; return a single number unchanged.
 
     Examples
     --------

@@ -26,7 +26,7 @@ PLACE_DIGITS = 3
 """Number of significant digits of a suggested arc length."""
 
 CLEARLY_BETTER = 2.0
-"""Factor by which a pin must decrease the stiffness ratio of a rail to be suggested, and a tie that of a pin."""
+"""Factor by which a pin must reduce the stiffness ratio to replace a rail, or a tie to replace a rail or pin."""
 
 MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""

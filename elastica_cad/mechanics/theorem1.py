@@ -645,19 +645,15 @@ inflection would be some ten thousand times the stiffness at other points.
 """
 
 FAINT_SHARE = 1e-7
-"""Largest minimum of the absolute curvature that counts as 0, relative to the largest curvature.
-
-This value is much less than the limit for slopes, because the curvature near a minimum increases with the square of
-the distance.
-"""
+"""Largest minimum of the absolute curvature that counts as 0, relative to the largest curvature."""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Largest curvature at an end, relative to the largest, for which a zero close beyond the end is at the end."""
+"""Curvature at an end, relative to the largest, below which a zero just beyond the end is moved to the end."""
 
 STEP_SHARE = 1e-3
 """Largest jump of the curvature, relative to the curvature, that is not reported.
 
-Such a jump changes a width of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller jumps.
+Such a jump changes a width of 40 mm by 0.04 mm.
 """
 
 KINK_SHARE = 0.01
@@ -741,7 +737,7 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Return the curve and a message; move the start of a closed curve to a bent point if it is not bent there."""
+    """Return the curve, and a message if the start of a closed curve was unbent and is moved to a bent point."""
     curve = excess.curve
     # do not move the start if the arc length of a `RestCurvature` is measured from the start
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
@@ -895,7 +891,6 @@ def _straight_part_reasons(
 
 
 def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
-    """Return the point at which a straight tail meets the bent part of a strip."""
     t, s = (tail.t, tail.s) if end else (tail.t_end, tail.s_end)
     return CurvatureZero(s, t, "flat", s, t, *((tail.before, 0) if end else (0, tail.after)))
 
@@ -903,11 +898,7 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Check the joints between straight tails and the bent part of a strip.
-
-    Return messages about joints at which the curvature is not 0, and the arc lengths, mm, of joints at which the
-    slope of the curvature is 0.
-    """
+    """Return messages about bent joints of straight tails, and arc lengths, mm, of joints with a small slope."""
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0
@@ -996,13 +987,10 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return the relative jumps of the curvature and of its slope at the breaks.
-
-    Both arrays (n,) are divided by the curvature; the jumps of the slope are multiplied by the length.
-    """
+    """Return the jumps (n,) of the curvature, and of its slope times the length, divided by the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
-    before = np.where(after == low, high, after)  # at the start of a closed curve, `before` is the end
+    before = np.where(after == low, high, after)  # the start of a closed curve follows its end
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)

@@ -11,7 +11,7 @@ PARALLEL = 1e-6
 
 
 def inflections_of(rod: Rod) -> FloatArray:
-    """Return the points (k, 2) at which kappa - kappa_0 changes sign: curvature minus natural curvature.
+    """Return the points (k, 2) at which the curvature minus the natural curvature changes sign.
 
     For a strip that is cut flat, these points are the inflections of its shape.
     """
@@ -26,9 +26,9 @@ def inflections_of(rod: Rod) -> FloatArray:
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
     """Return the sides of the thrust line inside a box, each side as points (n, 2).
 
-    `low` and `high` are opposite corners of the box. A side extends as far as its corners with other sides and its
-    inflections. Sides of a rod without weight are straight (n = 2). The result is empty for a rod without elements
-    and point forces, because its thrust line is the inflection line.
+    A side extends as far as its corners with other sides and its inflections. Sides of a rod without weight are
+    straight (n = 2). The result is empty for a rod without elements and point forces, because its thrust line is
+    the inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)

@@ -128,7 +128,6 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
-    """Return the `CurlingLaw` and `SheetCurl` of a strip that bends as a plate; None for other strips."""
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
@@ -468,7 +467,6 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _outcomes_of(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Return an outcome for each imperfection; equal imperfections are computed once."""
     different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = (

@@ -166,8 +166,8 @@ class CurveChanges:
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
         """Derivatives of arc lengths with respect to u.
 
-        There are three results: the derivatives of the arc length from the left end of a panel, as a function, of
-        the arc length at the left ends of all panels (N, r), and of the length of the curve (r,).
+        The function is for arc lengths from the left end of each panel. The arrays are for the left ends of the
+        panels (N, r) and for the whole curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
@@ -208,11 +208,11 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# penalty of a violated bound, relative to half the mean square distance; far above all multipliers
+# penalty of a violated bound, relative to half the mean square distance
 _PENALTY = 0.1
 # penalty of a violated linear condition of a step, above the penalty of every bound
 _ROW_PENALTY = 10.0
-# accuracy of a step, relative to the penalties; it resolves half a mean square distance of 1e-8
+# accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12
 # missing margin that counts as a violation of 1
 _MARGIN_UNIT = 50.0
