@@ -47,7 +47,7 @@ class StrainVerdict:
     Attributes
     ----------
     state : StrainState
-        Allowed up to the limit, warned above it, and refused if the sheet breaks (unless limits are ignored).
+        Allowed up to the limit, warned above the limit, refused if the sheet breaks and limits are not ignored.
     used : float
         Ratio of the strain to the limit.
     at : float or None

@@ -34,7 +34,7 @@ G is the shear modulus, w the width and h the thickness.
 LEAST_TORSION = 0.25
 """Least torsional stiffness of a rectangle that is bent about its weak axis, as a fraction of G w h^3/3.
 
-G is the shear modulus, w the width and h the thickness. A square has 0.42.
+G is the shear modulus, w the width and h the thickness. For a square, the fraction is 0.42.
 """
 
 

@@ -89,8 +89,8 @@ def find_free_tails(
 ) -> list[FreeTail]:
     """Return the tails of a strip that is cut flat, for elements and forces at arc lengths `stations`, mm.
 
-    A tail extends from a free end to the nearest station. A kink of the curvature or an end of a straight piece near
-    this station replaces it.
+    A tail extends from a free end to the nearest station. If there is a kink of the curvature or an end of a
+    straight piece near this station, the tail extends to that point.
     """
     prebent = ExcessCurvature(curve, natural_curvature).is_bent_beforehand
     if not stations or prebent or curve.is_closed or curve.is_straight:
