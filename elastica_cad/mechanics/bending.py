@@ -90,15 +90,13 @@ def bend(
 ) -> Rod:
     """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
 
-    The method is Newton's with a line search, on the paper's discrete rod (section 7.1) with weight. If the
-    requested shape is far from the present shape, ends, angles and loads are changed in adaptive steps,
-    starting from the present shape (or `guess`). The result is therefore on the same branch of equilibria.
-    The result may be unstable; see `stability`. If that branch ends before the requested shape, the rod
-    snaps. The result is then another stable shape, and its `warnings` contain a message.
+    The discrete rod of the paper (section 7.1), with its weight, is solved by Newton's method with a line
+    search. Ends, angles and loads change in adaptive steps, starting from the present shape or from `guess`.
+    The result is therefore on the same branch of equilibria, and may be unstable (see `stability`). If the
+    branch ends on the way, the rod snaps into another stable shape, and the result has a message in `warnings`.
 
     The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the
-    result contains the updated stiffness. The relative stiffness K of the design does not change, because
-    force and moment are scaled by it.
+    result contains the updated stiffness. The relative stiffness K of the design does not change.
 
     Parameters
     ----------
@@ -122,14 +120,13 @@ def bend(
     guess : Rod or array_like, optional
         Initial shape: a rod, or angles at the n nodes or n-1 edges.
     side : {+1, -1}, optional
-        Side of the first bulge of a straight rod that buckles, or whose cord becomes shorter: left (+1) or right
-        (-1), seen from start to end.
-        By default, a straight rod bends to the left if its ends are pushed together. Under a force it stays
-        straight if it can.
+        Side of the first bulge, left (+1) or right (-1) seen from start to end, of a straight rod that buckles
+        or is bent by a shortened tie. By default, the rod bends to the left if its ends are pushed together.
+        Under a force, the rod remains straight if possible.
     mode : int
         Buckling mode of a straight rod; modes above 1 are usually unstable.
     samples : int, optional
-        Number of nodes; by default the number of the rod.
+        Number of nodes; by default the same as in `rod`.
     settle : bool
         If True, an unstable result is replaced by the stable shape to which the rod moves from it.
     between : sequence of Rail, Pin and Tie, or "keep"
@@ -200,7 +197,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state, and the fraction of the change at which the rod snapped, or None without a snap."""
+    """Return the rest state, and the fraction of the change at which the rod snapped (None if it did not)."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -235,12 +232,11 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
 
 
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the arguments `loads` and `between` of `bend` for an intermediate state of a path.
+    """Return the arguments `loads` and `between` of `bend` after the fraction `part` of a step of a path.
 
-    The state is reached after the fraction `part` of the change from `rod` to the next `step`. The present
-    loads fade out while the loads of the step grow. Points of rails and pins, and lengths of ties, are
-    interpolated linearly. An element that differs in kind from the present element with the same index
-    replaces it at once.
+    The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
+    pins, and lengths of ties, are interpolated linearly. An element that differs in kind from the present element
+    with the same index is used at once.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -305,10 +301,10 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
 
 
 def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
-    """Return the edge angles (n,), rad, of a straight rod that a shortened tie bends into an arc.
+    """Return the edge angles (n,), rad, of the arc into which a shortened tie bends a straight rod.
 
-    Return None if the rod is not straight or no tie is shorter. The rod could bend to either side, so `side`
-    is required.
+    Return None if the rod is not straight or no tie is shortened. `side` is required for an arc, because the
+    rod could bend to either side.
     """
     shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
     shorter = [
@@ -337,7 +333,7 @@ ROUNDS = 12
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """Bend the rod; switch one-sided elements between slack and taut until their forces and gaps agree."""
+    """Bend the rod on its elements, and determine which one-sided elements are taut."""
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -346,7 +342,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distances that slack elements still have to move to their final positions and lengths
+    # distance between the present and the final position or length of each slack element
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -362,13 +358,13 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
-        # after an element became slack or taut, the equilibria may end nearby, which a long step would miss
+        # use short steps after an element became slack or taut, because the branch of equilibria may end soon
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
         changed = None if reached.arrived else changed_set(state, reached.fraction)
-        # the element was released and at once touched again: without it the strip is unstable, so let it snap
-        # away
+        # an element that touches again just after its release: without this element the strip is unstable and
+        # snaps
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
@@ -411,7 +407,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Switch the one-sided element that contradicts its state most; return the new states, or None if all agree."""
+    """Return the flags `taut` with the worst error corrected, or None if all agree with the forces and gaps."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -531,7 +527,7 @@ class Movement:
     travel : (k,) array
         Length of the path of the end relative to the start, mm, from the first rod to each rod.
     turn : (k,) array
-        Rotation from the first rod to each rod, rad, of the end that turns most; only ends with a held angle count.
+        Rotation from the first rod to each rod, rad, of the end that turns more. Ends that turn freely are ignored.
     """
 
     travel: FloatArray
@@ -623,15 +619,14 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """Return the forces and moments on the free ends, times a factor, as arguments of `bend`."""
+    """Return the forces and moments on the free ends, multiplied by `times`, as arguments of `bend`."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
 
 
 def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
-    """Return the present shape of a rod as a state of `system`, from which it can be bent."""
-    # start with the reactions to the present loads; the loads are then changed gradually
+    """Return the present shape of a rod as the initial state for an equilibrium of `system`."""
     present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
     if system.elements is not None:
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
@@ -640,7 +635,7 @@ def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> Ro
 
 
 def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
-    """Return the system under the present loads of a rod; reactions of released supports become loads."""
+    """Return the system with the present loads of the rod, and with the reactions of released supports as loads."""
     released = replace(rod, supports=system.supports)
     return replace(
         system,
@@ -663,9 +658,10 @@ def reach(
     turn: float = LARGEST_TURN_RAD,
     before: RodSystem | None = None,
 ) -> Reached:
-    """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given.
+    """Continue from `state` to an equilibrium.
 
-    The continuation ends early at the first state for which `stop` returns True.
+    A straight rod is bent if it must bend, or if `side` is given. The continuation ends early at the first state
+    for which `stop` returns True.
     """
     system = state.system
     straight = is_straight(state) and stop is None
@@ -683,7 +679,7 @@ def reach(
     if straight and system.compression is not None:
         bent = reach(state.under(replace(system, compression=None)), side, mode).state
         reached = follow(bent.under(system))
-        # ends only a little closer than the length compress an elastic rod without bending it
+        # an axially elastic rod does not bend if its ends are only a little closer than its length
         return reached if reached.arrived else follow(state)
     return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, before=before)
 
@@ -738,7 +734,6 @@ def _end_angles(
 
 
 def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
-    """Return the constant force (2,) on ends that are free along x or y."""
     both = np.array(supports.transmits_force)
     if force is not None:
         components = pair(force, "force")

@@ -19,12 +19,14 @@ from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
-OFF_PLANE = 1e-6  # Largest z coordinate of a point in the plane of the curve, mm.
+OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
+# values of force * length^2 / stiffness: size of the first steps, end of these steps, then growth as a factor
+# (a straight strip buckles at 2.5)
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
-)  # first step, last value of equal steps, and growth, of force * length^2 / stiffness; buckling is at 2.5
+)
 SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 
 
@@ -37,8 +39,8 @@ class ElasticaBetween:
     rod : Rod
         Bent rod; its `force` and `moment` at the ends act on the clamps.
     side : int
-        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. If the
-        end is free, the side of the free end relative to the direction of the clamp.
+        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. For a
+        free end: the side of the free end, seen in the direction of the clamp.
     mode : int
         Buckling mode; mode 1 is stable.
     """
@@ -104,7 +106,7 @@ def elastica_between(
     Parameters
     ----------
     start, end : (2,) array_like
-        Positions of the ends, mm; `end` is None for a free end, and the start is then clamped.
+        Positions of the ends, mm. If `end` is None, the end is free and the start is clamped.
     length : float
         Length of the strip, mm; more than the distance between its ends.
     angles : pair of float or None
@@ -117,7 +119,7 @@ def elastica_between(
         Force at a free end over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
     side : {+1, -1}
         Side of the first bulge, left (+1) or right (-1) of the line from start to end. If a force pushes a free
-        end straight towards its clamp, the side to which the end moves.
+        end straight towards its clamp, `side` is the side to which the end moves.
     mode : int
         Buckling mode; shapes above mode 1 are usually unstable.
     samples : int
@@ -232,7 +234,7 @@ def _point(point: object, name: str) -> FloatArray:
 
 
 def _plane_point(point: object) -> FloatArray | None:
-    """Return the coordinates of a pair, or of a point of a CAD library with z = 0; None for other objects."""
+    """Return the coordinates (x, y) of a point, or None if the object is not a point in the plane z = 0."""
     coordinates = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
@@ -244,7 +246,7 @@ def _plane_point(point: object) -> FloatArray | None:
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
-    """Return angles in degrees, or None for a free angle, converted to radians."""
+    """Convert two angles from degrees to radians; None is a free angle."""
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
         raise InputError(f"angles must be in degrees, from -360 to 360, got {angles!r}")
@@ -271,7 +273,7 @@ def _is_free(rod: Rod) -> bool:
 
 
 def _side(rod: Rod) -> int:
-    """Return the side of the first bulge, or of a free end relative to the direction of the clamp: 1, -1 or 0."""
+    """Return the side of the first bulge or of the free end: 1 for left, -1 for right, 0 for a straight rod."""
     off = rod.position - rod.position[0]
     if _is_free(rod):
         along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]

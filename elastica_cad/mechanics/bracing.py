@@ -1,17 +1,17 @@
-"""Second variation of a rod with elements between its ends: constraints and added terms.
+"""Second variation of a rod with rails, pins and ties between its ends: constraints and added terms.
 
-The energy of a rod gamma(s) with bending stiffness K and force lambda (the negative internal force) changes
-in second order by
+Let h be the change of the tangent's angle of a rod gamma(s). The second-order change of the energy is
 
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
-        - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,
+        - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the rail.
 
-where h is the change of the tangent's angle, R a quarter turn, and v(s) = int h R gamma' ds the change of
-position. The change keeps the ends fixed, and satisfies v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0
-for taut ties. A tie of length l pulls along u between the stations p and q with the force T. The force of a rail
-is t n, and kappa is the curvature. The term of a tie describes a cord of constant length whose ends turn about
-each other. The term of a rail describes a strip that slides over it: the point of contact moves by sigma along
-the strip.
+K is the bending stiffness, lambda the negative internal force, kappa the curvature, and R a quarter turn. The
+change of position is v(s) = int h R gamma' ds. A tie of length l pulls along the unit vector u between the
+stations p and q with the force T. A rail pushes along the normal n with the force t n.
+
+The ends remain fixed. The constraints are v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 for taut
+ties. The term of a tie describes a cord of constant length whose ends turn about each other. The term of a rail
+describes a strip that slides over the rail: the point of contact moves by sigma along the strip.
 """
 
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ from elastica_cad.mechanics.loads import Supports
 SLACK_SHARE = 0.01
 """Largest force of a slack one-sided element, as a fraction of the largest force in the rod."""
 
-# singular values below this fraction of the largest count as 0, so that constraints are linearly dependent
+# singular value below which constraints on the translation of the rod count as linearly dependent
 _RANK = 1e-9
 
 
@@ -62,17 +62,18 @@ def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[
 
 @dataclass(frozen=True, eq=False)
 class _Brace:
-    """Contribution of one element to the second variation, for changes h of the edge angles.
+    """Contribution of one element to the second variation.
+
+    The edge angles change by h (n,), and the whole rod is translated by v (2,).
 
     Attributes
     ----------
-    rows : (k, n) array
-        Constraints rows @ h + row_shifts @ v = 0, where v is the translation of the whole rod.
-    row_shifts : (k, 2) array
-    terms : (r, n) array
-        Linear forms terms @ h + term_shifts @ v, whose squares and products are added to the energy.
-    term_shifts : (r, 2) array
+    rows, row_shifts : (k, n) and (k, 2) arrays
+        Constraints rows @ h + row_shifts @ v = 0.
+    terms, term_shifts : (r, n) and (r, 2) arrays
+        Linear forms f = terms @ h + term_shifts @ v.
     coefficients : (r, r) array
+        Matrix C of the term f^t C f that is added to the energy.
     """
 
     rows: FloatArray
@@ -98,11 +99,11 @@ class _Edges:
         return self.count if self.directions is None else 2 * self.count
 
     def covered(self, s: float, order: int = 0) -> FloatArray:
-        """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives."""
+        """Return the weights (n,) of the edge vectors that give the position at arc length s, or its derivative."""
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the edge vectors, summed with `weights` (n,) or (2, n)."""
+        """Return the derivatives (2, unknowns) of the sum of edge vectors times `weights` (n,) or (2, n)."""
         moves = self.edge_length * left_of(self.tangents).T * weights
         if self.directions is None:
             return moves
@@ -113,7 +114,7 @@ class _Edges:
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the position at arc length s; a held end is fixed."""
+        """Return the derivatives (2, unknowns) of the position at arc length s, relative to a held end."""
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
         return self.moves_with(self.covered(s) - from_end[:, None])
@@ -179,11 +180,11 @@ def bracing_of(
     Parameters
     ----------
     tangents : (n, 2) array
-        Unit tangents of the edges, times their length over the nominal length.
+        Edge vectors divided by `edge_length`.
     directions : (n, 2) array, optional
-        Unit tangents of the edges of an axially elastic rod.
+        Unit tangents of the edges, only for an axially elastic rod.
     edge_length : float
-        Length of an edge, mm.
+        Nominal length of an edge, mm.
     """
     edges = _Edges(tangents, edge_length, supports, directions)
     n, free = edges.unknowns, edges.free
@@ -203,10 +204,10 @@ def bracing_of(
     ties = [action for action in between if isinstance(action.element, Tie)]
     turns_freely = free.all() and not any(end.angle for end in supports.ends)
     if ties and len(ties) == len(between) and turns_freely:
-        # exclude the rotation of a bow as a whole, which does not change the energy
+        # exclude the rotation of a bow (held by ties alone) as a whole, which does not change the energy
         turn = left_of(edges.chord(ties[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
         rows = np.concatenate([rows, turn[None]])
-    # the terms of a straight strip are zero to first order, so their norm is bounded from below
+    # a term can be zero on a straight strip, so a lower bound of its norm avoids a division by zero
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
     for brace in braces:

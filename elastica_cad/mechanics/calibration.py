@@ -52,7 +52,7 @@ class Calibration:
     youngs_modulus_uncertainty: float | None = None
 
     def gravity(self, direction: ArrayLike = (0.0, -1.0)) -> Gravity:
-        """Return the weight of a plain strip of this sheet."""
+        """Return the `Gravity` of a strip that is cut from this sheet."""
         x, y = np.asarray(direction, dtype=float)
         return Gravity(self.elasto_gravity_length, (float(x), float(y)))
 
@@ -258,8 +258,8 @@ def _length_for(part: float) -> float:
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # a nearly straight strip droops by w L^4 / (8 EI) under the weight w per length, a bent strip by less: a
-    # lower bound
+    # lower bound: under the weight w per length, a nearly straight strip droops by w L^4 / (8 E I), a bent
+    # strip by less
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:

@@ -39,12 +39,15 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """Fraction 1 / (1 + phi) of the modulus, and of the clamp forces on an unchanged shape, after creep."""
+        """Fraction 1 / (1 + phi) of the modulus that remains after creep, with the creep factor phi.
+
+        If the shape does not change, the same fraction of the clamp forces remains.
+        """
         return 1 / (1 + self.factor)
 
     @property
     def kept_share(self) -> float:
-        """Fraction phi / (1 + phi) of the bend that the strip has just after release.
+        """Fraction phi / (1 + phi) of the bend that remains just after release, with the creep factor phi.
 
         The fraction decreases later.
         """
@@ -74,11 +77,11 @@ class Creep:
         return stability(self.later)
 
     def released(self) -> Rod:
-        """Return the strip without weight just after release of both ends at the end of creep.
+        """Return the strip, without weight, just after both ends are released at the end of creep.
 
         The start of the strip does not move.
         """
-        rod = self.later  # the creep strain is a fraction of the present bend
+        rod = self.later  # the creep strain is proportional to the bend after creep
         start = rod.position[0]
         free = Rod.straight(
             rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
@@ -117,18 +120,17 @@ def creep(rod: Rod, factor: float) -> Creep:
     """Return the shapes of a rod before creep and after creep has ended, with unchanged supports.
 
     The elastic modulus becomes E / (1 + phi), the effective modulus under a permanent load. Weights, and the forces
-    and moments on free ends, do not change. A standard linear solid approaches this state at long times, whatever
-    its history, so its long-term shape is exact. Without loads the shape does not change, and the forces decrease
-    in proportion to the modulus. The duration of creep is not computed, because it depends on the creep law of
-    the sheet.
+    and moments on free ends, do not change. The long-term shape of a standard linear solid is exact, whatever
+    the history of its loads. Without loads the shape does not change, and the forces decrease in proportion to
+    the modulus. The duration of creep depends on the creep law of the sheet and is not computed.
 
     Parameters
     ----------
     rod : Rod
         Rod in equilibrium.
     factor : float
-        Creep factor phi, 0 or more. For wood-based panels under permanent load it is k_def of Eurocode 5, table
-        3.2. For plywood (EN 636) this is 0.80 in heated rooms, 1.00 under a roof, and 2.50 outdoors.
+        Creep factor phi, 0 or more. For wood-based panels under permanent load, phi is k_def of Eurocode 5,
+        table 3.2. For plywood (EN 636), k_def is 0.80 in heated rooms, 1.00 under a roof, and 2.50 outdoors.
 
     Raises
     ------
@@ -164,7 +166,7 @@ def creep(rod: Rod, factor: float) -> Creep:
 
 
 def require_creep(factor: object) -> float:
-    """Return the creep factor, or refuse an invalid one."""
+    """Return the creep factor; refuse negative values and values that are not numbers."""
     if not is_number(factor):
         raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
     if factor < 0:
@@ -175,7 +177,6 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Return True for Hooke's law, also if the cross-section curls."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
