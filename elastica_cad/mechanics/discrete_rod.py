@@ -17,7 +17,7 @@ from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports, whole_number
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance for dependent constraints; on a straight rod, the constraints of x and y are dependent."""
+"""Relative tolerance below which a constraint counts as linearly dependent on other constraints."""
 
 _FEW = 40
 """Least number of edges for an iterative search of the lowest mode; shorter rods use dense matrices."""
@@ -54,7 +54,7 @@ def solve_bordered(
     columns: FloatArray | None = None,
     corner: FloatArray | float = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with A symmetric tridiagonal (n, n).
+    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with a symmetric tridiagonal matrix A (n, n).
 
     Parameters
     ----------
@@ -62,14 +62,14 @@ def solve_bordered(
     right : (n,) array
     below : (k,) array
     columns : (n, k) array, optional
-        Columns; by default the transposed rows.
+        By default the transpose of `rows`.
     corner : (k, k) array, optional
 
     Returns
     -------
     x : (n,) array
     y : (k,) array
-        If rows are linearly dependent, this is the least-squares solution of least norm.
+        Least-squares solution of least norm if the rows are linearly dependent.
     """
     k = below.size
     if k == 0:
@@ -118,10 +118,10 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 class Terms(NamedTuple):
-    """Matrix -G^t D^-1 G that is added to a matrix A (n, n), as rows and a corner [[A, G^t], [G, D]] beside it.
+    """Matrix -G^t D^-1 G that is added to a matrix A (n, n), stored as the border of [[A, G^t], [G, D]].
 
-    For terms G^t C G with coefficients C, the corner is D = -C^-1. For a constraint of an axially elastic
-    rod, D is its negative compliance; D = 0 would be the rigid constraint G h = 0.
+    A sum G^t C G has the corner D = -C^-1. For a constraint G h = 0 of an axially elastic rod, D is the negative
+    compliance.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Terms(NamedTuple):
     corner : (r, r) array
         Symmetric matrix D.
     below : int
-        Number of negative eigenvalues of the bordered matrix for a positive definite A.
+        Number of negative eigenvalues of the bordered matrix if A with the added matrix is positive definite.
     """
 
     rows: FloatArray
@@ -144,12 +144,12 @@ class Terms(NamedTuple):
         return cls(rows, -np.asarray(np.linalg.inv(coefficients)), int(positive))
 
     def on(self, vector: FloatArray) -> FloatArray:
-        """Return the product of the added matrix and a vector (n,)."""
+        """Return the product of the matrix -G^t D^-1 G and a vector (n,)."""
         return np.asarray(-self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector))
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return the rows (k + r, n) that border a matrix, for constraints and terms, and their corner block."""
+    """Return the border of a matrix: rows (k + r, n) of constraints and terms, and the corner block."""
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
@@ -163,9 +163,9 @@ def constrained_inertia(
 ) -> int:
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
-    By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank. Here S = C (A -
-    shift)^-1 C^t with C = `rows`, and neg and pos are numbers of negative and positive eigenvalues. The
-    `terms` added to A are further rows of the border.
+    By Sylvester's law for the bordered matrix, the number is neg(A - shift) + pos(S) - rank(C). Here C = `rows`,
+    S = C (A - shift)^-1 C^t, and neg and pos are numbers of negative and positive eigenvalues. The `terms`, which
+    are added to A, are further rows of the border.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _border_of(constraints, terms)
@@ -174,8 +174,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # a straight rod between hinges has the eigenvalue 0; a lower shift makes the count agree with the
-        # solution
+        # if A - shift is almost singular, rounding errors may change the count, so lower the shift slightly
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
@@ -206,7 +205,7 @@ def lowest_constrained(
     if n < _FEW and (rank or terms is None):
         return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    if terms is not None:  # they may lower the lowest eigenvalue below the shift
+    if terms is not None:  # the added terms may lower the lowest eigenvalue below the shift
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step
@@ -267,9 +266,9 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
 
 
 class ConstrainedMode(NamedTuple):
-    """Lowest eigenvalue mu of A v = mu W v + C^t nu with C v = 0.
+    """Lowest mode of a matrix A with weights W under constraints C v = 0.
 
-    The eigenvector is v (n,), and the multipliers are nu (k,).
+    The eigenvalue mu, the eigenvector v (n,) and the multipliers nu (k,) satisfy A v = mu W v + C^t nu.
     """
 
     value: float
@@ -331,7 +330,7 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-# largest angle of an edge; no strip has so many turns, and for larger angles cos and sin lose ten digits
+# largest angle of an edge; no strip has so many turns, and cos and sin of larger angles are inaccurate
 _WOUND_UP_RAD = 1e6
 
 
@@ -347,21 +346,23 @@ def shoot(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the angles and moments of a discrete rod in equilibrium that starts with `moment` and `angle`.
 
-    The recursion is alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0), M_{i+1} = M_i + l <b_{i+1},
-    T(alpha_{i+1})>. T is the unit tangent. The angles make the discrete energy stationary (paper, section
-    7.1), so `DiscreteRod.moment_imbalance` is zero except for rounding errors.
+    The angles alpha and moments M follow from
+
+        alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0),   M_{i+1} = M_i + l <b_{i+1}, T(alpha_{i+1})>,
+
+    with the unit tangent T, and with the force lambda turned by -90 degrees, b. These angles make the discrete
+    energy stationary (paper, section 7.1).
 
     Parameters
     ----------
     stiffness, w : (n+1,) arrays
         Stiffness K and Voronoi lengths (mm) of the nodes.
     force : (n, 2) array
-        Force lambda of the edges: the negative internal force over the least bending stiffness, 1/mm2. The
-        vector b is lambda turned by -90 degrees.
+        Force lambda of the edges: the negative internal force over the least bending stiffness, 1/mm2.
     edge_length : float
         Edge length l, mm.
     moment, angle : float
-        Moment M_0 divided by the least bending stiffness, 1/mm, and held angle alpha_0 at the start, rad.
+        Moment M_0 divided by the least bending stiffness, 1/mm, and angle alpha_0, rad, at the start.
     natural_curvature : float or (n+1,) array
         Curvature kappa_0 of the unloaded rod, 1/mm.
 
@@ -397,7 +398,7 @@ def _shoot_in_python(
 
 
 def tangents(angles: FloatArray) -> FloatArray:
-    """Return the unit tangents T(alpha) = (cos alpha, sin alpha), (n, 2)."""
+    """Return the unit tangents (cos alpha, sin alpha), (n, 2), of edges with the angles alpha (n,)."""
     T = np.empty((angles.size, 2))
     np.cos(angles, out=T[:, 0])
     np.sin(angles, out=T[:, 1])
@@ -425,10 +426,10 @@ def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float |
 
 
 def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
-    """Return the force lambda of all edges (n, 2), 1/mm2, from its first value and the nodal loads (n+1, 2).
+    """Return the forces lambda of all edges (n, 2), 1/mm2, from the first edge's force and the nodal loads.
 
-    Lambda is the negative internal force: lambda_{i+1} = lambda_i + q_i. The weight is q_i = -w_i K_i e, with
-    Voronoi lengths w_i, stiffness K_i and a vector e against gravity.
+    Lambda is the negative internal force, with lambda_{i+1} = lambda_i + q_i for the nodal load q_i. The weight is
+    q_i = -w_i K_i e, with Voronoi length w_i, stiffness K_i and a vector e against gravity.
     """
     force = np.empty((load.shape[0] - 1, 2))
     force[0] = first
@@ -476,33 +477,33 @@ def bending_moments(
 class Compression:
     """Axial elasticity of the n edges of a rod.
 
-    An edge has its nominal length under the force of the designed shape. Under another force, its length is
-    the nominal length times 1 - c (<lambda, T> - p), with the force lambda (the negative internal force) and
-    the direction T of the edge.
+    An edge has its nominal length under the force of the designed shape. Under another force
+    lambda (the negative internal force), the nominal length is multiplied by 1 - c (<lambda, T> - p), where T is
+    the direction of the edge.
 
     Attributes
     ----------
     compliance : (n,) array
-        Least bending stiffness divided by the axial stiffness E A, c, mm2.
+        Compliance c, mm2: least bending stiffness divided by the axial stiffness E A.
     pull : (n,) array
-        Component <lambda, T> = p in the designed shape, 1/mm2.
+        Force component p = <lambda, T> in the designed shape, 1/mm2.
     """
 
     compliance: FloatArray
     pull: FloatArray
 
     def stretched(self, directions: FloatArray, force: FloatArray) -> FloatArray:
-        """Return the directions (n, 2) of the edges times their length over the nominal length."""
+        """Return the edge vectors (n, 2), divided by the nominal edge length, under a force."""
         more = np.einsum("nk,nk->n", force, directions) - self.pull
         return np.asarray(directions * (1 - self.compliance * more)[:, None])
 
     def resampled(self, edges: int) -> "Compression":
-        """Interpolate both arrays to `edges` edges of equal length."""
+        """Return the axial elasticity interpolated to `edges` edges of equal length."""
         old, new = ((np.arange(n) + 0.5) / n for n in (self.pull.size, edges))
         return Compression(np.interp(new, old, self.compliance), np.interp(new, old, self.pull))
 
     def scaled(self, least: float) -> "Compression":
-        """Return both arrays for a least bending stiffness that is `least` times as large."""
+        """Return the axial elasticity for a least bending stiffness that is `least` times as large."""
         return Compression(self.compliance * least, self.pull / least)
 
 
@@ -519,8 +520,8 @@ class Margin:
     mode : (n,) array
         Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
-        Multipliers nu of H v - mu W v = C^t nu for x and y; zero for a coordinate that is not held at both ends,
-        and for axially elastic rods.
+        Multipliers nu of the constraints on x and y, see `DiscreteRod.margin_derivatives`. They are zero for a
+        coordinate that is not held at both ends, and for axially elastic rods.
     """
 
     value: float
@@ -609,7 +610,7 @@ class DiscreteRod:
 
     @cached_property
     def tangents(self) -> FloatArray:
-        """Unit tangents T of the edges (n, 2), times their length over the nominal length."""
+        """Edge vectors (n, 2) divided by the nominal edge length; unit vectors without axial elasticity."""
         if self.compression is None:
             return self.directions
         return self.compression.stretched(self.directions, self.force)
@@ -631,7 +632,7 @@ class DiscreteRod:
 
     @cached_property
     def shortening(self) -> FloatArray:
-        """Length c l (n,), mm3, by which a force of 1/mm2 along each edge shortens it."""
+        """Shortening c l (n,), mm3, of each edge under a force of 1/mm2, with compliance c and edge length l."""
         assert self.compression is not None
         return self.edge_length * self.compression.compliance
 
@@ -655,11 +656,11 @@ class DiscreteRod:
     def hessian(self) -> tuple[FloatArray, FloatArray]:
         """Tridiagonal Hessian H of the energy by the edge angles: diagonal (n,) and off-diagonal (n-1,), 1/mm.
 
-        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, where h_i is the change of
-        an edge angle, K_i and w_i are the stiffness and Voronoi length of a node, and l_i and T_i the length and
-        tangent of an edge. At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the
-        term of the end node is omitted. An axially elastic edge adds -c l <lambda, R T>^2 h_i^2, with a quarter
-        turn R, because its length changes with its angle.
+        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2. An edge has the length l_i,
+        tangent T_i, force lambda_i and change of angle h_i. A node has the stiffness K_i and Voronoi length w_i.
+        At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the term of the end node is
+        omitted. An axially elastic edge of compliance c adds -c l_i <lambda_i, R T_i>^2 h_i^2, where R is a
+        quarter turn.
         """
         spring = self.stiffness / self.node_lengths
         self._zero_free_ends(spring)
@@ -673,8 +674,8 @@ class DiscreteRod:
         """Derivatives C (p, n), mm, of the position of the end by the edge angles.
 
         There is a row for each coordinate, x or y, that both supports hold. The columns are l_i (-sin alpha_i,
-        cos alpha_i), with edge length l_i and angle alpha_i. Rows along a straight rod are zero to first order
-        and are omitted.
+        cos alpha_i), with edge length l_i and angle alpha_i. The row of an axis
+        parallel to a straight rod is zero.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
         rows = np.zeros((len(self.held), self.angles.size))
@@ -743,7 +744,7 @@ class DiscreteRod:
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
         """Return the constraints of the ends and elements, and the terms that are added to the Hessian.
 
-        All constraints of an axially elastic rod are terms.
+        For an axially elastic rod, every constraint becomes a term.
         """
         bracing = self.bracing
         if self.compression is not None:
@@ -754,11 +755,11 @@ class DiscreteRod:
         return np.concatenate([rows, bracing.rows]), terms
 
     def _elastic_terms(self, rows: FloatArray) -> Terms | None:
-        """Return the constraints and terms of an axially elastic rod, with eliminated strains.
+        """Return the constraints and terms of an axially elastic rod after the strains are eliminated.
 
-        Let h be the changes of the edge angles, and e the changes of the edge strains. The energy changes by
-        h^t H h + 2 h^t X e + e^t Y e with diagonal matrices X = l <lambda, R T> and Y = l / c. Constraints
-        and terms are rows @ h + more @ e.
+        Let h and e be the changes of the edge angles and strains. The energy changes by h^t H h + 2 h^t X e +
+        e^t Y e, with the Hessian H at constant strains and diagonal matrices X = l <lambda, R T> and Y = l / c.
+        Each constraint or term is a linear form rows @ h + more @ e.
         """
         n = self.angles.size
         terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))

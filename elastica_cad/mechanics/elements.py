@@ -1,12 +1,12 @@
 """Rails, pins, ties and point forces, which support or load a strip between its ends.
 
-A force f_j on the strip gamma(s) at the point p_j = gamma(s_j) changes the bending moment to
+Forces f_j on the strip gamma(s) at points p_j = gamma(s_j) change the bending moment to
 
     M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
 
-where a and b are constants. M is continuous, its slope jumps, and lambda (the negative internal force) jumps
-by f_j. Each element has one or two unknown numbers, in which M is linear, as in a and b. A tie acts at two
-points with opposite forces. The page "Forces between the ends" of the manual has the derivation.
+where a and b are constants. M is continuous. At p_j, the slope of M jumps, and lambda (the negative internal
+force) jumps by f_j. Each element has one or two unknown numbers. M is a linear function of these numbers, a and b.
+A tie acts at two points with opposite forces. The manual's page "Forces between the ends" has the derivation.
 """
 
 from collections.abc import Iterable, Sequence
@@ -42,7 +42,7 @@ class Rail(Element):
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
+        Arc length along the drawn curve, mm, or a point (x, y), mm, which is moved to the nearest curve point.
     one_sided : bool
         True for a single bar, from which the strip may lift off. False for a slot, or for a bar on each side.
 
@@ -69,7 +69,7 @@ class Pin(Element):
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
+        Arc length along the drawn curve, mm, or a point (x, y), mm, which is moved to the nearest curve point.
     hole, notch : float
         Diameter of a hole on the centre line, or width and depth of a notch in each edge, mm; 0 for none. The
         strip is widened at the cut, so that it bends like a strip without a cut.
@@ -96,8 +96,7 @@ class Tie(Element):
     Parameters
     ----------
     start, end : float or (float, float)
-        Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest points of
-        it.
+        Arc lengths along the drawn curve, mm, or points (x, y), mm, which are moved to the nearest curve points.
     length : float, optional
         Length of the cord for `bend`, mm; by default, the distance between its two points.
     hole, notch : float
@@ -131,7 +130,7 @@ class PointForce:
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
+        Arc length along the drawn curve, mm, or a point (x, y), mm, which is moved to the nearest curve point.
     force : (float, float)
         Components of the force in the plane of the curve, N.
 
@@ -197,9 +196,9 @@ AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, below which a position counts as at the end."""
 
 AT_JOINT_SHARE = 2e-3
-"""Distance, as a fraction of the length, below which an element is moved to the start of a straight free end.
+"""Largest distance, as a fraction of the length, by which an element is moved to the start of a straight free end.
 
-Positions are often given to a millimetre.
+The tolerance allows for positions that are rounded to a millimetre.
 """
 
 _NEWTON_STEPS = 20  # largest number of Newton steps to the nearest point of a curve
@@ -215,8 +214,8 @@ class PlacedElement:
     s : (k,) array
         Arc lengths of the points at which the element acts, mm.
     units : (u, k, 2) array
-        Forces on the strip at the k points for the value 1 of each of the u unknown numbers. The single number of a
-        `PointForce` is known.
+        Forces on the strip at the k points if one of the u unknown numbers is 1 and the others are 0. For a
+        `PointForce`: the known force, N.
     """
 
     element: Element | PointForce
@@ -229,8 +228,8 @@ class PlacedElement:
     ) -> "PlacedElement":
         """Convert the position of an element from the `drawn` curve to the realizable `curve`.
 
-        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length.
-        Positions near the start of a straight free end (`joints`, mm) are moved there.
+        Rails and pins are moved to the nearest point of `curve`. Ties and loads keep their arc length as a
+        fraction of the whole length. Elements near the start of a straight free end (`joints`, mm) are moved there.
         """
         assert isinstance(element, Rail | Pin | Tie | PointForce)
         places = (element.start, element.end) if isinstance(element, Tie) else (element.at,)
@@ -330,7 +329,7 @@ def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
     for _ in range(_NEWTON_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
-        # at least 0.3, because Newton steps diverge near the centre of curvature
+        # a lower bound of 0.3, because Newton steps diverge near the centre of curvature
         spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
         if abs(s - before) <= 1e-12 * curve.length:
@@ -411,7 +410,7 @@ class ElementForce:
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the elements with the forces for given values (u,) of their unknown numbers."""
+    """Return the elements with their forces; `numbers` (u,) are the values of their unknown numbers."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(
@@ -424,11 +423,11 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
 
 
 def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
-    """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives by s.
+    """Return the weights (n,) for which the sum of edge vectors is the position at arc length s.
 
-    The position is on the quadratic B-spline of the nodes, which touches each edge at its midpoint. The tangent
-    of the B-spline is continuous, so a rail slides smoothly from edge to edge. The spline is straight in the
-    outer halves of both end edges.
+    With `order` 1 or 2, return the derivatives of the weights by s. The position is on the quadratic B-spline of
+    the nodes, which touches each edge at its midpoint. The tangent of the B-spline is continuous, so a rail slides
+    smoothly from edge to edge. The spline is straight in the outer halves of the first and the last edge.
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:

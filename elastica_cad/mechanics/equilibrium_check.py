@@ -1,4 +1,4 @@
-"""Check whether a curve is realizable, and compare the result with other fits of its measured points."""
+"""Check whether a curve is realizable, and whether other fits of its measured points give the same result."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -89,7 +89,7 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield two fits within the resolution of the points, a fit to every other point, and a smoother fit."""
+    """Yield two fits within the resolution of the points, a fit of every other point, and a smoother fit."""
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
     for degree in (3, 5):
@@ -124,10 +124,10 @@ def examine(
 ) -> EquilibriumCheck:
     """Check the conditions of Theorem 1: curvature, ends without bending, and a line through the inflections.
 
-    With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that
-    was fitted to points is compared with other fits; if their results differ, the result is `undecided`.
-    `stations` are the arc lengths, mm, of elements and forces on a strip without weight. Between a free end
-    and the next of these stations the strip carries no moment, so it must be straight.
+    A strip with weight (`heavy`) needs no line (paper, section 5). A curve that was fitted to points is compared
+    with other fits. If their results differ, the result is `undecided`. `stations` are the arc lengths, mm, of
+    elements and forces on a strip without weight. Between a free end and the station nearest to this end, the
+    strip carries no moment and must be straight.
     """
     judge = partial(
         _examine_curve,
@@ -239,8 +239,7 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
-# distance from a zero of the curvature, as a fraction of the length, within which K = 0 / 0 is replaced by
-# its limit
+# closer to a zero of the curvature than this fraction of the length, K = 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -267,8 +266,8 @@ class SeparatingLine:
     line : InflectionLine or None
         Line in the middle of the admissible directions, or None if no line exists.
     spread : float
-        Angle, rad, that the curve subtends at the inflection, if its part before the inflection is mirrored at the
-        inflection. Lines exist if the angle is less than pi.
+        Angle, rad, that the curve spans as seen from the inflection, after the part before the inflection is
+        mirrored at the inflection. A line exists if the angle is less than pi.
     places : (float, float)
         Arc lengths, mm, of the two points of the curve that limit the admissible directions.
     """
@@ -414,7 +413,7 @@ def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
 
 
 def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
-    """Return the least-squares line through points (k, 2), with the given normal if there is one."""
+    """Return the least-squares line through points (k, 2), perpendicular to `normal` if a normal is given."""
     centre = points.mean(axis=0)
     if normal is None:
         _, _, vt = np.linalg.svd(points - centre)
@@ -486,24 +485,23 @@ def _place_of_extreme_ratio(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return unit tangents (k, 2) and slopes (k,) of the excess curvature at its zeros (one-sided at an end)."""
+    """Return the unit tangents (k, 2) of the curve and the slopes (k,) of the excess curvature at its zeros."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
-    """Return the lines through the only zero of kappa - kappa_0 for which the moment has the sign of the bending.
+    """Return the lines through the only inflection of a curve for which moment and bending have the same sign.
 
-    Let p be the zero. The moment M = <b, gamma - p> must have the sign of kappa - kappa_0. All directions
-    sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. The angle of the
-    directions is continuous along the curve gamma; at p it is the angle of the tangent. Such a vector b exists if
-    and only if the angle spans less than pi.
+    The inflection p is the only zero of kappa - kappa_0, the curvature minus the natural curvature. The moment
+    M = <b, gamma - p> must have the sign of kappa - kappa_0 on the whole curve gamma. Such a vector b exists if
+    and only if the angle of sign(kappa - kappa_0) (gamma - p), continued along the curve, spans less than pi.
 
     Parameters
     ----------
     curvature_sign : int
-        Sign of kappa - kappa_0 after the zero; at the end of the curve, minus the sign before the zero.
+        Sign of kappa - kappa_0 after the zero. At the end of the curve, the opposite of the sign before the zero.
     """
     views = find_view_angles(curve, zero.t)
     if views is None:
@@ -588,7 +586,7 @@ def _line_constraints(
 
 
 def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return sets of constraints that hold the ends, strictest first; an end with an inflection is not held."""
+    """Return three lists of constraints on the ends, the strictest first; an end with an inflection has none."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)
