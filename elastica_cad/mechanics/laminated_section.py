@@ -19,7 +19,7 @@ from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative tolerance of the limits on stiffness; between nodes the stiffness has an error of 1e-6."""
+"""Relative tolerance of the limits on stiffness, above the error 1e-6 of a stiffness between nodes."""
 
 
 @dataclass(frozen=True)
@@ -187,10 +187,10 @@ class LaminatedSection:
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> ScaleRange:
-        """Return the factors c with which a laminate of bending stiffness c K can be built (paper, section 8.1).
+        """Return the scales c for which a laminate of bending stiffness c K can be built (paper, section 8.1).
 
         K is the relative stiffness. Everywhere the width of the backing is at least `least_backing` and at most
-        the width of the base. The exact cross-section is used.
+        the width of the base. The bending stiffness is exact, unlike the paper's formula.
 
         Parameters
         ----------
@@ -210,10 +210,9 @@ class LaminatedSection:
     def thickness_ratio(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> float:
-        """Return the largest ratio of the thicknesses of base and backing that can be built with an unchanged base.
+        """Return the largest ratio of base thickness to backing thickness that can be built with this base.
 
-        Every smaller ratio, with a thicker backing, is possible too. The result is inf if the base needs no
-        backing.
+        Smaller ratios, with a thicker backing, are possible too. The result is inf if the base needs no backing.
         """
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
@@ -361,7 +360,7 @@ LEAST_SHARE = 2e-3
 """Least width of the backing and of the base beside it, as a fraction of the width of the base."""
 
 TERMS, STATIONS = 24, 60
-"""Number of terms of the polynomials in the curvature, and number of stations at which these are computed."""
+"""Numbers of terms of the polynomials in the curvature, and of stations at which the polynomials are computed."""
 
 LARGEST_STRAIN = 0.05
 """Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""
@@ -383,9 +382,9 @@ def laminate_factor(
     """Return M / (E I (kappa - kappa_0)) of a two-layer strip, with the narrower layer in the middle.
 
     M is the bending moment, E I the bending stiffness of the cross-section, and kappa the uniform curvature.
-    The base beside the backing is at a distance from the neutral axis and has stress along the bend. The stress
-    presses the base towards the neutral axis. The base deflects, so the strip is softer than its cross-section.
-    The whole cross-section also curls because of Poisson's ratio.
+    Bending stretches or compresses the base beside the backing, because it is away from the neutral axis. The
+    stress presses this part of the base towards the neutral axis. The base deflects, so the strip is less stiff
+    than E I. The whole cross-section also curls because of Poisson's ratio.
 
     Parameters
     ----------
@@ -421,7 +420,6 @@ def laminate_factor(
         ([base, backing], b2 / 2, columns[:PIECES]),
         ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
-        # all elements of one part of the cross-section have the same length
         form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)
         w, lever = (
             np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
@@ -483,16 +481,16 @@ def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class LaminateCurl:
-    """Polynomials that replace `laminate_factor` at the nodes of a strip; they are about a hundred times faster.
+    """Polynomials that replace `laminate_factor` at the nodes of a strip and are about a hundred times faster.
 
     Attributes
     ----------
     reach : float
-        Largest absolute curvature, 1/mm, of the polynomials; above it the factor is constant.
+        Largest absolute curvature, 1/mm, of the polynomials. Beyond this curvature, the factor is constant.
     fine : (n,) array
-        Curvature, 1/mm, above which the scale of the variable is logarithmic (arsinh).
+        Curvature, 1/mm, above which the variable of the polynomials is logarithmic: arsinh(curvature / fine).
     coefficients : (m, n) array
-        Coefficients of Chebyshev polynomials of this variable.
+        Chebyshev coefficients of the polynomial of each node.
 
     Examples
     --------
@@ -517,7 +515,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """Return the curl of a laminate whose curvature in the design is `curvature` (n,), 1/mm."""
+        """Return the polynomials of a laminate whose curvature in the design is `curvature` (n,), 1/mm."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )

@@ -53,12 +53,12 @@ from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, Infl
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note
 
 TOLERANCE = 1e-6
-"""Largest error of the stiffness profile, relative to its largest value; its extremes are exact."""
+"""Largest error of the stiffness profile, relative to its largest value. The extremes of the profile are exact."""
 
 WORST_TOLERANCE = 0.01
 """Largest accepted error of the stiffness profile if the stiffness itself has large rounding errors.
 
-This occurs under much weight, or with an inflection near an end.
+Rounding errors are large under much weight, or with an inflection near an end.
 """
 
 NOISE_TIMES = 4
@@ -82,14 +82,14 @@ The error is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
 """
 
 SPARE = 0.07
-"""Fraction of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
+"""Fraction of the tolerance to which the first knots should fit, so that a second fit is rarely needed."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
     """Return the stiffness K times `scale` as a cubic spline of arc length.
 
-    K has two continuous derivatives less than the curve, or three less if an inflection is at a knot. The spline
-    has the same kinks, and replaces jumps by ramps.
+    K has two continuous derivatives fewer than the curve, or three fewer if an inflection is at a knot. The spline
+    has the same kinks as K, and replaces the jumps of K by ramps.
     """
     curve = check.curve
     length = curve.length
@@ -151,9 +151,8 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the rounding error of the stiffness: its largest jump between panels where it is continuous."""
+        """Return the rounding error of the stiffness: its largest jump between panels away from the `steps`."""
         before, after = self.series.where_panels_meet
-        # omit jumps near steps, because ramps replace the steps
         jumps = np.abs(after - before)
         if len(steps):
             apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
@@ -172,7 +171,6 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        # one interval is enough where the stiffness is uniform
         parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]
         inner_knots = [
             a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)
@@ -189,7 +187,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Remove the jump at `place`; the value on the left (`keep_left`) or on the right remains."""
+    """Remove the jump at `place`; keep the value on its left (`keep_left`) or on its right."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -234,28 +232,28 @@ def optimal_rod(
         Natural curvature kappa_0, 1/mm, or its variation along a pre-bent strip; the rod then has kappa_0 at its
         nodes.
     samples : int, optional
-        Number of nodes of the rod. Without `largest_stiffness` the ratio is then evaluated at these nodes only.
-        By default the ratio is evaluated on the continuous curve and the rod has 601 nodes.
+        Number of nodes of the rod. By default the rod has 601 nodes, and the ratio is evaluated on the
+        continuous curve. With `samples` but without `largest_stiffness`, it is evaluated at the nodes only.
     weight : Weight, optional
-        Weight in newtons instead of a proportional weight. `own=True` adds the weight of the strip, B /
-        gravity.length^3 per length and relative stiffness.
+        Weight in newtons instead of a proportional weight. `own=True` adds the weight of the strip:
+        K B / gravity.length^3 per length, with relative stiffness K.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default the B of
-        least ratio. If the ratio always decreases with B, the least B whose ratio is within 1 % of the ratio
-        without weight.
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default, B is the value
+        with the least ratio. If the ratio always decreases with B, the default is the least B whose ratio is
+        within 1 % of the ratio without weight.
     largest_stiffness : float, optional
-        Largest E I of the rod, N mm2, under a weight in newtons. For example, the E I of the widest strip that
+        Largest E I of the rod, N mm2, under a weight in newtons, for example that of the widest strip that
         fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest
-        shape of such a rod under this weight, the largest E I is smaller.
+        shape of such a rod under this weight, the largest E I of the result is smaller.
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
         Nonlinear material law, whose effective curvature replaces kappa - kappa_0 (paper, Appendix D).
     section : BoundedLaw, optional
         Section of the strip: a thickness, a diameter, or a width that bends as a plate. The dimensions of the
-        section are as large as their limits allow, and determine the bending stiffness. Under gravity (only its
-        direction is used) the rod carries the weight of the section and the masses of `weight`. The
-        optimisation is then nonlinear, and the ratio is a local optimum; see `balance_of`.
+        section are as large as their limits allow, and determine the bending stiffness. With `gravity`,
+        of which only the direction is used, the rod carries the weight of the section and the masses of
+        `weight`. The optimisation is then nonlinear, and the ratio is a local optimum; see `balance_of`.
     tolerance : float
         Largest distance of inflections from a common line, relative to the length; nearer inflections are moved
         onto the line. Almost unbent ends that are free to turn are made straight within the same tolerance.
@@ -398,10 +396,9 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
 def _require_load_at_free_end(request: RodRequest) -> None:
     """Refuse an unloaded free end, because its shape depends on the weight alone.
 
-    K kappa = integral of W cos(alpha) du, with stiffness K, curvature kappa, angle alpha, distance u from the
-    end, and weight W between u and the end. Both sides are zero at u = 0. Under the weight of the strip alone, K
-    is finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) + higher powers of u, with the
-    elasto-gravity length l_eg.
+    Under the weight of the strip alone, the stiffness is finite and positive at a free end only if the curvature
+    is cos(alpha) u^2 / (2 l_eg^3) + higher powers of u. Here alpha is the angle, u the distance from the end, and
+    l_eg the elasto-gravity length.
     """
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
@@ -467,7 +464,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # lambda, the negative internal force, increases by each load; the held end carries the whole weight
+    # each load increases lambda, the negative internal force; the held end carries the whole weight
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -513,7 +510,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # keep the weight beta K when K is divided by its least value
+    if weight is not None:  # the weight beta K does not change when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -533,10 +530,10 @@ KINK_SHARE = 0.005
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the warnings about a curve, except those about kinks that the forces of elements cause."""
+    """Return the warnings about a curve, without warnings about kinks that the forces of elements cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
-    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # there the width jumps
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # places where the width jumps
 
     def expected(warning: str) -> bool:
         if not (isinstance(warning, Refusal) and warning.kind == "kinks"):
@@ -602,7 +599,7 @@ class Laminate:
     base_width, backing_width : (n,) array
         Widths of base and backing at the nodes of the rod, mm.
     range : ScaleRange
-        Scales that can be built with this K; c is the upper limit.
+        Range of scales for which a laminate with this K can be built; c is the upper limit.
     rounds : int
         Number of optimal rods that were computed; 1 without weight.
     """
@@ -629,8 +626,8 @@ def optimal_laminate(
     """Return the laminated rod of least stiffness ratio on a curve, with a base of given width.
 
     The weight of both layers is linear in the width of the backing but not in the stiffness K (paper, section 8.1,
-    footnote 4). The weight per length is linearised at the last K and scale, until both converge. If they
-    oscillate, `optimal_rod` continues with a nonlinear search in short steps.
+    footnote 4). In each iteration, the weight per length is linearised at the present K and scale. If K and
+    scale do not converge and the base has a uniform width, a nonlinear search in short steps follows.
 
     Parameters
     ----------
@@ -770,7 +767,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     change, least = np.inf, 1.0  # the smoothest stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # clip, because an extrapolated scale may need more than two full layers or less than the base alone
+        # clip an extrapolated E I that is larger than that of two full layers or smaller than that of the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)
@@ -811,12 +808,12 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`; errors of the profile below 1 are clipped."""
+    """Return the relative stiffness at arc lengths `s`; values below 1, which are errors, become 1."""
     return np.maximum(rod.profile(s), 1.0)
 
 
 def filled_gravity(section: LaminatedSection, direction: ArrayLike) -> Gravity:
-    """Return the gravity of a laminate of two full layers, as a first approximation."""
+    """Return the gravity of a laminate with layers of equal width, as a first approximation."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))

@@ -152,7 +152,8 @@ class Weight:
         Masses on the strip, for example a lamp holder.
     own : bool
         If True, `optimal_rod` adds the weight of the strip itself, B / gravity.length^3, to `beta` when the least
-        bending stiffness B is known. The weight of the returned rod includes it, and its `own` is False.
+        bending stiffness B is known. In the weight of the returned rod, `own` is False
+        and `beta` includes this weight.
     """
 
     alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0
@@ -481,7 +482,7 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def of(cls, blank: PlaneCurve) -> "RestCurvature":
-        """Return the curvature of a pre-bent strip that was drawn from the same side as the bent strip."""
+        """Return the curvature of a pre-bent strip, drawn as seen from the same side as the bent strip."""
         if not isinstance(blank, PlaneCurve):
             raise InputError(f"the pre-bent strip is {blank!r}: give a PlaneCurve, its shape before assembly")
         if blank.tangent_breaks:
@@ -539,7 +540,7 @@ class CurveOfRest(RestCurvature):
     Attributes
     ----------
     blank : PlaneCurve
-        Shape of the pre-bent strip. Its `profile` has the same breaks.
+        Shape of the pre-bent strip; it has the same breaks as the `profile`.
     """
 
     blank: PlaneCurve
@@ -563,7 +564,7 @@ NaturalCurvature: TypeAlias = float | RestCurvature
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
-    """Return the natural curvature, 1/mm: a number, or values (n,) at nodes `s` (n,), mm, along the whole strip."""
+    """Return the natural curvature, 1/mm, at nodes `s` (n,), mm, along the whole strip: (n,) or one number."""
     return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
 
 
@@ -617,7 +618,7 @@ class ExcessCurvature:
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Points (t, s, continuity) at which the natural curvature has only `continuity` continuous derivatives."""
+        """Kinks of the natural curvature: parameter, arc length, mm, and number of continuous derivatives."""
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -626,11 +627,11 @@ class ExcessCurvature:
 
     @cached_property
     def zeros(self) -> tuple[CurvatureZero, ...]:
-        """All zeros and sign changes of curvature minus natural curvature, in the order of the curve."""
+        """All zeros and sign changes of curvature minus natural curvature, in order along the curve."""
         return self.equals(0.0)
 
     def equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """Return the points where curvature minus natural curvature is `level`, 1/mm, and signs on both sides."""
+        """Return the points at which curvature minus natural curvature equals `level`, 1/mm."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
@@ -642,6 +643,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Largest sum of both absolute curvatures, 1/mm; the rounding error of their difference depends on it."""
+        """Largest sum of the absolute curvature and natural curvature, 1/mm; the scale of rounding errors."""
         t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

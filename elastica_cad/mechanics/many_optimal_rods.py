@@ -12,7 +12,7 @@ from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.rod import Rod
 
 CHUNK = 32
-"""Number of curves that are sent to a worker at a time: sending one curve takes about as long as its rod."""
+"""Number of curves that are sent to a worker together. Sending a curve takes as long as computing its rod."""
 
 
 def optimal_rods(

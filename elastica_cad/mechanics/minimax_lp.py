@@ -11,18 +11,18 @@ from elastica_cad.errors import NotConvergedError
 
 
 class Exchange(NamedTuple):
-    """Settings of the exchange method, and of rows that are added to a linear program.
+    """Settings of the exchange method for linear programs, which `MinimaxProgram` describes.
 
     Attributes
     ----------
     most_rounds : int
-        Largest number of rounds if rows are added between solutions.
+        Largest number of solutions of a program to which rows are added after each solution.
     first_rows : int
-        Number of uniform samples of a long curve from which a program starts.
+        Approximate number of samples of a long curve, at equal spacing, in the first program.
     first_step : int
-        Spacing, in samples of the curve, of the rows of the first program for a smooth stiffness.
+        For a smooth stiffness, the first program contains every `first_step`-th sample of the curve.
     box : float
-        Bound of the scaled unknowns, which are of order 1. The first vertex is at these bounds.
+        Bound of the scaled unknowns, which are of order 1. The first vertex is at this bound.
     feasible : float
         Largest violation of a condition that counts as a rounding error. The violation is relative to 1, or to
         the ratio R if the condition contains R.
@@ -31,9 +31,9 @@ class Exchange(NamedTuple):
     most : int
         Largest number of exchanges, several times the usual number for four unknowns.
     most_steps : int
-        Largest number of steps along edges, several times the largest number seen.
+        Largest number of steps along edges in `least_variation`, several times the largest number seen.
     tilt : float
-        Size of small shifts of planes, so that at most as many planes as unknowns meet in a point.
+        Size of small shifts of planes, after which at most as many planes as unknowns meet in a point.
     """
 
     first_rows: int = 500
@@ -149,11 +149,11 @@ class MinimaxProgram:
     Parameters
     ----------
     samples : (n, m) array
-        Typical rows of the bounds; they determine the scaling of the unknowns.
+        Typical rows of the bounds, which determine the scaling of the unknowns.
     side_rows, side_offset : (k, m), (k,) arrays, optional
         Further conditions side_rows @ x + side_offset >= 0.
     most : float
-        Largest useful R. The search ends as soon as R must be larger. With a finite limit, HiGHS is not used.
+        Largest useful R. There is no solution if R must be larger. With a finite limit, HiGHS is not used.
     """
 
     def __init__(
@@ -167,7 +167,7 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # rows @ (x, R) >= limits: first R >= 0 and x >= -box, which define the first vertex, then x <= box
+        # conditions rows @ (x, R) >= limits: x >= -box and R >= 0, which meet in the first vertex, then x <= box
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -206,7 +206,7 @@ class MinimaxProgram:
     def _exchanged(self) -> FloatArray | None:
         """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate.
 
-        The least R never decreases, so the first vertex with R above `most` is returned, too.
+        The search also ends at the first vertex with R above `most`, because R never decreases.
         """
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
@@ -227,8 +227,7 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # coefficients of the condition that becomes active, and of R (`share`), in terms of the active
-            # conditions
+            # coefficients by which the active conditions combine to the new condition (`parts`) and to R (`share`)
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
@@ -248,7 +247,7 @@ def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return columns (m, k) that scale the unknowns: coefficients of order 1 give stiffnesses of order 1."""
+    """Return a basis (m, k) of the unknowns in which coefficients of order 1 give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -273,7 +272,7 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
             if result.status == 2:
                 return None
     else:
-        # the base class does not print the banner that Highs prints
+        # the base class of `Highs` does not print a banner
         highs = highspy.Highs.__bases__[0]()
         silent = {"output_flag": False, "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
@@ -312,9 +311,9 @@ def least_variation(
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
     If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is
-    the total variation of K' (paper, section 5.3). Each term is 0, and each condition an equation, on a
-    plane; m of these planes meet in a vertex. Each step follows the steepest edge of the vertex while the sum
-    decreases.
+    the total variation of K' (paper, section 5.3). Each term is zero, and each condition
+    is an equation, on a plane. In a vertex, m of these planes meet. Each step follows the steepest edge of a
+    vertex while the sum decreases.
 
     Parameters
     ----------
@@ -323,7 +322,7 @@ def least_variation(
     bends, bend_offset : (k, m) and (k,) arrays
         Terms of the sum.
     start : (m,) array
-        Unknowns that meet the conditions.
+        Unknowns x that satisfy the conditions.
     sides : (j, m) and (j,) arrays, optional
         Rows and offsets of further conditions rows @ x + offset >= 0.
 
@@ -341,7 +340,7 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift the conditions to hold at the start; shift all planes so that at most m of them meet in a point
+    # shift conditions that the start violates; then shift all planes so that at most m of them meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
     shifted = limits.size - len(side_rows)
     limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)
@@ -378,7 +377,7 @@ def least_variation(
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:
-    """Return the x with the largest number @ x subject to 1 <= rows @ x <= largest and side_rows @ x >= 0."""
+    """Return the x that maximises number @ x subject to 1 <= rows @ x <= largest and side_rows @ x >= 0."""
     from scipy.optimize import linprog
 
     basis = _conditioned(rows)

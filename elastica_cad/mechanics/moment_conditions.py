@@ -1,15 +1,17 @@
 """Stiffness of a rod that is in equilibrium on a drawn curve: linear equations, conditions and optimum.
 
-On a drawn curve gamma the equations of the rod (paper, Eqs. 3 and 5)
+On a drawn curve gamma, the equations of the rod (paper, Eqs. 3 and 5) are
 
-    M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
+    M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M.
 
-are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is
-therefore enough. M is the moment, b the negative internal force after a quarter turn R^t, K the stiffness,
-kappa the curvature and kappa_0 the natural curvature. Here q is the weight per stiffness (1/l_eg^3), and p a
-weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending stiffness, and e a
-unit vector upwards. Without weight, b is constant and M = a + <b, gamma> with a constant a. A force f on the
-strip between its ends is a jump of R b by f, so each unknown force is one more number (`elements`).
+M is the moment, b the negative internal force after a quarter turn R^t, K the stiffness, kappa the curvature and
+kappa_0 the natural curvature. Here q is the weight per length and stiffness (1/l_eg^3 with the elasto-gravity
+length l_eg), and p a weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending
+stiffness, and e a unit vector upwards.
+
+M and b are linear functions of their values at the end of the curve. One integration for each of the three
+numbers M, b_x and b_y at the end is therefore enough. Without weight, b is constant and M = a + <b, gamma> with a
+constant a. At a force f on the strip between its ends, R b jumps by f, so each unknown force is one more number.
 """
 
 from collections.abc import Callable, Sequence
@@ -66,15 +68,15 @@ from elastica_cad.refusals import Length, Listed, Span, note
 
 @dataclass(frozen=True, eq=False)
 class LineLoad:
-    """Weight and known forces along a curve that is cut into panels.
+    """Weight and known forces along a curve that is cut into N panels with p nodes each.
 
     Attributes
     ----------
     up : (2,) array
         Unit vector against gravity.
     own : (N, p) array
-        Weight per length and relative stiffness, divided by the least bending stiffness, 1/mm3. For a plain strip
-        it is 1/l_eg^3 with the elasto-gravity length l_eg.
+        Weight per length for a relative stiffness of 1, divided by the least bending stiffness, 1/mm3. For a
+        strip of one sheet, the value is 1/l_eg^3 with the elasto-gravity length l_eg.
     dead : (N, p) array
         Weight per length that does not depend on the stiffness, N/mm.
     points : (N + 1, 2) array
@@ -94,7 +96,7 @@ class LineLoad:
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
-    """Stiffness, force and moment along a rod as linear functions of m numbers.
+    """Stiffness, force and moment along a rod as linear functions of m numbers, on N panels with p nodes each.
 
     The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
     bending moment, b the negative internal force after a quarter turn, and tau the inverse of the least
@@ -132,13 +134,13 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
     kappa - kappa_0, the curvature minus the natural curvature, the moment is set to zero. The stiffness there is
-    then a limit, and not a quotient of rounding errors. The caller must constrain the state accordingly: the rows
-    of `edge_moment` at the zeros must give 0.
+    then a limit, and not a quotient of rounding errors. The caller must therefore require that the rows of
+    `edge_moment` at the zeros give 0.
 
     Parameters
     ----------
     panels : Panels
-        The curve, cut at its zeros.
+        The curve, cut at the zeros of kappa - kappa_0.
     load : LineLoad, optional
         Weight along the curve; none by default.
     units : (N + 1, 2, u) array, optional
@@ -166,7 +168,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
         step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
-    # M at a node is M at the near end of the panel, 0 beside a zero, plus <b, distance>
+    # M at a node is M at one end of the panel (exactly 0 at a zero) plus <b, vector from this end to the node>
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
@@ -279,24 +281,24 @@ BOUNDED = 1e-7
 """Largest relative excess of a smooth stiffness over its bounds: the accuracy of the linear program."""
 
 CHOSEN = 1e-5
-"""Largest relative excess of a smooth stiffness over a ratio limit that `SMOOTHING_SHARE` has widened."""
+"""Largest relative excess of a smooth stiffness over its bounds if `SMOOTHING_SHARE` has widened the bounds."""
 
 
 @dataclass(frozen=True, eq=False)
 class StiffnessFamily:
-    """Stiffnesses K = rows @ y + offset with free parameters y (d,), as piecewise polynomials over panels.
+    """Stiffnesses K = rows @ y + offset with free parameters y (d,), as polynomials on each of N panels.
 
     Attributes
     ----------
     panels : Panels
     rows : PanelFunction
-        Polynomial coefficients (N, p, d).
+        Coefficients (N, p, d) of the polynomials, p for each panel and parameter.
     offset : PanelFunction or None
-        Polynomial coefficients (N, p), or None for an offset of 0.
+        Coefficients (N, p), or None for an offset of 0.
     side_rows, side_offset : (k, d), (k,) arrays or None
         Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
     sides : tuple of PanelFunction
-        Functions of coefficients (N, p, d) that must give values >= 0 along the whole curve when multiplied by y.
+        Further conditions side @ y >= 0 along the whole curve, with coefficients (N, p, d) of `side`.
     """
 
     panels: Panels
@@ -308,7 +310,7 @@ class StiffnessFamily:
 
     @property
     def freedom(self) -> int:
-        """Number d of unknowns."""
+        """Number d of free parameters."""
         return int(self.rows.coefficients.shape[2])
 
     @property
@@ -329,7 +331,7 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows and offsets at the extremes of the stiffness for numbers y, and at the adjacent samples."""
+        """Return rows and offsets at the extremes of the stiffness for parameters y, and at adjacent samples."""
         panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
@@ -339,7 +341,7 @@ class StiffnessFamily:
         return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
-        """Return the stiffness for numbers y (d,)."""
+        """Return the stiffness for parameters y (d,)."""
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
 
@@ -350,9 +352,9 @@ def least_ratio(
     tolerance: float = _SETTLED,
     most: float = np.inf,
 ) -> tuple[FloatArray, float] | None:
-    """Return the numbers y of the stiffness with the least ratio R, and R; None if none is positive everywhere.
+    """Return the parameters y of the stiffness with the least ratio R, and R.
 
-    The result can also be None if R is above `most`.
+    Return None if no stiffness is positive everywhere. The result can also be None if R is above `most`.
 
     By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
     these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
@@ -361,7 +363,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # without a free number, or with one that only scales K, the extremes have fixed positions
+        # a single free parameter only scales K, so the extremes have fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -377,7 +379,6 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 def _continuous_ratio(
     family: StiffnessFamily, tolerance: float, most: float
 ) -> tuple[FloatArray, float] | None:
-    """Solve the linear program, and add all extremes beyond the bounds, until the bounds hold between samples."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -424,15 +425,15 @@ def _smoothest(
     tolerance: float = BOUNDED,
     keep_largest: bool = False,
 ) -> FloatArray:
-    """Return the numbers y of the smoothest stiffness K between 1 and `ratio` (paper, section 5.3).
+    """Return the parameters y of the smoothest stiffness K between 1 and `ratio` (paper, section 5.3).
 
-    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. The
-    stiffness for the numbers `start` is within these bounds. With `keep_largest`, K keeps its value where the
-    stiffness for `start` equals `ratio`.
+    K is bounded at the samples `places`, or by default on the continuous curve. The stiffness for the parameters
+    `start` is within these bounds. With `keep_largest`, K remains `ratio` where the stiffness for `start` is
+    `ratio`.
     """
     panels = family.panels
     count, order = panels.t.shape
-    # K'' by d/ds = (d/dx) / stretch, and jumps of K' between panels
+    # change of K' at each node, with d/ds = (d/dx) / stretch, and jumps of K' between panels
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
@@ -447,7 +448,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # 1 <= pins @ y + pin_offset: at these points K is at least the stiffness for `start`
+        # the condition 1 <= pins @ y + pin_offset means that K is at least the stiffness for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -462,9 +463,9 @@ def _smoothest(
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
-    """Return the numbers y of the largest number @ y for a stiffness between 1 and `ratio`.
+    """Return the parameters y that maximise number @ y for a stiffness between 1 and `ratio`.
 
-    The family must have no offset.
+    The offset of the family must be None.
     """
     sides, _ = family.side_conditions
     return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio, sides))
@@ -476,10 +477,10 @@ def _bounded(
     best: Callable[[FloatArray, FloatArray], FloatArray],
     tolerance: float = BOUNDED,
 ) -> FloatArray:
-    """Return the best numbers y for a stiffness K between 1 and `ratio` on the continuous curve.
+    """Return the optimal parameters y of a stiffness K between 1 and `ratio` on the continuous curve.
 
-    The function `best` computes y for given rows and offsets. The extremes of the resulting K are added to them
-    until K exceeds its bounds by at most the relative `tolerance`.
+    The function `best` computes y from the rows and offsets of samples. The extremes of the resulting K become
+    further samples until K exceeds its bounds by at most the relative `tolerance`.
     """
     rows, offset = (samples[:: METHOD.first_step] for samples in family.dense)
     for _ in range(METHOD.most_rounds):
@@ -493,10 +494,10 @@ def _bounded(
 
 
 def find_violations(family: StiffnessFamily) -> FloatArray:
-    """Return the arc lengths (k,), mm, that prevent a stiffness which is positive everywhere.
+    """Return the arc lengths (k,), mm, of samples because of which no stiffness is positive everywhere.
 
-    With a single free parameter they are the points at which the stiffness has the less frequent sign. Otherwise
-    they are the samples that limit the largest possible least stiffness.
+    With a single free parameter, the stiffness at these samples has the less frequent sign. With more parameters,
+    the samples have the least stiffness when this least stiffness is made as large as possible.
     """
     from scipy.optimize import linprog
 
@@ -531,7 +532,7 @@ WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations; no strip can have it."""
 
 LARGEST_LOAD = 1e3
-"""Stiffness required by the load, relative to the largest stiffness, above which the program is rescaled."""
+"""Ratio of the stiffness that the load requires to the largest stiffness, above which the program is rescaled."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -568,7 +569,7 @@ class BalancedStiffness:
 class StateFamily:
     """Family of stiffnesses of a rod in equilibrium.
 
-    The unknown numbers of `MomentRows` are fixed + basis @ y with the parameters y of the family.
+    The numbers of `MomentRows` are fixed + basis @ y, where y are the parameters of the family.
     """
 
     family: StiffnessFamily
@@ -580,8 +581,9 @@ class StateFamily:
 class RodRequest(EqualByValue):
     """Request for a rod whose rest shape is a curve; `optimal_rod` describes the attributes.
 
-    `known_check` is the result of an earlier check of the curve, or None. `point_forces` are the loads except
-    masses. Positions of elements and point forces refer to the curve `drawn` if it differs from `curve`.
+    `known_check` is the result of an earlier check of the curve, or None. Masses are in
+    `weight`, all other loads in `point_forces`. If the curve `drawn` is given, positions of elements and point
+    forces are along `drawn`, otherwise along `curve`.
     """
 
     curve: PlaneCurve
@@ -618,7 +620,7 @@ class RodRequest(EqualByValue):
         return self.examined()
 
     def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:
-        """Check the curve; `tolerance` is the largest automatic move, as a fraction of the length."""
+        """Check the curve, and move it by at most `tolerance` times its length to make it realizable."""
         curve = self.curve_to_bend
         placed = [
             PlacedElement.on(element, self.drawn or curve, curve)
@@ -655,7 +657,7 @@ class RodRequest(EqualByValue):
         return place_elements(elements, self.drawn or self.curve, self.check.curve, self.supports, joints)
 
     def units_on(self, panels: Panels) -> FloatArray:
-        """Return the forces (N + 1, 2, u) at the ends of panels for the value 1 of each unknown force."""
+        """Return the forces (N + 1, 2, u) at the ends of panels if one of the u unknowns is 1, the others 0."""
         units = np.zeros((panels.count + 1, 2, sum(element.unknowns for element in self.elements)))
         first = 0
         for element in self.elements:
@@ -667,7 +669,7 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """Samples of the curve at the nodes of the rod; with `samples`, the ratio is evaluated only there."""
+        """Samples of the curve at the nodes of the rod."""
         curve = self.check.curve
         return curve.survey if self.samples is None else curve.sample(self.samples)
 
@@ -698,7 +700,7 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Conditions (k, m) @ numbers = 0 of the linear program.
+        """Matrix C (k, m) of the conditions C @ numbers = 0 of the linear program.
 
         The moment is zero at inflections, and the force is zero along free coordinates. An element at an
         inflection exerts no force normal to the strip, because the stiffness would jump there.
@@ -706,7 +708,7 @@ class ConditionedRows:
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
         rows = [self.rows.edge_moment[at]]
-        # on a straight tail, the stiffness of the bent part is continued
+        # an element may push at the start of a straight tail, where the stiffness does not jump
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
@@ -744,7 +746,7 @@ class ConditionedRows:
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
-        """Return all stiffnesses that need no load or, with `loaded`, a multiple of the known loads."""
+        """Return all stiffnesses without the known loads or, with `loaded`, with a positive multiple of them."""
         basis = np.diag(self.scale)
         if self.rows.loaded and not loaded:
             basis = np.delete(basis, 3, axis=1)
@@ -760,7 +762,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the scaled conditions that the unknown numbers with indices `sides` are not negative."""
+        """Return the rows of the conditions that the numbers with indices `sides` are not negative."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -805,9 +807,9 @@ class ConditionedRows:
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return the optimal numbers, chosen so that rotating the drawing does not change them.
+        """Return the optimal numbers that do not change if the drawing is rotated.
 
-        For arcs, the optimum with constant moment is chosen. If a single jump of the curvature determines the
+        If a constant moment is optimal, as for arcs, it is chosen. If a single jump of the curvature determines the
         ratio, the optimum with the smoothest stiffness is chosen.
         """
         if self.check.zeros:
@@ -854,13 +856,13 @@ class ConditionedRows:
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """Return the numbers (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
+        """Return the numbers (m,) and tau that maximise the least E I if the largest E I is `most`, N mm2.
 
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
         The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # maximise the least K, where K is at most 1: minimise the largest 1 + (1 - K) / size
+        # with K at most 1, minimising the largest 1 + (1 - K) / size maximises the least K
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,

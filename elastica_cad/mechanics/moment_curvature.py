@@ -308,7 +308,7 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.effective_curvature`; beyond the table it continues with the slope at the last point."""
+        """See `MaterialLaw.effective_curvature`; beyond the table, the slope remains that of the last point."""
         kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
@@ -325,13 +325,13 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`; at the latest, the end of the table."""
+        """See `MaterialLaw.injective_limit`; it is at most the last curvature of the table."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """See `MaterialLaw.kinks`; these are the points of the table."""
+        """See `MaterialLaw.kinks`; the kinks are at the points of the table."""
         return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
