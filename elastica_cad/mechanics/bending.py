@@ -109,26 +109,27 @@ def bend(
         Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full turn
         adds 2 pi). None keeps the present angle.
     gravity : Gravity, None or "keep"
+        New gravity; None removes the weight.
     supports : Supports, optional
         New supports; by default the supports of the rod.
     force : (2,) array_like, optional
-        Components in x and y of a force with a constant direction, divided by the least bending stiffness B (N
-        mm2), 1/mm2. Each component acts at the end where its coordinate is free. None keeps the present force.
+        Components in x and y, 1/mm2, of a force with a constant direction, divided by the least bending stiffness.
+        Each component acts at the end where its coordinate is free. None keeps the present force.
     moment : float or pair of float, optional
-        Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end with a free
-        angle (a pair for start and end). None keeps the present moment.
+        Moment over the least bending stiffness, 1/mm, counterclockwise positive. A single moment acts at the end
+        with a free angle, a pair at start and end. None keeps the present moment.
     guess : Rod or array_like, optional
         Initial shape: a rod, or angles at the n nodes or n-1 edges.
     side : {+1, -1}, optional
-        Side of the first bulge, left (+1) or right (-1) seen from start to end, of a straight rod that buckles
-        or is bent by a shortened tie. By default, the rod bends to the left if its ends are pushed together.
-        Under a force, the rod remains straight if possible.
+        Side of the first bulge, left (+1) or right (-1) seen from start to end, for a straight rod. By default,
+        the rod bends to the left if its ends are pushed together, and remains straight under a force if possible.
+        A shortened tie requires `side`.
     mode : int
         Buckling mode of a straight rod; modes above 1 are usually unstable.
     samples : int, optional
         Number of nodes; by default the same as in `rod`.
     settle : bool
-        If True, an unstable result is replaced by the stable shape to which the rod moves from it.
+        If True, an unstable result is replaced by the stable shape into which the rod moves.
     between : sequence of Rail, Pin and Tie, or "keep"
         New elements between the ends; they replace the present elements. Arc lengths are measured along the present
         shape. A pin or rail at a point away from the present shape moves the strip to this point. A pin with the
@@ -235,8 +236,8 @@ def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, 
     """Return the arguments `loads` and `between` of `bend` after the fraction `part` of a step of a path.
 
     The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
-    pins, and lengths of ties, are interpolated linearly. An element that differs in kind from the present element
-    with the same index is used at once.
+    pins, and lengths of ties, are interpolated linearly. A new element replaces the present element with the same
+    index at once if they differ in kind.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -342,7 +343,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distance between the present and the final position or length of each slack element
+    # remaining distance of each slack element from its final position or length
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -363,8 +364,7 @@ def _bent_on_elements(
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
         changed = None if reached.arrived else changed_set(state, reached.fraction)
-        # an element that touches again just after its release: without this element the strip is unstable and
-        # snaps
+        # if a released element touches again at once, the strip is unstable without the element and snaps
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
@@ -407,7 +407,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Return the flags `taut` with the worst error corrected, or None if all agree with the forces and gaps."""
+    """Return `taut` with the worst flag corrected, or None if all flags agree with the forces and gaps."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -440,7 +440,7 @@ def has_snapped(rod: Rod) -> bool:
 
 
 def snap_percent(rod: Rod) -> float | None:
-    """Return the fraction of the path in percent at which `bend` warned that the rod snapped, or None."""
+    """Return the percentage of the path at which `bend` warned that the rod snapped, or None."""
     return next(
         (float(warning.values["percent"]) for warning in rod.warnings if _is_snap_warning(warning)), None
     )

@@ -20,7 +20,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
-# values of force * length^2 / stiffness: size of the first steps, end of these steps, then growth as a factor
+# values of force * length^2 / stiffness: first step, last value with equal steps, then growth factor per step
 # (a straight strip buckles at 2.5)
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
@@ -39,8 +39,8 @@ class ElasticaBetween:
     rod : Rod
         Bent rod; its `force` and `moment` at the ends act on the clamps.
     side : int
-        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. For a
-        free end: the side of the free end, seen in the direction of the clamp.
+        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. If the
+        end is free, `side` is the side of the free end, seen along the clamp.
     mode : int
         Buckling mode; mode 1 is stable.
     """
@@ -217,7 +217,7 @@ def _bent_by_loads(
 
 
 def _load_fractions(load: float) -> list[float]:
-    """Return fractions of a load, up to 1, for steps that are small near buckling."""
+    """Return increasing fractions of a load, up to 1, with small steps near buckling."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:

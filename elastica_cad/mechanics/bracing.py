@@ -99,7 +99,7 @@ class _Edges:
         return self.count if self.directions is None else 2 * self.count
 
     def covered(self, s: float, order: int = 0) -> FloatArray:
-        """Return the weights (n,) of the edge vectors that give the position at arc length s, or its derivative."""
+        """Return the weights (n,) with which the edge vectors add up to the position at s, or to its derivative."""
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:

@@ -242,7 +242,7 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
 
 
 def _fit(overhang: float, droop: float) -> tuple[float, float]:
-    """Return the elasto-gravity length, mm, and the norm of its gradient by overhang and droop."""
+    """Return the elasto-gravity length, mm, and the norm of its gradient with respect to overhang and droop."""
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)

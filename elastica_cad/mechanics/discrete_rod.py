@@ -23,7 +23,7 @@ _FEW = 40
 """Least number of edges for an iterative search of the lowest mode; shorter rods use dense matrices."""
 
 _SMOOTH = 10
-"""Number of smooth trial modes from which the compiled search for the lowest mode starts."""
+"""Number of smooth trial modes with which compiled code starts the search for the lowest mode."""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -188,8 +188,8 @@ def lowest_constrained(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
-    The method is Lanczos iteration on the inverse of A, shifted below the lowest eigenvalue. Each step solves a
-    positive definite tridiagonal system. `terms` are added to A.
+    The method is Lanczos iteration on the inverse of A, shifted below the lowest eigenvalue. `terms` are
+    added to A.
 
     Returns
     -------
@@ -279,10 +279,9 @@ class ConstrainedMode(NamedTuple):
 def lowest_weighted(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, terms: Terms | None = None
 ) -> ConstrainedMode:
-    """Return the lowest mode v of a tridiagonal matrix A with weights W (n,), subject to `rows` @ v = 0.
+    """Return the lowest mode v of a tridiagonal matrix A with weights W = `lengths`, subject to `rows` @ v = 0.
 
-    W are the `lengths`. The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added
-    to A.
+    The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added to A.
     """
     if _native.compiled is not None and diagonal.size >= _FEW and terms is None and len(rows) <= 2:
         lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
@@ -350,7 +349,7 @@ def shoot(
 
         alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0),   M_{i+1} = M_i + l <b_{i+1}, T(alpha_{i+1})>,
 
-    with the unit tangent T, and with the force lambda turned by -90 degrees, b. These angles make the discrete
+    where T is the unit tangent and b is the force lambda turned by -90 degrees. These angles make the discrete
     energy stationary (paper, section 7.1).
 
     Parameters
@@ -477,9 +476,9 @@ def bending_moments(
 class Compression:
     """Axial elasticity of the n edges of a rod.
 
-    An edge has its nominal length under the force of the designed shape. Under another force
-    lambda (the negative internal force), the nominal length is multiplied by 1 - c (<lambda, T> - p), where T is
-    the direction of the edge.
+    An edge has its nominal length under the force of the designed shape. Under another force lambda (the
+    negative internal force), the nominal length is multiplied by 1 - c (<lambda, T> - p), where T is the direction
+    of the edge.
 
     Attributes
     ----------
@@ -514,9 +513,8 @@ class Margin:
     Attributes
     ----------
     value : float
-        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds over the changes h of the
-        tangent's angle, times length^2. K is the stiffness, lambda the negative internal force, and gamma'
-        the tangent.
+        Lowest value of length^2 int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds for changes h of the
+        tangent's angle. K is the stiffness, lambda the negative internal force, and gamma' the tangent.
     mode : (n,) array
         Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
@@ -674,8 +672,7 @@ class DiscreteRod:
         """Derivatives C (p, n), mm, of the position of the end by the edge angles.
 
         There is a row for each coordinate, x or y, that both supports hold. The columns are l_i (-sin alpha_i,
-        cos alpha_i), with edge length l_i and angle alpha_i. The row of an axis
-        parallel to a straight rod is zero.
+        cos alpha_i), with edge length l_i and angle alpha_i. The row of an axis parallel to a straight rod is zero.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
         rows = np.zeros((len(self.held), self.angles.size))
@@ -758,8 +755,8 @@ class DiscreteRod:
         """Return the constraints and terms of an axially elastic rod after the strains are eliminated.
 
         Let h and e be the changes of the edge angles and strains. The energy changes by h^t H h + 2 h^t X e +
-        e^t Y e, with the Hessian H at constant strains and diagonal matrices X = l <lambda, R T> and Y = l / c.
-        Each constraint or term is a linear form rows @ h + more @ e.
+        e^t Y e. H is the Hessian at constant strains, and X = l <lambda, R T> and Y = l / c are diagonal matrices
+        (symbols as in `hessian`). Each constraint or term is a linear form rows @ h + more @ e.
         """
         n = self.angles.size
         terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))

@@ -161,7 +161,7 @@ NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force", PointM
 
 
 def noun_of(element: Element | PointForce | PointMass) -> Refusal:
-    """Return the noun for an element or load in messages."""
+    """Return the noun that names an element or load in messages."""
     return note(NOUNS[type(element)])
 
 
@@ -423,7 +423,7 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
 
 
 def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
-    """Return the weights (n,) for which the sum of edge vectors is the position at arc length s.
+    """Return the weights (n,) with which the edge vectors add up to the position at arc length s.
 
     With `order` 1 or 2, return the derivatives of the weights by s. The position is on the quadratic B-spline of
     the nodes, which touches each edge at its midpoint. The tangent of the B-spline is continuous, so a rail slides

@@ -237,7 +237,7 @@ _WIDEST_RATIO = 1e4
 """Largest stiffness ratio of a realizable curve; above it, the result would depend on rounding errors."""
 
 _TANGENT_RAD = 1e-6
-"""Sine of the angle between line and curve below which they count as tangent."""
+"""Sine of the angle between line and curve below which the line counts as tangent."""
 
 # closer to a zero of the curvature than this fraction of the length, K = 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
@@ -320,7 +320,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the only possible line of zero moment: it has the given normal, or passes through two or more zeros."""
+    """Check the only possible line of zero moment: with the given `normal`, or through two or more zeros."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -429,7 +429,8 @@ def _line_meetings(
 ) -> tuple[LineMeeting, ...]:
     """Return the points of the curve at which the line violates condition (1) of Theorem 1.
 
-    The moment a + <b, gamma> must have the sign of the curvature everywhere, or the opposite sign everywhere.
+    The moment a + <b, gamma> at points gamma of the curve is zero on the line. Everywhere the moment must have the
+    sign of the curvature, or everywhere the opposite sign.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []
@@ -458,8 +459,8 @@ def _place_of_extreme_ratio(
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
     The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural
-    curvature kappa_0. At a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line
-    over the slope of the curvature. A line through a single zero may turn by up to `spare` rad in both
+    curvature kappa_0. At a zero of kappa - kappa_0, the limit of K is the sine of the angle between curve
+    and line over the slope of kappa - kappa_0. A line through a single zero may turn by up to `spare` rad in both
     directions.
     """
     curve, kappa = excess.curve, excess.survey
@@ -532,7 +533,7 @@ MOST_STEPS = 12
 """Largest number of Newton steps that move inflections onto a line."""
 
 ON_LINE_SHARE = 1e-12
-"""Distance of an inflection from the line below which it is on the line, as a fraction of the size of the curve."""
+"""Largest distance of an inflection that counts as on the line, as a fraction of the size of the curve."""
 
 LARGEST_MOVE_SHARE = 0.05
 """Largest displacement of a control point, as a fraction of the length of the curve."""

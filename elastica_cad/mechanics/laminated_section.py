@@ -19,7 +19,7 @@ from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative tolerance of the limits on stiffness, above the error 1e-6 of a stiffness between nodes."""
+"""Relative tolerance of the limits on stiffness, larger than the error 1e-6 of the stiffness between nodes."""
 
 
 @dataclass(frozen=True)
@@ -83,8 +83,7 @@ class LaminatedSection:
         A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # the unknown x = A2 solves p x^2 + q x - D A1 = 0, where D is the stiffness that the backing must
-        # add
+        # the unknown x = A2 solves p x^2 + q x - D A1 = 0; the backing must add the stiffness D
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
@@ -126,7 +125,7 @@ class LaminatedSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, LayerStrain]:
-        """Return the strains of base and backing from the distances of their fibres from the neutral axis.
+        """Return the strains of base and backing from the distances of their fibres to the neutral axis.
 
         Parameters
         ----------
@@ -150,7 +149,7 @@ class LaminatedSection:
         )
 
     def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for widths (n,), mm; they are linear in both widths."""
+        """Return the weight per length (n,), N/mm, which is linear in both widths (n,), mm."""
         w1, w2 = self._widths(base_width, backing_width)
         return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
 
@@ -270,7 +269,7 @@ class LaminatedSection:
 
 @dataclass(frozen=True, eq=False)
 class BackingLaw:
-    """`StiffnessLaw` of a laminate whose parameter is the width of the backing on a given base.
+    """`StiffnessLaw` of a laminate on a given base, with the width of the backing as parameter.
 
     Attributes
     ----------
@@ -311,7 +310,7 @@ class BackingLaw:
 
 @dataclass(frozen=True, eq=False)
 class BoundedBacking(BackingLaw, FixedLaw):
-    """Backing with limits of its width on a base of given width, for the argument `section` of `nearest_rod`.
+    """Backing of limited width on a given base, for the argument `section` of `nearest_rod`.
 
     Attributes
     ----------
@@ -366,9 +365,9 @@ LARGEST_STRAIN = 0.05
 """Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
-"""Value of w^2 kappa / h, for width w, curvature kappa and thickness h, where the sampling changes.
+"""Value of w^2 kappa / h at which the sampling of curvatures changes from uniform to logarithmic.
 
-Samples are uniform below this value and logarithmic above it.
+Here w is the width, kappa the curvature and h the thickness.
 """
 
 
@@ -409,7 +408,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # divide w, its slopes and eps_0 by kappa - kappa_0, so that they are finite where kappa - kappa_0 is zero
+    # solve for w and eps_0 divided by kappa - kappa_0, which are finite where kappa - kappa_0 is zero
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -463,10 +462,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
 
 
 def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return Hermite cubics and their second derivatives (n, 4, 4), and weights (n, 4), at Gauss points.
-
-    The elements have lengths (n,).
-    """
+    """Return Hermite cubics and their second derivatives (n, 4, 4), and weights (n, 4), at Gauss points."""
     x, weight = gauss_rule(4)
     t, ones, long = (x + 1) / 2, np.ones((length.size, 1)), length[:, None]
     values = np.stack(

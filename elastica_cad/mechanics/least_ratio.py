@@ -106,7 +106,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fit each ramp separately, because a short ramp would spoil the fit beside it
+    # fit each ramp separately, because a short ramp would spoil the fit beside the ramp
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -163,7 +163,7 @@ class _AlongArc:
         """Return the knots of a cubic spline with the error `tolerance`."""
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # number of knots that each cell of a panel needs; the panel coordinate x is from -1 to 1
+        # number of knots in each cell of a panel; the panel coordinate x is from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -187,7 +187,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Remove the jump at `place`; keep the value on its left (`keep_left`) or on its right."""
+    """Remove the jump at `place`; keep the value on the left (`keep_left`) or on the right."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -233,7 +233,7 @@ def optimal_rod(
         nodes.
     samples : int, optional
         Number of nodes of the rod. By default the rod has 601 nodes, and the ratio is evaluated on the
-        continuous curve. With `samples` but without `largest_stiffness`, it is evaluated at the nodes only.
+        continuous curve. With `samples` but without `largest_stiffness`, the ratio is evaluated at the nodes.
     weight : Weight, optional
         Weight in newtons instead of a proportional weight. `own=True` adds the weight of the strip:
         K B / gravity.length^3 per length, with relative stiffness K.
@@ -647,7 +647,7 @@ def optimal_laminate(
     Raises
     ------
     NotRealizable
-        As `optimal_rod`.
+        No admissible stiffness exists.
     NotConvergedError
         The iteration for weight and stiffness does not converge.
 
@@ -808,7 +808,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`; values below 1, which are errors, become 1."""
+    """Return the relative stiffness at arc lengths `s`; values below 1 are errors and become 1."""
     return np.maximum(rod.profile(s), 1.0)
 
 

@@ -36,7 +36,7 @@ class Gravity:
         Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm, for Young's modulus E, thickness h and density rho
         (paper, section 5.1).
     direction : (2,) array_like
-        Direction of gravity in the plane of the curve; its length has no effect.
+        Direction of gravity in the plane of the curve; the length of this vector has no effect.
 
     Examples
     --------
@@ -70,7 +70,7 @@ class Gravity:
     def in_plane(
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
-        """Return gravity in a plane in space: the component of `direction` (3,) in the plane; None if it is 0."""
+        """Return gravity in a plane in space; None if `direction` (3,) is perpendicular to the plane."""
         d, *axes = (
             numbers(vector, name)
             for vector, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
@@ -152,8 +152,8 @@ class Weight:
         Masses on the strip, for example a lamp holder.
     own : bool
         If True, `optimal_rod` adds the weight of the strip itself, B / gravity.length^3, to `beta` when the least
-        bending stiffness B is known. In the weight of the returned rod, `own` is False
-        and `beta` includes this weight.
+        bending stiffness B is known. In the weight of the returned rod, `own` is False and `beta` includes this
+        weight.
     """
 
     alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0
@@ -344,7 +344,7 @@ class Supports:
 
     @property
     def free_axes(self) -> tuple[bool, bool]:
-        """Flags for x and y: True if no end holds the coordinate, so that the whole rod can move along it."""
+        """Flags for x and y: True if no end holds the coordinate, so that the whole rod can move along the axis."""
         a, b = self.ends
         return not (a.x or b.x), not (a.y or b.y)
 

@@ -141,7 +141,7 @@ class MinimaxProgram:
     Bounds can be added between solutions. The method is Stiefel's exchange method, which is the dual simplex
     method for few unknowns and many rows. The current vertex has the least R under its active conditions. In
     each step the most violated condition becomes active, and the condition whose multiplier would become
-    negative first becomes inactive. If this fails, HiGHS is used.
+    negative first becomes inactive. If the exchange fails, the solver HiGHS is used.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -255,7 +255,7 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """Minimise R subject to rows @ (x, R) >= limits by HiGHS; return (x, R), or None if infeasible."""
+    """Minimise R subject to rows @ (x, R) >= limits with the solver HiGHS; return (x, R), or None if infeasible."""
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
     try:
@@ -311,9 +311,9 @@ def least_variation(
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
     If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is
-    the total variation of K' (paper, section 5.3). Each term is zero, and each condition
-    is an equation, on a plane. In a vertex, m of these planes meet. Each step follows the steepest edge of a
-    vertex while the sum decreases.
+    the total variation of K' (paper, section 5.3). Each term is zero, and each condition is an equation, on a
+    plane. In a vertex, m of these planes meet. Each step follows the steepest edge of a vertex while the sum
+    decreases.
 
     Parameters
     ----------

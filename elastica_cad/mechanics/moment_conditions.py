@@ -9,9 +9,9 @@ kappa_0 the natural curvature. Here q is the weight per length and stiffness (1/
 length l_eg), and p a weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending
 stiffness, and e a unit vector upwards.
 
-M and b are linear functions of their values at the end of the curve. One integration for each of the three
-numbers M, b_x and b_y at the end is therefore enough. Without weight, b is constant and M = a + <b, gamma> with a
-constant a. At a force f on the strip between its ends, R b jumps by f, so each unknown force is one more number.
+M and b are linear functions of their values at the end of the curve, of tau, and of the unknown forces f between
+the ends, where R b jumps by f. One integration for each of these numbers is therefore enough. Without weight, b is
+constant and M = a + <b, gamma> with a constant a.
 """
 
 from collections.abc import Callable, Sequence
@@ -130,7 +130,7 @@ class MomentRows:
 
 
 def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
-    """Return stiffness, force and moment along a curve as linear maps of the state at its end (paper, Eqs. 3, 5).
+    """Return stiffness, force and moment along a curve as linear maps of the state at the end (paper, Eqs. 3, 5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
     kappa - kappa_0, the curvature minus the natural curvature, the moment is set to zero. The stiffness there is
@@ -213,7 +213,6 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     # unknowns at an end of a panel: moment, two components of b, and tau if needed
     size = 3 if load.is_proportional else 4
     total = size + units.shape[2]
-    # jumps of b at elements, from the end of the curve towards its start
     steps = np.zeros((count + 1, 2, total))
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
@@ -320,7 +319,7 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.side_offset is None else self.side_offset
 
     def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows (n, d) and offsets (n,) at coordinates x (n,) of panels (n,)."""
+        """Return rows (n, d) and offsets (n,) at n points with the coordinates x on the panels `panel`."""
         offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
         return self.rows.at(panel, x), offset
 
@@ -357,8 +356,8 @@ def least_ratio(
     Return None if no stiffness is positive everywhere. The result can also be None if R is above `most`.
 
     By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
-    these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
-    linear program until the stiffness exceeds its bounds by at most the relative `tolerance`.
+    these samples. On the continuous curve, extremes of the stiffness are added to the linear program until the
+    stiffness exceeds its bounds by at most the relative `tolerance`.
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
@@ -581,9 +580,9 @@ class StateFamily:
 class RodRequest(EqualByValue):
     """Request for a rod whose rest shape is a curve; `optimal_rod` describes the attributes.
 
-    `known_check` is the result of an earlier check of the curve, or None. Masses are in
-    `weight`, all other loads in `point_forces`. If the curve `drawn` is given, positions of elements and point
-    forces are along `drawn`, otherwise along `curve`.
+    `known_check` is the result of an earlier check of the curve, or None. Masses are in `weight`, other loads in
+    `point_forces`. If the curve `drawn` is given, positions of elements and point forces are along `drawn`,
+    otherwise along `curve`.
     """
 
     curve: PlaneCurve
