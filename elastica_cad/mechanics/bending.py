@@ -321,7 +321,7 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
             field=FieldName("side"),
         )
     start, end = np.sort(shorter[0].s)
-    # cord / arc length = sin(x) / x = 1 - x^2 / 6 for the half angle x of the arc
+    # cord / arc length = sin(x) / x, about 1 - x^2 / 6, for the half angle x of the arc
     half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
     return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))

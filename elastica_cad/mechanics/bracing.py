@@ -198,7 +198,7 @@ def bracing_of(
         rank = int(np.count_nonzero(sigma > _RANK))
         if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
             raise InputError("The strip can slide off its rails. Hold an end, or pin it at a place between.")
-        # eliminate the translation v of the rod, which satisfies row_shifts @ v = -rows @ h
+        # eliminate the translation of the rod with the constraints
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
     ties = [action for action in between if isinstance(action.element, Tie)]

@@ -246,7 +246,7 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
-    # l_eg / L is a function G of d / L alone, for overhang L and droop d
+    # the elasto-gravity length over the overhang is a function G of droop / overhang alone
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 
@@ -258,8 +258,7 @@ def _length_for(part: float) -> float:
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # lower bound: under the weight w per length, a nearly straight strip droops by w L^4 / (8 E I), a bent
-    # strip by less
+    # lower bound: a strip of length L and weight w per length droops by at most w L^4 / (8 E I)
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:

@@ -144,7 +144,7 @@ class Terms(NamedTuple):
         return cls(rows, -np.asarray(np.linalg.inv(coefficients)), int(positive))
 
     def on(self, vector: FloatArray) -> FloatArray:
-        """Return the product of the matrix -G^t D^-1 G and a vector (n,)."""
+        """Return the product of the matrix that the terms add and a vector (n,)."""
         return np.asarray(-self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector))
 
 
@@ -385,7 +385,7 @@ def _shoot_in_python(
     n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
     pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]
-    for i in range(n):  # plain floats, because array operations in each step take twenty times longer
+    for i in range(n):  # use plain floats, because array operations in each step take twenty times longer
         alpha += bend[i] * M + rest[i]
         if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
             alpha = M = nan

@@ -239,7 +239,7 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which the line counts as tangent."""
 
-# closer to a zero of the curvature than this fraction of the length, K = 0 / 0 is replaced by its limit
+# closer to a zero of the curvature than this fraction of the length, the stiffness 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -513,7 +513,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
     x, y = views.point
-    # the line is perpendicular to the middle direction, because its normal is b
+    # the normal of the line is the middle of the directions
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
     line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))

@@ -83,7 +83,7 @@ class LaminatedSection:
         A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # the unknown x = A2 solves p x^2 + q x - D A1 = 0; the backing must add the stiffness D
+        # p x^2 + q x - D A1 = 0 for x = E A of the backing; A1 is E A of the base, and D the missing stiffness
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
@@ -180,7 +180,7 @@ class LaminatedSection:
         return Weight(alpha=Profile.interpolate(s, alpha), beta=Profile.interpolate(s, beta))
 
     def axial_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return E A (n,), N, for the widths of base and backing (n,), mm."""
+        """Return the axial stiffness E A (n,), N, for widths (n,), mm, of base and backing."""
         return np.asarray(sum(self._axial_stiffness(*self._widths(base_width, backing_width))))
 
     def scale_range(
@@ -408,7 +408,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # solve for w and eps_0 divided by kappa - kappa_0, which are finite where kappa - kappa_0 is zero
+    # solve for deflection and strain divided by the change of curvature, which are finite where this change is zero
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]

@@ -728,7 +728,7 @@ class _Base:
         return cls(layers, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
-        """Return the largest scale c, N mm2, for which a laminate on this base has E I = c K."""
+        """Return the largest scale c, N mm2, for a laminate on this base with c times the stiffness of the rod."""
         section, stiffness, least = (
             self.layers.section,
             _stiffness(rod, self.places),
@@ -757,7 +757,7 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate (None if the iteration does not converge) and the last relative change of K."""
+    """Return the laminate (None without convergence) and the last relative change of the stiffness."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)

@@ -178,7 +178,7 @@ class Weight:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # alpha may be negative in a profile, such as the tangent to a nonlinear weight law
+            # the weight alpha may be negative in a profile, such as the tangent to a nonlinear weight law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 

@@ -340,11 +340,11 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift conditions that the start violates; then shift all planes so that at most m of them meet in a point
+    # shift conditions that the start violates, then all planes; no more planes than unknowns then meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
     shifted = limits.size - len(side_rows)
     limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)
-    # start in a vertex of m auxiliary planes, which are neither terms nor conditions
+    # start in a vertex of auxiliary planes, which are neither terms nor conditions
     active, normals = np.full(x.size, -1), np.eye(x.size)
     for _ in range(METHOD.most_steps):
         values = planes @ x + limits

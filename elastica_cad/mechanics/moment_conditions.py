@@ -161,14 +161,14 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
-    b = np.zeros((count + 2, 2, size))  # b before the start of the curve, in each panel, and after its end
+    b = np.zeros((count + 2, 2, size))  # force b before the curve, in each panel, and after the curve
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        # jump of b at an element, from the end of the curve towards its start
+        # jump of the force b at an element, from the end of the curve towards its start
         step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
-    # M at a node is M at one end of the panel (exactly 0 at a zero) plus <b, vector from this end to the node>
+    # the moment at a node is that at one end of the panel (exactly 0 at a zero) plus <b, vector from end to node>
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
@@ -210,7 +210,7 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    # unknowns at an end of a panel: moment, two components of b, and tau if needed
+    # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau if needed
     size = 3 if load.is_proportional else 4
     total = size + units.shape[2]
     steps = np.zeros((count + 1, 2, total))
@@ -267,7 +267,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-# largest relative amount by which K may exceed its bounds in the linear program of least ratio
+# largest relative excess of the stiffness over its bounds in the linear program of least ratio
 _SETTLED = 1e-9
 
 _SAME = 4 * float(np.finfo(float).eps)
@@ -362,7 +362,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # a single free parameter only scales K, so the extremes have fixed positions
+        # a single free parameter only scales the stiffness, so the extremes have fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -432,7 +432,7 @@ def _smoothest(
     """
     panels = family.panels
     count, order = panels.t.shape
-    # change of K' at each node, with d/ds = (d/dx) / stretch, and jumps of K' between panels
+    # changes of the slope of the stiffness at nodes (d/ds = (d/dx) / stretch) and between panels
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
@@ -447,7 +447,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # the condition 1 <= pins @ y + pin_offset means that K is at least the stiffness for `start`
+        # the condition 1 <= pins @ y + pin_offset means that the stiffness is at least that for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -846,7 +846,7 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return the part of the stiffness (N, p) that does not depend on the free parameters, for a given tau."""
+        """Return the part of the stiffness (N, p) that does not depend on the free parameters."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
@@ -861,7 +861,7 @@ class ConditionedRows:
         The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # with K at most 1, minimising the largest 1 + (1 - K) / size maximises the least K
+        # with the stiffness K at most 1, minimising the largest 1 + (1 - K) / size maximises the least K
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,

@@ -27,11 +27,11 @@ class MaterialLaw(ABC):
     @property
     @abstractmethod
     def injective_limit(self) -> float:
-        """Largest curvature, 1/mm, up to which m is injective; inf if it is injective everywhere."""
+        """Largest curvature, 1/mm, up to which the effective curvature is injective; inf if there is no limit."""
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """Positive curvatures, 1/mm, at which m is not smooth, each with its number of continuous derivatives."""
+        """Positive curvatures, 1/mm, at which the law is not smooth, with the number of continuous derivatives."""
         return ()
 
     @abstractmethod
@@ -40,7 +40,7 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative of m (n,) by the curvature; it is 1 at curvature 0."""
+        """Return the derivative (n,) of the effective curvature by the curvature; it is 1 at curvature 0."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return the effective curvature m and its derivative (n,) together."""
@@ -48,7 +48,7 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """Return the integral of m from 0 (n,), 1/mm2: the elastic energy per length over the stiffness K."""
+        """Return the elastic energy per length over the stiffness (n,), 1/mm2, by integration of the law."""
 
     def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
         """Return the law for other arc lengths (m,), mm, or the same law if it is uniform along the strip."""
@@ -96,7 +96,7 @@ class MaterialLaw(ABC):
 
 @dataclass(frozen=True)
 class PolynomialLaw(MaterialLaw):
-    """Nonlinear elastic law with P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4.
+    """Nonlinear elastic law with effective curvature P kappa, P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4.
 
     The material hardens if c2 > 0 and softens if c2 < 0.
 
