@@ -1,4 +1,4 @@
-"""Constraints on a nearest rod: limits and kept properties, with their values and derivatives."""
+"""Constraints of the search for a nearest rod: limits, and properties of the drawn curve to keep."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -13,8 +13,8 @@ from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
-# largest number of rows of a constraint in a quadratic program; with 64 rows, the linear algebra library
-# starts threads
+# largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
+# threads at 64 rows
 MOST_ROWS = 56
 
 
@@ -32,7 +32,7 @@ class Constraint(ABC):
     one_sided : bool
         True if the values must be at least 0; False if they must be 0.
     penalty : float
-        Largest penalty for violating one value by 1.
+        Upper bound of the penalty for a violation of 1.
     near_balance_only : bool
         True if the constraint is only meaningful for rods nearly in equilibrium.
     """
@@ -44,19 +44,18 @@ class Constraint(ABC):
 
     @abstractmethod
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the values (k,) of the constraint."""
+        """Return the k values for a rod, as an array (k,)."""
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return indices (j,) and derivatives (j, p) of the values that a step of p unknowns may violate."""
+        """Return the indices (j,) of values that a step may violate, and their derivatives (j, p) by p unknowns."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
     """Return at most MOST_ROWS of the `indices`.
 
-    Indices of local maxima of `urgency` (n,) are selected first. The other selected indices are evenly spaced.
-
-    A row that a step violates is a local maximum in the next quadratic program.
+    Up to half of MOST_ROWS are at local maxima of `urgency` (n,), and the others are evenly spaced. If a step
+    violates an omitted row, the row becomes a local maximum and is selected in the next call.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -81,11 +80,11 @@ class EndPosition(Constraint):
     target: tuple[float, float] = (0.0, 0.0)
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the position of the last node relative to the target (2,)."""
+        """Return the position (2,) of the last node relative to the target."""
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of both coordinates, in two rows."""
+        """Return the derivatives of both coordinates by the unknowns."""
         return _all_rows(sensitivities.position[-1])
 
 
@@ -101,7 +100,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the signed distance, as one row."""
+        """Return the derivatives of the end angle by the unknowns."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -117,7 +116,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the signed distance, as one row."""
+        """Return the derivatives of the scaled moment by the unknowns."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -130,11 +129,11 @@ class EndForce(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the force after the last node along the axis, divided by `scale` (1,)."""
+        """Return the force at the end along the axis, divided by `scale` (1,)."""
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the force after the last node, as one row."""
+        """Return the derivatives of the scaled force by the unknowns."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -146,7 +145,7 @@ class EndForce(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class Through(Constraint):
-    """Condition that the rod passes through `target`, near the fraction `place` (0..1) of its length."""
+    """Condition that the rod passes through `target`, near the fraction `place` (0..1) of the rod's length."""
 
     name: str = "points"
     target: tuple[float, float] = (0.0, 0.0)
@@ -159,12 +158,12 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the signed distance, as one row."""
+        """Return the derivatives of the signed distance by the unknowns."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return weights and slice of the four nodes around the point nearest to the target, and its normal."""
+        """Return the nearest point of the rod: weights (4,) of four nodes, these nodes, and the unit normal."""
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
@@ -194,7 +193,7 @@ class Through(Constraint):
 class InflectionLine(Constraint):
     """Condition that the moment is 0 on the line through `point` along `direction`.
 
-    Without weight, the moment M = a + <b, gamma> is defined in the whole plane.
+    Without weight, the moment is an affine function of the position, and so is defined in the whole plane.
     """
 
     name: str = "inflection line"
@@ -203,12 +202,12 @@ class InflectionLine(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the moment at the point, and its derivative along the line, as an array (2,)."""
+        """Return the moment at `point` and the derivative of the moment along the line, over `scale` (2,)."""
         (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of both values, in two rows."""
+        """Return the derivatives of both values by the unknowns."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -225,7 +224,7 @@ class InflectionLine(Constraint):
 class MiddleOfMirror(Constraint):
     """Mirror symmetry of the rod.
 
-    In the middle, the rod crosses the axis at a right angle, and the force has no component along the axis.
+    The middle of the rod crosses the mirror axis at a right angle, and the force there is normal to the axis.
     """
 
     name: str = "symmetry"
@@ -235,7 +234,7 @@ class MiddleOfMirror(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return distance from the axis, angle, and force along the axis, as an array (3,)."""
+        """Return the distance from the axis, the error of the angle, and the scaled force along the axis (3,)."""
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
@@ -269,7 +268,7 @@ class MiddleOfTurn(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the offset from the centre (2) and the moment, as an array (3,)."""
+        """Return the two offsets of the middle from the centre, and the scaled moment there (3,)."""
         nodes, _ = _middle(rod)
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
         return np.append(off, rod.moments[nodes].mean() / self.scale)
@@ -283,7 +282,7 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
-    """Return the indices of the one or two nodes, and of the one or two edges, at the middle of the rod."""
+    """Return the indices of the one or two middle nodes of the rod, and of the one or two middle edges."""
     n = rod.tangents.shape[0]
     nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
     return sorted(nodes), sorted(edges)
@@ -294,22 +293,23 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
-    """Return the weights (4,) of values at 0, 1, 2, 3 in their cubic interpolation at u, and in its derivative."""
+    """Return the weights (4,) of values at 0, 1, 2, 3 that give their cubic at u, and those for its slope."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
-# fraction of a limit above which a value enters the quadratic program, because a step may then violate the
-# limit
+# values above this fraction of a limit enter the quadratic program, because a step may violate the limit
 _NEAR = 0.6
-_STEP = 1e-5  # relative step of K in finite differences of the strain
-_SAFETY_SHARE = 0.01  # reserve for larger curvatures between nodes, as a fraction of the largest stiffness
-# relative step of K and curvature in finite differences of dM/dkappa; large, so that kinks have little effect
+_STEP = 1e-5  # relative step of the stiffness in finite differences of the strain
+# reserve, as a fraction of the largest stiffness, because the curvature between nodes may be larger
+_SAFETY_SHARE = 0.01
+# relative step of stiffness and curvature in finite differences of the tangent stiffness: a large step reduces
+# the effect of kinks
 _TANGENT_STEP = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class MarginLimit(Constraint):
-    """Condition that the stability margin, for a least stiffness of 1, is at least `limit`."""
+    """Condition that the stability margin, divided by the least stiffness, is at least `limit`."""
 
     limit: float
     name: str = "margin"
@@ -319,20 +319,23 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Difference from the required margin that counts as a violation of 1."""
+        """Difference between margin and limit that counts as a violation of 1."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with the stiffness against small disturbances, dM/dkappa. For Hooke's law, this is K."""
+        """Return the rod with its tangent stiffness, which resists small disturbances, as its stiffness.
+
+        The tangent stiffness is the derivative of the moment by the curvature. For Hooke's law it is the stiffness.
+        """
         return rod
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return (mu - limit min K) / scale for the margin mu, as an array (1,)."""
+        """Return (margin - limit times least stiffness) / scale, as an array (1,)."""
         mu = self.disturbed(rod).margin.value
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the signed distance, as one row."""
+        """Return the derivatives of the value by the unknowns."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -345,10 +348,9 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by the tangent stiffness dM/dkappa to derivatives by the stiffness K and the
-        moment M, (n+1,) each.
+        """Convert derivatives (n+1,) by the tangent stiffness to derivatives by stiffness and by moment.
 
-        The derivatives by M are None if M has no effect.
+        The derivatives by the moment are None if the moment has no effect.
         """
         _ = rod
         return by_tangent.copy(), None
@@ -358,8 +360,9 @@ class MarginLimit(Constraint):
 class FollowedMarginLimit(MarginLimit):
     """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    The stiffness K is M / (kappa - kappa_0), but dM/dkappa resists a disturbance. For a strip that stiffens
-    as it bends it is more than K, and for a pre-bent strip that is bent straight it is less.
+    The stiffness is the moment divided by the change of curvature. A disturbance is resisted by the tangent
+    stiffness, the derivative of the moment by the curvature. The tangent stiffness is larger than the stiffness if
+    a strip stiffens as it bends, and smaller if a pre-bent strip is bent straight.
 
     Attributes
     ----------
@@ -375,7 +378,7 @@ class FollowedMarginLimit(MarginLimit):
     size: float
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with the stiffness dM/dkappa at the nodes in place of K."""
+        """Return the rod with its tangent stiffness in place of its stiffness."""
 
         def with_tangent_stiffness() -> DiscreteRod:
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
@@ -387,7 +390,7 @@ class FollowedMarginLimit(MarginLimit):
         return tangent_rod
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by dM/dkappa to derivatives by K and M, by finite differences."""
+        """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -401,9 +404,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """Condition that no section of the bent strip exceeds the largest section.
-
-    The scale of the sections is fixed."""
+    """Condition that no section of the bent strip exceeds the largest section of its law."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -413,12 +414,12 @@ class LargestSection(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return largest allowed over present stiffness at the nodes (n+1,), minus 1 and a reserve."""
+        """Return the allowed stiffness / present stiffness - 1 - reserve, at the nodes (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, at nodes whose section is nearly as large as allowed."""
+        """Return the indices of nodes with nearly the largest section, and their derivatives by the unknowns."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -432,34 +433,34 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
-    """Return the rows (j, p) of values at the nodes `near` (j,) from their derivatives (n+1,) by M and K."""
+    """Return derivatives (j, p) by the unknowns at j nodes, from derivatives (n+1,) by moment and stiffness."""
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)
 
 
 def _bend(rod: MappedRod, size: float) -> FloatArray:
-    """Return the change of curvature (n+1,), 1/mm, of a rod whose unit of length is `size`, mm."""
+    """Return the change of curvature at the nodes (n+1,), 1/mm. `size` is the unit of length of the rod, mm."""
     return np.asarray(rod.moments / rod.stiffness / size)
 
 
 @dataclass(frozen=True, kw_only=True)
 class BendLimit(Constraint):
-    """Condition that the change of curvature |M / K| at every node is at most its limit."""
+    """Condition that the change of curvature at every node is at most its limit."""
 
     one_sided: bool = True
     penalty: float = 1.0
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the inverse of the limit of |M / K| (n+1,), mm, for the stiffness K (n+1,)."""
+        """Return 1 / limit at the nodes (n+1,), in lengths of the target, for the stiffness (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 - |M / K| / limit (n+1,)."""
+        """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, at nodes that are close to the limit."""
+        """Return the indices of nodes close to the limit, and their derivatives by the unknowns."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -472,19 +473,19 @@ class BendLimit(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class CurvatureLimit(BendLimit):
-    """Condition that the change of curvature |M / K| is at most `limit` at every node."""
+    """Condition that the change of curvature at every node is at most the constant `limit`."""
 
     limit: float
     name: str = "curvature"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """See `BendLimit`."""
+        """Return 1 / limit at the nodes (n+1,)."""
         return np.full(stiffness.shape, 1 / self.limit)
 
 
 @dataclass(frozen=True, kw_only=True)
 class StrainLimit(BendLimit):
-    """Condition that the strain at every node is within its limit, for all kinds of sections."""
+    """Condition that the strain at every node is within its limit."""
 
     section: SectionScale
     strain: float | None
@@ -492,7 +493,7 @@ class StrainLimit(BendLimit):
     name: str = "strain"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """See `BendLimit`."""
+        """Return the fraction of the allowed strain per change of curvature, at the nodes (n+1,)."""
         return self.section.strain(stiffness, self.strain) / self.size
 
 
@@ -500,8 +501,8 @@ class StrainLimit(BendLimit):
 class KeepOut(Constraint):
     """Condition that all nodes are outside a region, which is given in mm.
 
-    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are omitted, because on
-    the border of the region both constraints would conflict.
+    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are not checked, because for
+    an end on the border, this condition would conflict with the fixed position.
     """
 
     region: HalfPlane | Box
@@ -512,11 +513,11 @@ class KeepOut(Constraint):
     one_sided: bool = True
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the distances from the region (n+1,), as fractions of the length of the target."""
+        """Return the distances of the nodes from the region (n+1,), divided by `size`."""
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, at nodes that a step may bring into the region."""
+        """Return the indices of nodes close to the region, and the derivatives of their distances."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)
@@ -532,21 +533,18 @@ class KeepOut(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class LeastStiffness(Constraint):
-    """Condition that the least stiffness along the rod is 1.
-
-    The bounds of the stiffness are relative to it.
-    """
+    """Condition that the least stiffness of the rod is 1, so that bounds are multiples of the least stiffness."""
 
     name: str = "stiffness bounds"
     one_sided: bool = True
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 - min K (1,). The bounds of the coefficients prevent positive values."""
+        """Return 1 minus the least stiffness (1,). The bounds of the coefficients prevent positive values."""
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in one row, at the node with the least stiffness."""
+        """Return the derivatives of the value by the unknowns."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

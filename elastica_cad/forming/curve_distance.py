@@ -21,10 +21,11 @@ if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
 
 
-SPANS = 1000  # number of intervals of the interpolated curve; the interpolation error is 1e-9 of its length
-# half width of the window in which the nearest point is searched, as a fraction of the length
+# number of intervals of the interpolated curve, for an interpolation error of 1e-9 of the curve's length
+SPANS = 1000
+# half width of the window in which the nearest point is searched, as a fraction of the curve's length
 _WINDOW_LENGTHS = 0.08
-# largest distance between a symmetric curve and its image, as a fraction of the length
+# largest distance between a symmetric curve and its mirrored or rotated image, as a fraction of the length
 _SYMMETRIC_LENGTHS = 1e-4
 
 
@@ -81,7 +82,7 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return the slope 1 - kappa d for Newton's method, at least 0.3; d is the distance from the curve."""
+        """Return 1 - curvature * distance (n,), at least 0.3, as the slope for Newton's method."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
@@ -100,7 +101,7 @@ class TargetCurve:
 
     @cached_property
     def diagonal(self) -> float:
-        """Diagonal of the bounding box of the target, divided by its length."""
+        """Diagonal of the bounding box of the curve, as a multiple of the curve's length."""
         x, y = self.position.T
         return hypot(x.max() - x.min(), y.max() - y.min())
 
@@ -111,7 +112,7 @@ def even_steps(count: int) -> FloatArray:
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Return centre and axis direction, (2,) each, of the symmetry of the curve, in units of its length."""
+    """Return the centre of symmetry (2,), in lengths of the curve, and the direction of the mirror axis (2,)."""
     p, q = target.position, target.position[::-1]
     middles, across = (p + q) / 2, p - q
     centre = middles.mean(axis=0)
@@ -140,9 +141,9 @@ class Distance(Protocol):
         """Return the distance to minimise; the unit of length is the length of the target."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a convex model (Gauss-Newton) of the distance for steps of the unknowns.
+        """Return a convex Gauss-Newton model of the distance as a function of a step of the unknowns.
 
-        The last column of the sensitivities is the change to equilibrium.
+        The last column of the sensitivities is the change that brings the rod into equilibrium.
         """
 
 
@@ -153,7 +154,7 @@ class MeanDistance:
     Attributes
     ----------
     targets : (n+1, 2) array
-        Desired position of each node.
+        Points on the target for the n+1 nodes.
     shares : (n+1,) array
         Weights with the sum 1.
     """
@@ -171,7 +172,7 @@ class MeanDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return the Gauss-Newton model, which is exact for linearised positions."""
+        """Return the model, which is exact if the positions are linear functions of the unknowns."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
         return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 
@@ -196,10 +197,7 @@ class ClosestDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return the Gauss-Newton model of the distances normal to the target.
-
-        Motion of the nodes along the target has no effect.
-        """
+        """Return a Gauss-Newton model that omits the motion of the nodes along the target."""
         off, normal = offsets(self.target, rod)
         return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
 
@@ -219,27 +217,27 @@ class LargestDistance:
     factors: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Return the largest distance of a node from the target."""
+        """Return the largest weighted distance of a node from the target."""
         off, _ = offsets(self.target, rod)
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a local model of the largest distance."""
+        """Return a local model of the largest weighted distance."""
         _, normal = offsets(self.target, rod)
         signed, farthest = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
-        # signed distance in equilibrium: negative on the other side of the target
+        # signed distances (negative on the right of the target) after the change to equilibrium
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the small mean square selects one of several steps with the same largest distance
+        # if several steps have the same largest distance, the small mean square selects one step
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        """Return the signed distances (n+1,), and the indices of nodes with at least half the largest distance."""
+        """Return signed weighted distances (n+1,), and indices of nodes at half the largest distance or more."""
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)
@@ -247,7 +245,7 @@ class LargestDistance:
 
 
 def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-    """Return the offsets (n+1, 2) of the nodes from the nearest points on the target, and unit normals there.
+    """Return the offsets (n+1, 2) of nodes from the nearest target points, and the unit normals (n+1, 2) there.
 
     Beyond an end of the target, the normal is the direction of the offset.
     """
@@ -274,9 +272,9 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Return a model of half the mean square of r + J d as a function of d, with the weights `shares` (k,).
+    """Return a model of half the mean square of r + J d, with weights `shares` (k,), as a function of the step d.
 
-    The last column of J is added to r.
+    The last column of J is added to r first.
     """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]

@@ -16,29 +16,31 @@ DEGREE = 4  # least degree for which the curvature has a continuous derivative
 STRAIGHT_RAD = 1e-9  # largest change of direction along a rod, rad, that is only a rounding error
 # largest distance between curve and rod, mm; less than the repeatability of a laser cutter
 TOLERANCE_MM = 1e-3
-# largest relative error of the extremes of the stiffness; it is small, so that limits are still met
+# largest relative error of the least and the largest stiffness, so small that limits are still met
 FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# length, in rod lengths, whose square converts errors of curvature to displacements in the least-squares fit
+# The least-squares fit multiplies errors of curvature by the square of this length (in rod lengths), so that
+# they have the unit of a displacement.
 _REACH_LENGTHS = 0.05
-# first and largest number of knot spans; few at first, because people edit the control points
+# initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # shortest knot span, in rod lengths; shorter ones would fit rounding errors
-_SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
-_PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more knot spans do not reduce it
-# factor on the number of edges; the extrapolation uses this factor and its double
+_SHORTEST_SPAN = 1e-3  # shortest knot span, in rod lengths; shorter spans would fit rounding errors
+# inflections closer to an end than this distance, in rod lengths, count as inflections at the end
+_SAME_LENGTHS = 1e-6
+_PARDONED = 2.0  # largest accepted error of the best fit, as a multiple of the tolerance
+# the two rods of the extrapolation have 4 and 8 times as many edges as the given rod
 _FINER = 4
 
 
 def editable_curve(rod: Rod) -> PlaneCurve:
     """Return the shape of a discrete rod as a spline of degree 4.
 
-    The discretisation error of a rod with n edges is O(1/n^2), which would be visible in the curvature near
-    inflections. Therefore the continuous rod with the same stiffness and ends is computed first, and the spline is
-    fitted to its position and curvature. The spline interpolates the inflections exactly, so that without weight
-    they are on one line (Theorem 1).
+    A rod with n edges has a discretisation error of O(1/n^2), which would disturb the curvature near inflections.
+    Therefore the continuous rod with the same stiffness and ends is computed first. The spline is fitted to the
+    position and curvature of the continuous rod. The spline interpolates the inflections exactly. Without weight,
+    the inflections of the spline are therefore on one line (Theorem 1).
 
     Parameters
     ----------
@@ -74,7 +76,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
 
 def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
-    """Return an `editable_curve` with only `spans` equal knot spans, whose inflections are still on one line.
+    """Return the shape of a rod as a spline with only `spans` equal knot spans and its inflections on one line.
 
     The curve only approximates the rod and may violate limits that the rod meets.
 
@@ -93,7 +95,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halve the longest knot spans around `places`, and their neighbours to avoid oscillations."""
+    """Halve the longest of the knot spans that contain `places` or are next to such a span."""
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -103,9 +105,9 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """Continuous rod at evenly spaced stations (k,), in units of its length `size`, mm.
+    """Continuous rod at k evenly spaced stations. The unit of length is the length `size` of the rod, mm.
 
-    At `inflections` (j,) the moment is 0; they include ends that are free to turn.
+    `inflections` (j,) are the arc lengths with zero moment, including ends that are free to turn.
     """
 
     s: FloatArray
@@ -131,7 +133,10 @@ class _Shape:
 
 
 def _continuous(rod: Rod) -> _Shape:
-    """Extrapolate from rods with 4 and 8 times as many edges, because the error is a power series in 1/n^2."""
+    """Return the continuous rod, extrapolated from rods with 4 and 8 times as many edges.
+
+    The extrapolation uses that the error for n edges is a power series in 1/n^2.
+    """
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
     if has_snapped(a) or has_snapped(b):
@@ -147,7 +152,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
-    # zeros of the curvature next to an end that is free to turn are rounding errors; add such an end itself
+    # replace zeros next to an end that is free to turn, which are rounding errors, by the end itself
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -164,10 +169,10 @@ def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Return the least-squares spline for position and curvature, with given knot spans.
+    """Return the spline with the knot spans `edges` that fits position and curvature by least squares.
 
-    The spline is exact at the ends and at the inflections. The derivative of the curvature is exact there too,
-    because it determines the stiffness at an inflection.
+    The spline is exact at the ends and at the inflections. The derivative of the curvature is exact at the
+    inflections, because the derivative determines the stiffness there.
     """
     from scipy.interpolate import BSpline
 
@@ -184,14 +189,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # near an end or another inflection, an exact position would need more control points
+    # omit inflections near an end or another inflection, because their exact positions need more control points
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # the speed matters only with a rest curvature, which depends on arc length
+    # the parameter must be the arc length only if there is a rest curvature, a function of the arc length
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -208,7 +213,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
 
 
 def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
-    """Return X that minimises |A X - B| subject to C X = D, for the banded A^T A of B-splines."""
+    """Return X that minimises |A X - B| subject to C X = D. A^T A must be banded, as for B-splines."""
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
@@ -231,7 +236,10 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error of position, stiffness and extreme stiffness at each station, in tolerances."""
+    """Return the largest error at each station, as a multiple of its tolerance.
+
+    The errors are those of the position, of the stiffness, and of the least and largest stiffness.
+    """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

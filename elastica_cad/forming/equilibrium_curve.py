@@ -1,6 +1,6 @@
-"""Realizable curve with its stiffness, as the state of methods that move control points.
+"""Realizable curve with its stiffness, for methods that move the control points of a curve.
 
-Curves have no weight and are clamped at both ends, as Theorem 1 requires.
+The strip has no weight, as Theorem 1 requires.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in a panel at which K is bounded; many, because the extremes of K move at each step
+# number of stations in a panel at which the stiffness is bounded: many, because its extremes move at each step
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
@@ -37,15 +37,17 @@ BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCurve:
-    """Realizable curve with its stiffness of least ratio, scaled to a least value of 1.
+    """Realizable curve with the stiffness that has the least ratio of largest to least value.
+
+    The stiffness is scaled to a least value of 1.
 
     Attributes
     ----------
     check : EquilibriumCheck
     balance : BalancedStiffness
         Moments, forces and stiffness before the division by `scale`.
-    places : (panel, x)
-        Closely spaced stations of the curve and the extremes of K, in order.
+    places : pair of arrays
+        Index of a panel, and position -1..1 in the panel, for closely spaced stations and the stiffness extremes.
     scale : float
         Least stiffness of `balance`.
     """
@@ -104,7 +106,7 @@ class EquilibriumCurve:
 
     @cached_property
     def line(self) -> tuple[float, FloatArray]:
-        """Coefficients a, 1/mm, and b (2,), 1/mm2, of K kappa = a + <b, gamma> (Eq. 3)."""
+        """Coefficients a, 1/mm, and b (2,), 1/mm2, of the moment a + <b, position> (Eq. 3)."""
         first, left = np.array([0]), np.array([-1.0])
         b = self.balance.force.at(first, left)[0] / self.scale
         moment = float(self.balance.moment.at(first, left)[0]) / self.scale
@@ -112,12 +114,12 @@ class EquilibriumCurve:
 
     @cached_property
     def stiffness(self) -> FloatArray:
-        """Stiffness K at the points `places` of the curve, scaled to a minimum of 1."""
+        """Stiffness at `places`, scaled to a minimum of 1."""
         return self.balance.stiffness.at(*self.places) / self.scale
 
     @property
     def ratio(self) -> float:
-        """Stiffness ratio R = max K / min K of the continuous curve."""
+        """Ratio of largest to least stiffness of the continuous curve."""
         return float(self.stiffness.max())
 
     @cached_property
@@ -133,17 +135,17 @@ class EquilibriumCurve:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda, from b of the line of inflections (Eq. 4)
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # force lambda, which is perpendicular to b (Eq. 4)
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property
     def margin(self) -> float:
-        """Stability margin for a least stiffness of 1 at the nodes, as in `mechanics.stability`."""
+        """Stability margin (see `mechanics.stability`), divided by the least stiffness at the nodes."""
         return self.rod.margin.value / float(self.rod.stiffness.min())
 
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:
-    """Return the constraints that keep properties of a curve.
+    """Return the constraints that keep the ends, the end tangents or the length of a curve.
 
     `ends` and `tangents` are True, False or a pair (start, end).
     """
@@ -171,6 +173,6 @@ def _both(ends: BothEnds) -> tuple[bool, bool]:
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:
-    """Return the constraint that all inflections are on one line; no constraint is needed for up to two."""
+    """Return the constraint that all inflections are on one line, or an empty list for two or fewer."""
     t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
     return [CollinearInflections(t)] if t.size > 2 else []

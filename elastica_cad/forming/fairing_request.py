@@ -36,22 +36,19 @@ LITTLE_BEND_SHARE = 0.05
 """Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
 SLIGHT_MM = 0.1
-"""Largest displacement by smoothing, mm, that is only a note; it is below the tolerance of a cut."""
+"""Displacement by smoothing, mm, above which a note becomes a warning; it is less than the tolerance of a cut."""
 
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
-"""Steps of the width up to these limits, in mm and as a fraction of the width, are not smoothed.
-
-A smoothed step exceeds both limits.
-"""
+"""A step of the width is smoothed if it exceeds both limits: in mm, and as a fraction of the width."""
 
 MOST_WORSE = 1.05
 """Largest factor by which automatic smoothing may increase the stiffness ratio."""
 
 PLACES, SEEN_SHARE = 401, 0.1
-"""Number of stations at which curvatures are compared, and relative change by noise that is reported."""
+"""Number of stations at which curvatures are compared, and relative change above which noise is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +59,8 @@ class Smoothing:
     ----------
     drawn : PlaneCurve
     smooth : float or None
-        Requested largest distance, mm. With None, the curve is smoothed only if the outline would have steps.
+        Requested largest distance between drawn and smoothed curve, mm. With None, the curve is smoothed only if
+        the width of the strip would have steps.
     supports : Supports or None
     natural_curvature : float or RestCurvature
     widths : (float or None, float or None)
@@ -91,7 +89,7 @@ class Smoothing:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """Curve that the strip takes: smoothed, or as drawn."""
+        """Curve that the strip takes: the smoothed curve if there is one, or the drawn curve."""
         if self.fairing is None:
             return self.drawn
         provenance, outlier = self.drawn.provenance, outlier_message(self.drawn)
@@ -111,7 +109,7 @@ class Smoothing:
 
     @property
     def ratio_as_drawn(self) -> float | None:
-        """Stiffness ratio for the drawn curve, without weight, or None if no strip can take it."""
+        """Stiffness ratio of a strip without weight in the drawn curve, or None if there is no such strip."""
         return None if self._rod_as_drawn is None else self._rod_as_drawn.ratio
 
     @cached_property
@@ -150,10 +148,10 @@ class Smoothing:
 
     @property
     def change_by_noise(self) -> float:
-        """Change of the curvature by smoothing noisy points, as a fraction of the largest curvature.
+        """Largest change of curvature if noisy points are smoothed, as a fraction of the largest curvature.
 
-        It is 0 for curves without measured points, and for curves that no strip can take, whose error message
-        mentions the noise.
+        The change is 0 for curves without measured points. It is also 0 for curves that no strip can take, because
+        their error message mentions the noise.
         """
         points = measured_points(self.drawn)
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
@@ -167,7 +165,7 @@ class Smoothing:
 
     @property
     def noise(self) -> tuple[str, ...]:
-        """Note that the noise of measured points affects the widths; empty if the effect is small."""
+        """Note on the effect of noise in the measured points on the widths; empty if the effect is small."""
         points = measured_points(self.drawn)
         if points is None or points.outlier or self.fairing is not None:
             return ()
@@ -220,7 +218,7 @@ class Smoothing:
 
 
 def outline_steps(rod: Rod, widest: float) -> bool:
-    """Return True if the width of a strip has steps that must be smoothed. `widest` is its largest width, mm."""
+    """Return True if the width of a strip has steps to smooth. `widest` is the largest width, mm."""
     places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
     least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
     step = most - least
@@ -228,7 +226,7 @@ def outline_steps(rod: Rod, widest: float) -> bool:
 
 
 def check_smooth(smooth: object) -> float | None:
-    """Return the requested distance for smoothing as a float, mm, or None; refuse other values."""
+    """Return the requested smoothing distance, mm, or None; raise InputError for other values."""
     if smooth is None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):

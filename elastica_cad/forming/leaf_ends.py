@@ -17,21 +17,21 @@ NODES = 401
 """Number of nodes of the rods in the search."""
 
 FINE_NODES = 1001
-"""Number of nodes of the returned rod; fewer would cause errors of 1e-4 of the length of a nearly unstable rod."""
+"""Number of nodes of the returned rod. With fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
 
 SHORTEST_SHARE = 0.01
 """Shortest ply, and shortest distance between the ends of plies, as a fraction of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""Fractions at which the number of plies is rounded up; a search starts from each, and the best result counts."""
+"""Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
 
 DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a fraction of the length."""
 
 SETTLED = 1e-7
-"""The search ends when the ends of the plies, and the distance from the drawn curve, change less than this."""
+"""Relative change of the ply ends, or of the squared distance, below which the search ends."""
 
-MOST_TRIALS = 60  # largest number of steps of a search; each computes a finite difference for every ply end
+MOST_TRIALS = 60  # largest number of steps of a search; a step needs a finite difference for every ply end
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,9 +66,9 @@ class LeafedRod:
 
 
 def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
-    """Return stations (n,), mm, and the change of curvature |M| / E I there, 1/mm.
+    """Return stations (n,), mm, and the change of curvature (n,) there, |moment| / E I, 1/mm.
 
-    There are stations on both sides of each ply end.
+    The stations include both sides of each ply end.
     """
     beside = 1e-9 * rod.length
     s = np.sort(np.concatenate([rod.s, section.steps - beside, section.steps + beside]))
@@ -126,19 +126,20 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Search for the positions of ply ends and for clamp angles, with the least distance from the points `drawn`.
+    """Search for the ply ends and clamp angles whose rest shape is nearest to the points `drawn`.
 
     The order of the ply ends is fixed.
 
     Attributes
     ----------
     steps : (m, 2) int array
-        For each of `places`, the number of a ply, and 1 or -1 if the ply begins or ends there.
+        For each of `places`, the number of a ply, and 1 if the ply begins there or -1 if it ends there.
     places : (m,) array
         Initial positions of the ply ends, as fractions of the length.
     first : tuple of int
         Numbers of the plies that begin at the start of the rod.
     tangents : (bool, bool)
+        For start and end, True if the clamp angle is fixed.
     """
 
     relaxed: Rod
@@ -154,7 +155,7 @@ class _Search:
         cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
         tangents: tuple[bool, bool] = (False, False),
     ) -> "_Search":  # fmt: skip
-        """Return the search that starts from ply k where the thickness exceeds k - 1 + `rounding` plies."""
+        """Return the search that starts with ply k wherever the thickness exceeds k - 1 + `rounding` plies."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
         leaves = law.relaxed.parameter(EI) / law.sheet.thickness
@@ -174,7 +175,7 @@ class _Search:
 
     @property
     def turned(self) -> list[int]:
-        """Clamped ends (0 or 1) whose angle may change."""
+        """Clamped ends (0: start, 1: end) whose angle may change."""
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
@@ -200,7 +201,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return the offsets from the drawn points, as fractions of the length; their squares add up to a mean.
+        """Return offsets whose sum of squares is the mean squared distance from `drawn` / squared length.
 
         The offsets are large if the stack has no rest shape.
         """
@@ -212,7 +213,7 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _separated(self, places: FloatArray) -> FloatArray:
-        """Sort the positions (m,) and move them apart by the least distance, also from the ends."""
+        """Sort the positions (m,) and move them to the least distance from each other and from the ends."""
         m = places.size
         clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)
@@ -245,7 +246,7 @@ class _Search:
         return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
 
     def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return means around the nodes (n,) of 1 / (E I) and of the weight per length, N/mm."""
+        """Return 1 / (E I) (n,) and the weight per length (n,), N/mm, as means around the n nodes."""
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
         values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)
@@ -256,9 +257,9 @@ class _Search:
         return means[0], means[1]
 
     def _stack(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the positions (m + 2,) of rod ends and ply ends, and the numbers of plies between (m + 1,).
+        """Return the positions (m + 2,) of rod ends and ply ends, as fractions of the length.
 
-        Positions are fractions of the length.
+        The second result (m + 1,) is the number of plies between successive positions.
         """
         cuts = np.concatenate([[0.0], self._separated(places), [1.0]])
         return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])

@@ -18,7 +18,7 @@ Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # largest violation of a limit that counts as met; see `Binding.broken` for its units
-# distance, as a fraction of the diagonal of the drawn curve, above which a rod counts as a different curve
+# distance from the drawn curve, as a fraction of its diagonal, above which a rod counts as a different curve
 FAR_SHARE = 0.03
 
 
@@ -125,7 +125,7 @@ def _bounds_along_strip(
         ),
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
-    """Bounds of the stiffness along the strip, relative to its least value, as stored in files."""
+    """Bounds of the stiffness along the strip, as multiples of the least stiffness."""
     return lower, upper
 
 
@@ -136,7 +136,7 @@ class Limits:
     Parameters
     ----------
     ratio : float, optional
-        Largest stiffness ratio R = max K / min K, at least 1.
+        Largest ratio of largest to least stiffness, at least 1.
     margin : float, optional
         Least stability margin (see `stability`). A strip is stable above 0, and safely stable from 5. For a
         strip that bends as a plate, the margin depends on the widths, and the largest width may be a few
@@ -154,8 +154,8 @@ class Limits:
     keep_out : sequence of HalfPlane and Box
         Regions that the rod must avoid.
     stiffness_bounds : pair, optional
-        Lower and upper bound of K / min K along the strip. Each bound is None, a number, evenly spaced values, or a
-        function of the arc length on the drawn curve, mm.
+        Lower and upper bound of stiffness / least stiffness along the strip. Each bound is None, a number, evenly
+        spaced values, or a function of the arc length on the drawn curve, mm.
 
     Examples
     --------
@@ -271,7 +271,7 @@ class Limits:
 BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
     "both": True, "start": (True, False), "end": (False, True), "none": False,
 }  # fmt: skip
-"""Names for the ends in `Keep`, each with a flag for both ends or flags for start and end."""
+"""Values of `Keep.ends` by name: one flag for both ends, or flags for (start, end)."""
 
 
 @dataclass(frozen=True, eq=False)

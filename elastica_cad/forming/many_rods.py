@@ -15,10 +15,10 @@ from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Number of curves of a stream that are submitted at a time: enough for a dozen workers, with little memory."""
+"""Number of curves of a stream that are submitted at a time. It suffices for a dozen workers and saves memory."""
 
 LISTED = 1024
-"""Number of curves of a list that are submitted at a time: enough for hundreds of workers."""
+"""Number of curves of a list that are submitted at a time. It suffices for hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 

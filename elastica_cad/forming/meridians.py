@@ -20,28 +20,28 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""Number of points that determine a meridian of five parameters; with the pole as last point, four suffice."""
+"""Number of points that determine a meridian; four points suffice if the last point is on the axis."""
 
 SEARCH_NODES = 96
-"""Approximate number of nodes on the whole meridian. There are at least `FEWEST` between two points."""
+"""Approximate number of nodes on the whole meridian, with at least `FEWEST` nodes between two given points."""
 
 FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
-"""Number of initial guesses of a and b: one by regression, the others random with a fixed seed."""
+"""Number of initial guesses of the parameters a and b: one guess by regression, the others random."""
 
 STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a Newton step that is tried; the search ends if less would be needed."""
+"""Least fraction of a Newton step that is tried; the search ends if no tried fraction reduces the residual."""
 
-SOLVED = 1e-11  # largest residual below which equations count as solved, for points scaled to the size 1
+SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
 LONGEST = 1.5
-"""Largest ratio of the length of a meridian to a smooth curve through the points; more means extra turns."""
+"""Largest length of a meridian / length of a smooth curve through the points; longer meridians have extra turns."""
 
 GOOD = 1e-7
-"""Largest residual below which equations count as solved, as a fraction of the size of the curve."""
+"""Residual below which a meridian is accepted, as a fraction of the extent of the points."""
 
 ROUGH = 1e-2
-"""Largest residual between nodes that more nodes can reduce; a larger residual means that there is no meridian."""
+"""Residual between nodes above which there is no meridian; more nodes reduce smaller residuals."""
 
 FINER = 3
 """Largest number of times that the number of nodes is doubled."""
@@ -50,7 +50,7 @@ BETWEEN = 8
 """Number of points between two nodes at which the residual is checked."""
 
 STUCK = 0.1
-"""The nodes are doubled again if the last doubling reduced the residual at least to this fraction."""
+"""The number of nodes is doubled again only if the last doubling reduced the residual to this fraction."""
 
 SETTLED = 1e-10
 """Relative change in a step at which the least-squares iteration ends."""
@@ -64,7 +64,7 @@ class FoundMeridian:
     ----------
     a : float
     b : (2,) array
-        Parameters of the meridian: x kappa = a + <b, gamma>.
+        Parameters of the meridian: distance from the axis * curvature = a + <b, point>.
     points : (n, 2) array
         Points of the meridian from its start, at the given points or nearest to them.
     lengths : (n - 1,) array
@@ -98,7 +98,7 @@ class FoundMeridian:
 
     @cached_property
     def missed(self) -> float:
-        """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve.
+        """Largest residual of the equation of the meridian, and of unit speed, along the curve.
 
         If the curve crosses the axis, its distance beyond the axis counts as a residual."""
         if not np.all(self.lengths > 0):
@@ -120,8 +120,8 @@ class FoundMeridian:
 def _search_meridian(points: FloatArray) -> FoundMeridian:
     """Return the meridian through three to five points (n, 2), or the nearest meridian.
 
-    For more than five points, or without a meridian through the points, the sum of squared distances is
-    minimised. The points are scaled to an extent of about 1. A last point with x = 0 is the pole.
+    For more than five points, or if no meridian passes through the points, the sum of squared distances is
+    minimised. The points are scaled to an extent of about 1. The axis is x = 0, and may contain the last point.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")
@@ -152,11 +152,12 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 
 
 class _Equations:
-    """Equations of a meridian.
+    """Equations of a meridian in pieces, which are divided by the given points.
 
-    They require x kappa = a + <b, gamma> at the nodes, ends of pieces at the given points, and continuous
-    angles. The unknowns are the angles at the nodes and the length of each piece, then a and b (2). `points`
-    is the number of points; `closes` is True if the last point is the pole.
+    The equation distance from the axis * curvature = a + <b, point> must hold at the nodes. Each piece must end at
+    the next point, and the angle must be continuous. The unknowns are the angles at the nodes and the length of
+    each piece, followed by a and b (2). `points` is the number of points. `closes` is True if the last point is on
+    the axis.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -175,12 +176,12 @@ class _Equations:
         self.count = self.pieces * self.width + 3
 
     def parts(self, unknown: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return angles (pieces, nodes + 1), lengths (pieces,), and the constants a and b as an array (3,)."""
+        """Return the angles (pieces, nodes + 1), the lengths (pieces,), and a and b as an array (3,)."""
         pieces = unknown[:-3].reshape(self.pieces, self.width)
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
-        """Return the unknowns with the angles interpolated at other stations."""
+        """Return the unknowns for nodes at other stations, with interpolated angles."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
@@ -208,7 +209,7 @@ class _Equations:
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the derivatives (m, count + 2 n) of the residuals by the unknowns and by n points."""
+        """Return the derivatives (m, count + 2 n) of the m residuals by `count` unknowns and n points (n, 2)."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -246,7 +247,7 @@ class _Equations:
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
     """Return an initial guess of the unknowns from a spline through the points, and the length of the spline.
 
-    The guess of a and b is a linear regression of its curvature.
+    The guess of a and b is a linear regression of the spline's curvature.
     """
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
@@ -265,7 +266,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Return the unknowns of the shortest meridian through all points that was found, or None."""
+    """Search meridians through all points, and return the unknowns of the shortest meridian, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -284,7 +285,7 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Return the solution by Newton's method, or None; with few equations, steps have least norm."""
+    """Return the solution by Newton's method, or None. With fewer equations than unknowns, take the least step."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -307,10 +308,10 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
 def _nearest(
     points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the points of a meridian with the least squared distances from the given points, and its unknowns.
+    """Return the points (n, 2) and the unknowns of the meridian nearest to the given points.
 
-    The method is Gauss-Newton with the equations as constraints. A step is shortened until the squared
-    distance plus the weighted residual of the equations decreases.
+    The sum of squared distances is minimised by the Gauss-Newton method, with the equations as constraints. A step
+    is halved until the squared distances plus the weighted residuals decrease.
     """
     count = equations.count
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
@@ -351,7 +352,7 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _largest_fraction(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
-    """Return the largest fraction of a step, up to 1, for which all lengths remain positive."""
+    """Return a fraction of a step, at most 1, for which all lengths remain positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
     return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
@@ -368,22 +369,21 @@ SOUGHT = 25
 """Number of points of a profile curve that the search uses."""
 
 ON_AXIS_SHARE = 1e-9
-"""Distance of the last point from the axis, as a fraction of the size of all points, below which it is the pole."""
+"""A last point closer to the axis than this fraction of the extent of all points is moved onto the axis."""
 
 MOST_TURNS = 20
 """Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-# distance of the points from the axis, as a fraction of the largest, below which `TO_THE_POLE` ends the
-# message
+# `TO_THE_POLE` ends a message if the last point is closer to the axis than this fraction of the largest distance
 NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
-"""End of a message if the last point is close to the axis."""
+"""End of a message about points whose last point is close to the axis."""
 
 NARROW_SHARE = 1e-3
-"""Distance from the axis at which a meridian ends by default, as a fraction.
+"""Default distance from the axis at which a meridian ends.
 
-It is relative to the length of the meridian plus the distance of its start from the axis.
+The distance is a fraction of the length of the meridian plus the distance of the start from the axis.
 """
 
 
@@ -395,13 +395,14 @@ class Meridian:
     ----------
     a : float
     b : (2,) array
-        Parameters of the meridian: x kappa = a + <b, gamma>. b is in 1/mm, and a is dimensionless.
+        Parameters of the meridian: distance from the axis * curvature = a + <b, point>. a is dimensionless, and b
+        is in 1/mm.
     curve : PlaneCurve
         Curve of the meridian, mm.
     at_pole : bool
         True if the meridian ends at the axis or at the requested ring.
     deviation : float
-        Largest distance from the given points, mm; 0 if there are none.
+        Largest distance from the given points, mm; 0 if no points were given.
     """
 
     a: float
@@ -431,7 +432,7 @@ class Meridian:
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
-        """Return the part of the meridian up to the point where its distance from the axis falls to `ring`, mm."""
+        """Return the part of the meridian that ends where the distance from the axis falls to `ring`, mm."""
         curve = self.curve
         end = _end(
             lambda s: curve.at(s).position[:, 0],
@@ -447,8 +448,8 @@ class Meridian:
     def rod(self) -> Rod:
         """Rod of a strip.
 
-        The stiffness is proportional to the distance from the axis. The moment is proportional to a + <b, gamma>
-        at the point gamma of the meridian (paper, Eq. 4).
+        The stiffness is proportional to the distance from the axis. The moment is proportional to a + <b, point>
+        (paper, Eq. 4).
         """
         nodes = self.curve.sample(NODES)
         x = nodes.position[:, 0]
@@ -478,10 +479,10 @@ def meridian(
     Parameters
     ----------
     a : float
-        Dimensionless parameter a of x kappa = a + <b, gamma>.
+        Dimensionless parameter of the equation distance from the axis * curvature = a + <b, point>.
     b : (2,) array_like
-        Parameter b of x kappa = a + <b, gamma>, 1/mm. For supports that are symmetric about the axis, it is a
-        multiple of (0, 1).
+        Parameter of the same equation, 1/mm. For supports that are symmetric about the axis, b is a multiple of
+        (0, 1).
     start : (2,) array_like
         Start point, mm. Its first coordinate is the distance from the axis, which must be positive.
     angle : float
@@ -489,8 +490,8 @@ def meridian(
     length : float
         Length, mm. The meridian ends earlier if it reaches the axis.
     ring : float, optional
-        Distance from the axis, mm, at which the meridian ends. By default it is a small fraction of its size,
-        because strips need some width at the pole.
+        Distance from the axis, mm, at which the meridian ends. The default is a small fraction of the size of the
+        meridian, because strips need some width at the end.
 
     Raises
     ------
@@ -521,17 +522,17 @@ def meridian(
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
     """Return the meridian through up to five points, or the nearest meridian to a profile.
 
-    A meridian has five parameters, so five points determine it, or four if the last point is the pole on the
-    axis. For more points, or if every meridian through the points has extra turns, the sum of squared distances
-    is minimised. `deviation` is then the largest distance.
+    Five points determine a meridian, or four points if the last point is on the axis. For more points, or if every
+    meridian through the points has extra turns, the sum of squared distances is minimised. `deviation` is then the
+    largest distance.
 
     Parameters
     ----------
     points : (n, 2) array_like or PlaneCurve
-        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the surface closes
-        at the pole. The meridian starts near the first point and ends near the last.
+        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis x = 0, the surface
+        closes there. The meridian starts near the first point and ends near the last point.
     ring : float, optional
-        Distance from the axis, mm, at which a surface that closes at the pole ends: see `meridian`.
+        Distance from the axis, mm, at which a surface that closes on the axis ends: see `meridian`.
 
     Raises
     ------
@@ -579,7 +580,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
 
 
 def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
-    """Return the meridian as a curve in mm, up to the arc length `end`. `size` is its unit of length, mm."""
+    """Return the meridian as a curve in mm, up to the arc length `end`. `size`, mm, is the unit of `shape`."""
     tolerance = CURVE_TOLERANCE * shape.length * size
     return PlaneCurve.fit_function(
         lambda s: size * shape.position(s / size), 0.0, end, tolerance=tolerance, degree=5
@@ -635,7 +636,7 @@ def _checked_points(points: ArrayLike) -> FloatArray:
 def _integrated(
     p: FloatArray, length: float, floor: float
 ) -> tuple[float, Callable[[FloatArray], FloatArray]]:
-    """Return the arc length at the end, and a function from n arc lengths to x, y and angle (3, n)."""
+    """Return the arc length of the end, and a function that returns x, y and angle (3, n) at n arc lengths."""
     from scipy.integrate import solve_ivp
 
     a, b1, b2 = p[:3]

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     from elastica_cad.forming.nearest_task import SearchPoint
 
 
-_UNLIKE = 0.05  # distance, in diagonals of the drawn curve, above which a rod no longer resembles it
+# a rod farther from the drawn curve than this fraction of the curve's diagonal no longer resembles the curve
+_UNLIKE = 0.05
 
 
 class Status(Enum):
@@ -36,8 +37,8 @@ class Status(Enum):
 def judge_search(violation: float, deviation: float, settled: bool) -> Status:
     """Return the status of a search.
 
-    `violation` is the largest violation of a limit. `deviation` is the distance from the drawn curve, in diagonals
-    of its bounding box. `settled` is True if the search converged."""
+    `violation` is the largest violation of a limit. `deviation` is the distance from the drawn curve, divided by
+    the diagonal of the curve's bounding box. `settled` is True if the search converged."""
     if violation > MET:
         return Status.NOT_MET
     if deviation > _UNLIKE:
@@ -57,11 +58,11 @@ class Binding:
     limit : float or None
         Value of the limit if it is a single number; curvatures are in 1/mm, lengths in mm.
     cost : float
-        Decrease of the distance, mm, per unit by which the limit is relaxed, or per mm or rad by which a kept
-        property may change. The value is a first-order estimate.
+        First-order estimate of the decrease of the distance, mm, per unit by which the limit is relaxed. For a
+        kept property, the decrease is per mm or per rad.
     broken : float
-        Violation of the limit. The violation is in rad for angles, a multiple of the length of the drawn curve
-        for positions and lengths, and a fraction of the limit for other limits.
+        Violation of the limit: in rad for angles, as a fraction of the drawn curve's length for positions and
+        lengths, and otherwise as a fraction of the limit.
     """
 
     name: str
@@ -82,15 +83,16 @@ class NearestRod:
         The drawn curve.
     status : Status
     deviation : float
-        Largest distance between rod and curve, mm, measured from the points of either.
+        Largest distance of a point of the rod from the curve, or of a point of the curve from the rod, mm.
     mean_deviation : float
         Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding
-        Violated limits and kept properties, then those that increase the distance; the largest effect first.
+        Limits and kept properties that are violated, followed by those that increase the distance. Each group
+        is sorted by effect, the largest first.
     violation : float
         Largest violation of any limit; see `Binding.broken` for its units.
     iterations : int
-        Number of steps from all initial guesses; a step is an accepted quadratic program.
+        Number of accepted steps of the search, from all initial guesses.
     limits, keep
         Limits and kept properties of the request.
     message : str
@@ -100,10 +102,9 @@ class NearestRod:
     distance : float
         Distance that was minimised, mm, in the requested measure and with the requested weights.
     ties : tuple of Rod
-        Rods of different shapes that meet the limits and are nearly as close: their distances are at most 2 %
-        larger.
+        Rods of different shapes that meet the limits and whose distances are at most 2 % larger.
     ended : SearchPoint or None
-        End of the search. `nearest_rod` continues from it if this record is passed as its `start`.
+        End of the search, where `nearest_rod` continues if this record is passed as `start`.
     again : callable, optional
         Function that repeats the request with other limits: see `relaxed`.
     """
@@ -167,13 +168,13 @@ class NearestRod:
     def curve(self) -> PlaneCurve:
         """Rest shape as a spline of degree 4 with few control points, for further editing.
 
-        The distance of the spline from the rod is at most 1e-3 mm. Without weight, its inflections are on one
-        line, so that `check_equilibrium` accepts it. For glued plies it is the curve of the rod.
+        The distance of the spline from the rod is at most 1e-3 mm. Without weight, the inflections are on one
+        line, so that `check_equilibrium` accepts the spline. For glued plies, the result is the curve of the rod.
         """
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        # the curvature of a stack jumps at ends of plies, which a smooth curve cannot follow
+        # a smooth curve cannot follow a stack, whose curvature jumps at the ends of plies
         if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)
@@ -193,7 +194,7 @@ class NearestRod:
 
     @cached_property
     def advice(self) -> tuple[str, ...]:
-        """Suggestions how to come nearer to the drawn curve, the most useful first.
+        """Suggestions for reducing the distance from the drawn curve, the most useful first.
 
         The effects of changes are first-order estimates from the Lagrange multipliers. `relaxed` computes the rod
         for a changed limit. `split` finds supports for the drawn curve.
@@ -228,7 +229,7 @@ class NearestRod:
 
 
 _MOST_ADVICE = 4  # largest number of active limits for which suggestions are made
-# distance below which no suggestions are made, in diagonals of the drawn curve
+# distance, as a fraction of the drawn curve's diagonal, below which no suggestions are made
 _SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
 _LEAST_REPORTED = 1e-4
@@ -269,9 +270,9 @@ def _advise(near: NearestRod) -> Iterator[str]:
 
 
 def _step(binding: Binding) -> tuple[str | Length, float]:
-    """Return a small change of a limit as a text, and as a number in the unit of the limit.
+    """Return a small change of a limit, as text and as a number in the unit of the limit.
 
-    The number is 0 if the limit is not a length, an angle or a number.
+    The number is 0 for a limit that is not a number, such as the symmetry.
     """
     if binding.name.endswith("tangent"):
         return note("1 degree"), float(np.radians(1))
@@ -292,7 +293,7 @@ _NAMES = {
 
 
 def _limit_name(near: NearestRod, binding: Binding) -> str:
-    """Return the name of a limit in messages; empty for a condition that was not requested."""
+    """Return the name of a limit for messages, or an empty text if the limit was not requested."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:

@@ -44,46 +44,46 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        Total number of steps after which no further initial guess is tried. `unmet_steps` applies until a
-        result meets the limits, and if the first result violated the margin. A stalled search counts as the
-        largest possible number of steps.
+        Total number of steps after which no further initial guess is tried. `unmet_steps` applies while no result
+        meets the limits, or if a margin is required and the first result violates a limit. A stalled search
+        counts as the largest number of steps of one search.
     tensions : tuple of float
-        Tensions of straight initial guesses, as fractions of the tension that alone provides the margin.
+        Tensions along the chord of initial guesses, as fractions of the tension that alone provides the margin.
         Guesses under tension are stable.
     long_distance, long_factor : float
-        If the distance exceeds `long_distance`, an initial guess is tried whose length is `long_factor` times
-        the length of the target.
+        If the distance exceeds `long_distance`, an initial guess of `long_factor` times the length of the target
+        is tried.
     random_distance : float
         Distance above which initial guesses with random waves are tried.
     random_starts, random_lifted_steps : int
-        Largest number of random initial guesses, and of lifted steps (see `lift`) from each. With few steps, the
-        local optima remain different.
+        Largest number of random initial guesses, and of lifted steps (see `lift`) from each guess. With few steps,
+        the guesses lead to different local optima.
     random_angle : float
         Typical angle of the random waves, rad.
     continued_distance, continued_factor : float
-        A search that continues a previous search is accepted if its distance is less than `continued_distance`,
-        or less than `continued_factor` times the distance of the previous search.
+        The result of a search that continues a previous search is accepted if the distance is less than
+        `continued_distance`, or less than `continued_factor` times the previous distance.
     exact_distance : float
-        Distance below which a rod follows the target exactly, so that a smaller stiffness ratio is tried.
+        Distance below which the rod counts as following the target exactly. A smaller stiffness ratio is then
+        tried.
     ratio_distance : float
         Largest distance that is accepted for a smaller stiffness ratio.
     spline_factor : float
-        Factor on the least ratio, because the stiffness K is a spline with few coefficients.
+        Factor on the least stiffness ratio, because the stiffness is a spline with few coefficients.
     tie_factor, tie_distance : float
         A further result is reported if its distance is at most `tie_factor` times the least distance, and its rod
-        is farther than `tie_distance` from the best rod.
+        is farther than `tie_distance` from all rods reported before.
     closed_gap : float
-        Least distance between the ends, as a fraction of the length, by which the chord of a nearly closed curve
-        is divided.
+        Distance between the ends, as a fraction of the length, below which the tension of a guess is reduced.
     rescalings : int
-        Largest number of repeated searches until the scale of the sections agrees with the rod.
+        Largest number of searches that are repeated to determine the scale of the sections.
     scale_reserve, scale_change : float
-        For a margin that depends on the widths: factor on the largest scale, as a reserve for other widths,
-        and least factor between scales that are tried.
+        If the margin depends on the widths, the largest scale is multiplied by `scale_reserve`, because the widths
+        may change in the next search. The search ends if the scale would grow by less than `scale_change`.
     scale_factors : tuple of float
-        Factors on the scale that are tried for a margin that depends on the widths.
+        If the margin depends on the widths, these factors on the scale are tried in order.
     margin_fraction : float
-        Fraction of the margin that is required in a first search, if the margin depends on the widths.
+        If the margin depends on the widths, a first search requires only this fraction of the margin.
     """
 
     steps: int = 600
@@ -139,16 +139,16 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
 
 
 def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
-    """Return the result of a search from the end of a similar search, or from several initial guesses.
+    """Search from the end `before` of a similar search, or from several initial guesses.
 
-    The first initial guess is nearly always sufficient. Further guesses are tried if the result violates limits,
-    has not converged, or is far from the target.
+    The first initial guess nearly always suffices. Further guesses are tried if the result violates limits, has
+    not converged, or is far from the target.
     """
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # a first result that violates the margin leaves fewer steps for other initial guesses
+    # if a margin is required and the first result violates a limit, other initial guesses get fewer steps
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -156,7 +156,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # known optima are compared by mean distance, which the measure "max" does not minimise
+            # known optima are recognised by their mean distances, which the measure "max" does not minimise
             optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=optima))
     best = min(outcomes, key=_rank)
@@ -202,9 +202,10 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 
 
 def _narrowed(search: Search, task: NearestTask) -> Search:
-    """Continue with the scale of `task`, then with smaller scales, until the limits are met.
+    """Repeat the search with the scale of `task`, then with smaller scales, until the limits are met.
 
-    Only a part of the margin is required first. Narrower strips may meet a margin that wider strips violate.
+    A first search at each scale requires only a part of the margin. Narrower strips may meet a margin that wider
+    strips violate.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:
@@ -223,7 +224,7 @@ def _continued_search(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Continue a similar search; return None if the result violates limits or is much farther away."""
+    """Continue a similar search. Return None if the result violates limits or is much farther from its target."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -235,7 +236,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Return the search with an equally near rod of least ratio, or with all equally near results."""
+    """Return the search with an equally near rod of least stiffness ratio, or with all equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -249,9 +250,9 @@ def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
 def _with_least_ratio(
     task: NearestTask, best: RodOutcome
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """Return an equally near rod with the least stiffness ratio for the target, or None.
+    """Return an equally near rod with the least stiffness ratio, or None.
 
-    Many rods can follow such a target exactly, and the search may end with an unnecessarily large ratio.
+    If many rods can follow the target exactly, the search may end with an unnecessarily large ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -276,7 +277,7 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Yield results of different shapes whose distances are at most 2 % larger than the least distance."""
+    """Yield results of other shapes whose distances are at most 2 % larger than the least distance."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )
@@ -290,20 +291,16 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """Return a sort key by distance.
-
-    Results that violate limits are last, and their violation is added to the distance.
-    """
+    """Return a key that sorts results by distance, and puts results that violate limits last."""
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Yield further initial guesses, as functions with a mean distance below which they are not needed.
+    """Yield pairs of a distance and a function that returns an initial guess.
 
-    The distance is in diagonals of the target.
-
-    Guesses with an infinite distance are tried until a result meets the limits.
+    A guess is skipped if the mean distance of an optimum, divided by the diagonal of the target, is less than the
+    distance in the pair.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -328,9 +325,9 @@ def _start(
     seed: int | None = None,
     force: FloatArray | None = None,
 ) -> MappedRod:
-    """Return an initial rod, found by lifted steps (see `lift`) from the target with constant stiffness.
+    """Return an initial rod after lifted steps (see `lift`) from the target, with constant stiffness.
 
-    With a `seed`, target and stiffness are varied randomly, to reach other local optima.
+    With a `seed`, the shape and the stiffness are first varied randomly, to reach other local optima.
     """
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
@@ -357,15 +354,15 @@ def _start(
     return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
 
 
-_STRICTER = 6  # largest number of attempts, each with stricter limits than the last
-_BEYOND = 1.2  # factor on the violation of a limit, by which the limit is tightened
+_STRICTER = 6  # largest number of searches for a stack of plies, with ever stricter limits
+_BEYOND = 1.2  # a violated limit is tightened by this factor times the violation
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
 def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     """Return the nearest stack of glued plies.
 
-    Plies approximate the nearest rod of continuously varying thickness, the taper. If the stack violates a
+    The plies approximate a taper: the nearest rod of continuously varying thickness. If the stack violates a
     limit, the limits of the taper are tightened.
     """
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
@@ -375,7 +372,7 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
             "limits"
         )
     again = partial(_again, request)
-    # n plies are (n / k)^3 times as stiff as k plies, so the ratio limits the fewest
+    # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
@@ -454,9 +451,7 @@ def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 _MOST_NODES = 5000  # largest number of nodes; more nodes hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which its weight can prevent an initial rod.
-
-The message then gives the weight as the reason."""
+"""Length of a curve, in elasto-gravity lengths, above which a message explains a failed search by the weight."""
 
 
 def nearest_rod(
@@ -509,8 +504,8 @@ def nearest_rod(
         `limits.sheet` limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness
         is found first, and is then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the lengths of the rod and of the
-        pre-bent strip agree within 1 %.
+        Curvature of the unbent rod, 1/mm. For a `RestCurvature`, the lengths of the rod and of the pre-bent strip
+        agree within 1 %.
     start : NearestRod, optional
         Result of a similar request, such as the same curve before a small change. The search begins with its
         rod. This saves a third of the time or more. If the result violates limits or is much farther away

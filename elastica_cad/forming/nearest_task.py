@@ -38,9 +38,9 @@ _COEFFICIENTS_PER_HALF_TURN = 4.2  # additional coefficients for each half turn 
 
 @dataclass(frozen=True, eq=False)
 class NearestTask:
-    """A request with the length of its curve as the unit of length.
+    """Request for a nearest rod, with the length of the drawn curve as the unit of length.
 
-    `pose_problem` converts it to a nonlinear program.
+    `pose_problem` converts the task to a nonlinear program.
 
     Attributes
     ----------
@@ -56,12 +56,11 @@ class NearestTask:
     line : pair of points or None
         Two points on the inflection line to keep, mm.
     section : SectionScale or None
-        Relation between section and stiffness K; None for a section without a law.
+        Relation between section and stiffness K; None without a section law.
     grows : bool
-        True if the sections of a rod without weight are finally made as large as the limits allow.
+        True to make the sections of a rod without weight as large as the limits allow, after the search.
     keeps_scale : bool
-        True if the scale is fixed and the width is limited at each node, because the stiffness depends on the
-        curvature.
+        True to fix the scale and limit the width at each node, for a stiffness that depends on the curvature.
     """
 
     request: RodSpec
@@ -114,21 +113,21 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """True if K has no scale during the search.
+        """True if the search determines the stiffness only up to a factor.
 
-        K has no scale without a section law, or if the limits of the law depend on the curvature of the rod.
+        This holds without a section law, and if the limits of the law depend on the curvature of the rod.
         """
         return self.section is None or self.section.law.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """True for a section law without weight whose scale is determined after the search."""
+        """True for a rod without weight whose section law determines the scale after the search."""
         return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
-        """Return the task with this largest stiffness ratio.
+        """Return the task with another largest stiffness ratio.
 
-        Without weight, the sections are those that can bend most.
+        Without weight, the sections are those that withstand the largest curvature.
         """
         limits = replace(self.limits, ratio=ratio)
         section = self.section
@@ -137,7 +136,7 @@ class NearestTask:
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """Return the task with the largest allowed widths for a rod, or itself if they are unchanged."""
+        """Return the task with the largest allowed widths for a rod, or this task if the widths do not change."""
         if self.section is None or not self.is_scaled_freely:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
@@ -146,9 +145,9 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """Return the task without its limit of the margin, if the margin depends on an undetermined scale.
+        """Return the task without its limit of the margin if the margin depends on a scale that is still unknown.
 
-        Otherwise return the task itself.
+        Otherwise return this task.
         """
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
@@ -164,12 +163,12 @@ class NearestTask:
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
-        """Return the root mean square distance of a rod from the target / length of the target."""
+        """Return the root mean square distance of a rod from the target, divided by the length of the target."""
         return float(np.sqrt(2 * self.mean_distance.value(mapped)))
 
     @property
     def scale(self) -> float:
-        """Bending stiffness at K = 1, N mm2; 1 without a section law."""
+        """Bending stiffness, N mm2, where the stiffness K of the search is 1; 1 without a section law."""
         return 1.0 if self.section is None else self.section.scale
 
     def scaled_by(self, share: float) -> "NearestTask":
@@ -180,10 +179,7 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """Return the task with smaller sections, which withstand the curvature of the target.
-
-        Return None if the sections need not change.
-        """
+        """Task with smaller sections, which withstand the curvature of the target; None if no change is needed."""
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
@@ -192,21 +188,18 @@ class NearestTask:
 
     @property
     def rest(self) -> float | FloatArray:
-        """Natural curvature times the length of the target.
-
-        For a pre-bent strip it is an array (nodes,), stretched to the length of the rod.
-        """
+        """Natural curvature times the length of the target: a number, or an array (nodes,) for a pre-bent strip."""
         return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """Return the rod in mm with the least stiffness 1. Without weight, it has the largest allowed sections."""
+        """Return the rod in mm, with a least stiffness of 1 and, without weight, the largest allowed sections."""
         size, section = self.target.size, self.section
         if section is not None and self.is_light:
             section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, the state that the search found is final
+        # without weight and section law, the state at the end of the search is the result
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
@@ -224,7 +217,7 @@ class NearestTask:
     def _state_of(
         self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
     ) -> RodState:
-        """Return the state in mm, for stiffnesses K (n,) of at least 1 and weights `load` (n, 2) of the nodes."""
+        """Return the state in mm, for the stiffness K (n,) and the weights `load` (n, 2) of the nodes."""
         size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
@@ -291,7 +284,8 @@ class SearchPoint:
     origin : (2,) array
         Origin of the coordinates, mm.
     off : float
-        Mean distance after the last search from all initial guesses, in diagonals of its target.
+        Mean distance from the target after the last search from all initial guesses, divided by the diagonal of
+        that target.
     """
 
     z: FloatArray
@@ -301,10 +295,7 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Return the unknowns of this rod in the units of another target, or None.
-
-        None means that the target has other `unknowns`.
-        """
+        """Return the unknowns of this rod in the units of another target, or None if its `unknowns` differ."""
         u = self.unknowns
         if unknowns != u:
             return None
@@ -317,7 +308,7 @@ class SearchPoint:
 
 
 def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
-    """Return two points on the inflection line to keep, mm, or None."""
+    """Return two points, mm, on the inflection line that the rod must keep, or None."""
     line, curve = keep.line, request.curve
     if not line:
         return None
@@ -346,7 +337,10 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
 
 
 def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
-    """Return the values at x (n,) in 0..1 of a number, evenly spaced values, or a function of the arc length."""
+    """Return the values of `given` at x (n,) in 0..1.
+
+    `given` is a number, evenly spaced values, or a function of the arc length x * `size`, mm.
+    """
     values = given(x * size) if callable(given) else given
     array = numbers(values, what)
     if array.ndim == 0:

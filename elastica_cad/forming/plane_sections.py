@@ -173,7 +173,7 @@ def _complaint(
 
 
 def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
-    """Return notes on edges with one face or more than two faces, and on neighbours of opposite orientation."""
+    """Return notes on edges with one face or more than two faces, and on adjacent faces of opposite orientation."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
@@ -303,7 +303,10 @@ def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) ->
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
-    """Return chains of points in which the faces meet the plane; `above` is True for vertices above the plane."""
+    """Return the lines in which the faces meet the plane, as chains of points (k, 2).
+
+    `above` (n,) is True for vertices above the plane.
+    """
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):
@@ -324,7 +327,7 @@ def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray
 def _walks(links: IntArray, count: int) -> list[list[int]]:
     """Return chains of nodes that follow the links (m, 2).
 
-    They end at nodes that do not have two links.
+    The chains end at nodes that do not have two links.
     """
     at: list[list[int]] = [[] for _ in range(count)]
     for k, (a, b) in enumerate(links.tolist()):

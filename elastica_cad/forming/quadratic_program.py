@@ -23,8 +23,8 @@ class InteriorPoints(NamedTuple):
     backoff : float
         Largest length of a step, as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
-        After `cycling` factorisations, steps have no corrector and reduce the complementarity to the fraction
-        `centered`, because predictor and corrector cycle in one program of a thousand.
+        After `cycling` factorisations, the second-order correction is omitted, and each step reduces the
+        complementarity to the fraction `centered`. Otherwise one program of a thousand would not converge.
     most : int
         Largest number of factorisations.
     """
@@ -91,8 +91,9 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
     """Return the minimum, by an interior-point method with Mehrotra's predictor and corrector.
 
     `accuracy` is relative to the largest number in the gradient or on the diagonal of the Hessian. The
-    penalty for a violation bounds the multiplier y of the constraint. With slacks p, q >= 0 and A x - r = p -
-    q, each constraint becomes p (y - y_low) = 0 and q (y_high - y) = 0.
+    multiplier y of a constraint is at most y_high = `penalty`, and at least y_low = -`penalty`, or 0 if
+    `one_sided`. With slacks p, q >= 0 and A x - r = p - q, the conditions are p (y - y_low) = 0 and
+    q (y_high - y) = 0.
 
     Examples
     --------
@@ -120,7 +121,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
 
 def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """Return x, multipliers y, True for convergence, and the number of factorisations, by compiled code."""
+    """Return x, the multipliers y, True if the method converged, and the number of factorisations."""
     (x, y, _, _), converged, iterations = _native.interior_points(
         p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.penalty, p.one_sided, accuracy
     )
@@ -128,7 +129,7 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 _SIDES = np.array([[1.0], [-1.0]])
-"""Derivatives by the unknowns of their distances from the lower and upper bounds."""
+"""Derivatives, by an unknown, of the distances of the unknown from its lower and upper bound."""
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
@@ -143,7 +144,8 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # u v = mu, (2, n + m): u is the distance of z = (x, y) from its bounds, v the multiplier or the slack
+    # u (2, n + m): distances of z = (x, y) from its lower and upper bounds
+    # v (2, n + m): multipliers or slacks of these bounds, with products u v = mu that steps reduce to 0
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u
@@ -161,10 +163,10 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         system = matrix.copy()
         system.flat[:: n + m + 1] += ratio[0] + ratio[1]
         factors, pivots, info = lapack().dgetrf(system)
-        # rounding has made a distance or its multiplier 0, which further steps cannot change
+        # stop if rounding has made a distance or multiplier 0, because further steps cannot change the zero
         if info != 0 or not min(u.min(), v.min()) > 0:
             break
-        # predictor towards mu = 0, then a corrector towards a mu that depends on the predictor
+        # predictor step towards mu = 0, then corrector step towards a mu computed from the predictor step
         aim = -product
         for corrector in (False, True):
             change = aim / u

@@ -71,22 +71,22 @@ SAME_SCALE = 1e-5
 """Relative change of the scale below which the search is not repeated with the new scale."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Fraction of a strain limit that is used; the rest covers errors of the strain between nodes."""
+"""Fraction of a strain limit that is used; the rest is a reserve for errors of the strain between nodes."""
 
 
 @dataclass(frozen=True, eq=False)
 class SectionScale:
-    """Relation between bending stiffness and K: E I = `scale` K with 1 <= K <= `ratio`.
+    """Relation between the bending stiffness E I and the stiffness K of the search: E I = `scale` K.
 
-    The stiffness is within the limits of a section law.
+    K is between 1 and `ratio`. E I is within the limits of a section law.
 
     Attributes
     ----------
     law : BoundedLaw
     scale : float
-        Bending stiffness at K = 1, N mm2.
+        Bending stiffness for K = 1, N mm2.
     ratio : float
-        Largest stiffness ratio.
+        Largest K.
     """
 
     law: BoundedLaw
@@ -95,9 +95,9 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation with the largest scale or, without weight, with the scale for the largest curvature.
+        """Return the relation with the largest scale, or without weight, with the scale for the largest curvature.
 
-        The shape of a rod without weight does not depend on the scale, and thin sections withstand larger
+        The shape of a rod without weight does not depend on the scale, and thin sections can withstand larger
         curvatures than thick sections.
         """
         least, largest = law.limits
@@ -123,9 +123,9 @@ class SectionScale:
         return cls(law, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
-        """Return the relation with the largest scale that the limits and the strain allow.
+        """Return the relation with the largest scale that the section law and the strain limit allow.
 
-        `stiffness` (n,) is K at the nodes, and `bend` (n,) the change of curvature there, 1/mm.
+        `stiffness` (n,) is K at the nodes, and `bend` (n,) is the change of curvature there, 1/mm.
         """
         from scipy.optimize import brentq
 
@@ -144,11 +144,9 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the relation with a scale that is reduced until the sections withstand `bend`.
+        """Return the relation with a smaller scale, so that the sections withstand the change of curvature `bend`.
 
-        `bend` (n,) is the change of curvature, 1/mm.
-
-        Return None if the scale need not or cannot be reduced.
+        `bend` (n,) is in 1/mm. Return None if the scale need not or cannot be reduced.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
@@ -159,9 +157,9 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Return the relation scaled so that the largest section of the rod is the largest allowed section.
+        """Return the relation with the scale at which the largest section of the rod is as large as allowed.
 
-        At the nodes, `stiffness` (n,) is K, `bend` (n,) the change of curvature, and `rest` the natural
+        At the nodes, `stiffness` (n,) is K, `bend` (n,) is the change of curvature, 1/mm, and `rest` is the natural
         curvature, 1/mm. If the scale does not change, the result is this object.
         """
         law = self.law.bent(bend, rest)
@@ -173,15 +171,15 @@ class SectionScale:
         return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
 
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """Return E I (n,), N mm2, of the largest section.
+        """Return the bending stiffness (n,), N mm2, of the largest allowed section at n nodes.
 
-        `bend` (n,) is the change of curvature, and `rest` the natural curvature, 1/mm.
+        `bend` (n,) is the change of curvature, and `rest` is the natural curvature, 1/mm.
         """
         most = np.full(bend.size, self.law.limits[1])
         return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
-        """Return the weight per length (n,) for K (n,), and its derivative by K.
+        """Return the weight per length (n,) for the stiffness K (n,), and the derivative of the weight by K.
 
         The weight is divided by the scale and multiplied by the cube of `size`, mm.
         """
@@ -201,9 +199,9 @@ class SectionScale:
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
 
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """Return dM/dkappa (..., n) in the unit of K (..., n).
+        """Return the derivative of the moment by the curvature (..., n), in the unit of the stiffness K (..., n).
 
-        `bend` (..., n) is the change of curvature, and `rest` the natural curvature, 1/mm.
+        `bend` (..., n) is the change of curvature, and `rest` is the natural curvature, 1/mm.
         """
         law = self.law.bent(bend, rest)
         curl = law.curl(law.parameter(self.scale * stiffness))
@@ -212,13 +210,13 @@ class SectionScale:
         return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
-        """Return the surface strain at a curvature of 1/mm, as a fraction (n,) of the allowed strain."""
+        """Return the surface strain at a curvature of 1/mm, as a fraction of the allowed strain, for K (n,)."""
         layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
         shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))
 
 
-# cached properties of a rod that compiled code computes together
+# names of cached properties of a rod that compiled code computes in one call
 _SHAPE = "tangents", "position", "pull", "shear"
 
 WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -231,13 +229,13 @@ class Unknowns:
     Attributes
     ----------
     coefficients, count : int
-        Number of coefficients of K, and number p of unknowns.
+        Number of coefficients of the stiffness K, and number p of unknowns.
     stiffness : slice
-        Coefficients of K.
+        Coefficients of the stiffness K.
     moment : int
         Moment at the first node.
     force : slice
-        Force lambda at the start, before the weight of the first node.
+        Force lambda before the first node, which does not include the weight of the node.
     position : slice
         Position of the first node.
     angle, length : int
@@ -290,9 +288,9 @@ class MappedRod(DiscreteRod):
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """Derivatives of a rod with n edges with respect to its p unknowns.
+    """Derivatives of angles, moments and positions of a rod with n edges by its p unknowns.
 
-    An optional last column p is the change that brings the rod into equilibrium.
+    The arrays can have one more column: the change that brings the rod into equilibrium.
 
     Attributes
     ----------
@@ -308,7 +306,7 @@ class Sensitivities:
     position: FloatArray
 
     def along_forces(self, weights: FloatArray) -> FloatArray:
-        """Return the gradient (p,) of the sum of the edge forces times `weights` (n, 2)."""
+        """Return the derivatives, by p unknowns, of the sum of `weights` (n, 2) times the forces in the n edges."""
         grid = self.grid
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.force] = weights.sum(axis=0)
@@ -319,7 +317,7 @@ class Sensitivities:
         return out
 
     def last_load_row(self, axis: int) -> FloatArray:
-        """Return the gradient (p,) of the weight of the last node along `axis` (0: x, 1: y)."""
+        """Return the derivatives, by the p unknowns, of the weight of the last node along `axis` (0: x, 1: y)."""
         grid, carried = self.grid, self.carried
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
@@ -352,10 +350,10 @@ class StripGrid:
     basis : (n+1, m) array
         Values of the m basis functions of K at the nodes; their sum is 1.
     e : (2,) array
-        Weight vector of Eq. 5, which points up, times the cube of the unit of length.
+        Vector e of Eq. 5, which points up, times the cube of the unit of length.
     weight : callable, optional
-        Function that returns the weight per length q (n+1,) in units of `e`, and its derivative, for K (n+1,). By
-        default q = K.
+        Function of K (n+1,) that returns the weight per length q (n+1,), in units of `e`, and the derivative of q
+        by K. By default q = K.
     natural_curvature : float or (n+1,) array
         Natural curvature times the unit of length.
     supports : Supports
@@ -383,7 +381,7 @@ class StripGrid:
 
     @cached_property
     def shares(self) -> FloatArray:
-        """Lengths (n+1,) around the nodes of a rod of length 1: half of both adjacent edges."""
+        """Length (n+1,) that belongs to each node of a rod of length 1: half of each adjacent edge."""
         return node_weights(1 / self.edges, self.edges)
 
     @cached_property
@@ -423,11 +421,11 @@ class StripGrid:
         return self._assemble(z, angles, moments, *self._stiffness_forces_length(z))
 
     def sensitivities(self, rod: MappedRod, *, to_equilibrium: bool = False) -> Sensitivities:
-        """Return the derivatives of angles, moments and positions with respect to z.
+        """Return the derivatives of angles, moments and positions by the unknowns z.
 
-        The linearised recursion couples each angle and moment to the two before it, so all columns are the
-        solution of one banded triangular system. With `to_equilibrium`, a last column p is the change that
-        brings the rod into equilibrium, to first order.
+        Each angle and each moment depends on the angle and the moment before it. Therefore all derivatives are
+        solutions of one banded triangular system. With `to_equilibrium`, one more column is the change that brings
+        the rod into equilibrium, to first order.
         """
         columns = self.unknowns.count + to_equilibrium
         if _native.compiled is None:
@@ -450,7 +448,8 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # unknowns alpha_1, M_1, ..., alpha_{n+1}; right-hand sides: derivatives of the recursion by z
+        # solve for the derivatives of angles and moments, in the order alpha_1, M_1, ..., alpha_{n+1}; the
+        # right-hand sides are the derivatives of the recursion by the unknowns z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -500,10 +499,13 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _band(self, rod: MappedRod) -> FloatArray:
-        """Return the unit lower triangular band matrix of the recursion for (alpha_1, M_1, ..., alpha_{n+1})."""
+        """Return the band of the unit lower triangular matrix of the recursion.
+
+        The rows are the angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}.
+        """
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
-        band[1, 0:-1:2] = rod.edge_length * rod.pull  # derivative -dM_i / dalpha_i
+        band[1, 0:-1:2] = rod.edge_length * rod.pull  # minus the derivative of moment M_i by angle alpha_i
         band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
         band[1, -1] = 0
         band[2] = -1

@@ -37,16 +37,15 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import Length
 
-# largest usable derivative of an angle, rad per unknown, whose square does not overflow
+# derivative of an angle by an unknown, rad, above which squares could overflow
 _TOO_SENSITIVE = 1e50
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RodProblem(NonlinearProgram[MappedRod]):
-    """Minimise `distance` over the unknowns of `grid`, within bounds and under `constraints`.
+    """Problem to minimise `distance` over the unknowns of `grid`, within bounds and under `constraints`.
 
-    A point is a rod. The state of a point consists of angles and moments, which follow from the unknowns by
-    equilibrium.
+    A point of the problem is a rod. The state of a point consists of the angles and moments of the rod.
     """
 
     grid: StripGrid
@@ -55,12 +54,12 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     @cached_property
     def one_sided(self) -> BoolArray:
-        """True for each constraint whose values must be at least 0; False if they must be 0."""
+        """For each constraint, True if its values must be at least 0, and False if they must be 0."""
         return np.array([c.one_sided for c in self.constraints], dtype=bool)
 
     @cached_property
     def highest_penalties(self) -> FloatArray:
-        """Largest penalty for each constraint for violating a value by 1."""
+        """For each constraint, upper bound of the penalty for a violation of 1."""
         return np.array([c.penalty for c in self.constraints], dtype=float)
 
     def objective(self, point: MappedRod) -> float:
@@ -72,7 +71,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return [c.values(point) for c in self.constraints]
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """Return the unknowns of a rod in equilibrium, and the linearised constraints."""
+        """Return the unknowns and the linearised constraints of a rod in equilibrium."""
         return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
@@ -114,7 +113,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """Return the rod after a change (p + 1,), to first order."""
+        """Return the rod, to first order, after a change (p + 1,) as defined in `Linearization`."""
         z = self._clipped(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
@@ -131,7 +130,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Return the linearised constraints; a column for the change to equilibrium also changes their values."""
+        """Return the linearised constraints.
+
+        If the sensitivities have a column for the change to equilibrium, the values are those after this change.
+        """
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
@@ -149,7 +151,8 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-_SAME_LENGTH = 1e-6  # reserve for rounding errors, as a fraction of the range of lengths of a pre-bent strip
+# reserve for rounding errors, as a fraction of the tolerance of the length of a pre-bent strip
+_SAME_LENGTH = 1e-6
 # tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
 _SAME_CURVATURE = 1e-6
 _LENGTHS = (0.2, 5.0)  # default limits of the length, as multiples of the length of the drawn curve
@@ -158,10 +161,10 @@ RodOutcome: TypeAlias = Outcome[MappedRod]
 
 
 class Search(NamedTuple):
-    """Result of a search: its last task and problem, the best outcome, and equally near outcomes.
+    """Result of a search: its last task and problem, the best outcome, and equally near outcomes (`ties`).
 
-    `steps` is the number of steps from all initial guesses. `off` is the mean distance after the last such
-    search, in diagonals of the target.
+    `steps` is the number of steps of all searches. `off` is the mean distance after the last search from several
+    initial guesses, divided by the diagonal of the target.
     """
 
     task: NearestTask
@@ -370,7 +373,10 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
 
 
 def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
-    """Return bounds of the coefficients of K: each is the strictest in the support of its basis function."""
+    """Return lower and upper bounds (count,) of the coefficients of the stiffness.
+
+    The bound of a coefficient is the strictest bound of the stiffness where the basis function is positive.
+    """
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:
@@ -404,15 +410,14 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-# smaller effects of a limit, as a fraction of the largest effect, are within the accuracy of the quadratic
-# program
+# effect of a limit, as a fraction of the largest effect, below which it may be an error of the quadratic program
 _IDLE = 1e-6
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
     """Return the violated limits, followed by the limits that increase the distance.
 
-    Both are sorted by the effect of a relative change, largest first.
+    Each group is sorted by the effect of a relative change of the limit, the largest first.
     """
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":

@@ -21,7 +21,7 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     Raises
     ------
     NotRealizable
-        No rod takes the curve, and it may not change.
+        No rod takes the curve, and the curve may not change.
     InputError, NotConvergedError
         See `optimal_rod`, `optimal_laminate` and `nearest_rod`.
     """
@@ -50,7 +50,7 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
-    """Return the weight with its masses at the same fractions of a length that smoothing multiplied by `factor`."""
+    """Return the weight with the positions of its masses multiplied by `factor`, as smoothing scales the length."""
     if weight is None:
         return None
     return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))

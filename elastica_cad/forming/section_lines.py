@@ -109,7 +109,7 @@ class SectionLine:
         return self._split(np.sort(corners)) if corners.size else (self,)
 
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
-        """Return the pieces between cuts; a cut is the index of a point plus a fraction of the next side."""
+        """Return the pieces between `cuts`, which are indices of points plus a fraction of the next side."""
         last = len(self.points) - 1
         index = np.arange(last + 1)
         at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
@@ -256,7 +256,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
     x = points[:, 0]
     if np.all(x >= 0):
         return [points]
-    if closed:  # start at x < 0, so that no part contains the start of the closed line
+    if closed:  # start at x < 0, so that the start of the closed line is in no part
         shift = int(np.argmin(x[:-1]))
         points = np.concatenate([points[shift:-1], points[: shift + 1]])
         x = points[:, 0]
@@ -289,12 +289,12 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
 
 
 def place_in_words(point: FloatArray) -> Point:
-    """Return a point (3,) in the form for messages, with rounded coordinates."""
+    """Return a point (3,) with rounded coordinates, for messages."""
     return Point(np.asarray(point).round(9) + 0.0)
 
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
-"""Default and largest number of smoothed points; the matrix of the smoothing is dense."""
+"""Default and largest number of smoothed points, which is the size of a dense matrix."""
 
 FALSE_TURN_RAD = np.radians(4.0)
 """Angle, rad, below which a bend between two inflections counts as an artefact of the mesh."""
@@ -471,7 +471,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """Refuse a line with a sharp corner; beside a side shorter than the tolerance a corner counts as roughness."""
+    """Raise InputError if a line has a sharp corner between two sides that are longer than the tolerance."""
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
@@ -589,7 +589,7 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # at four line lengths the result is already a parabola, and larger wavelengths cause rounding errors
+    # from a wavelength of four line lengths, the result is a parabola; larger wavelengths only add rounding errors
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third
@@ -602,10 +602,10 @@ def smooth_polyline(
 def remove_false_inflections(
     curve: PlaneCurve, *, turn: float = FALSE_TURN_RAD, give: float | None = None
 ) -> PlaneCurve:
-    """Return the curve without bends that turn by less than `turn`; its ends do not move.
+    """Return the curve without bends that turn by less than `turn`. The ends of the curve do not move.
 
-    A bend is a part between two inflections, or between an inflection and an end. The curve is smoothed along such
-    a part and by one wavelength to both sides, with the shortest sufficient wavelength.
+    A bend is a part between two inflections, or between an inflection and an end. Each bend, and one wavelength on
+    both sides of the bend, is smoothed with the shortest sufficient wavelength.
 
     Parameters
     ----------
@@ -643,7 +643,7 @@ def remove_false_inflections(
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
-        # a fit fails at kinks beside the smoothed part, which a longer wavelength may avoid
+        # kinks beside the smoothed part make the fit fail; try a longer wavelength, which may avoid the kinks
         except NotConvergedError:
             continue
         if not len(_false_bends(simpler, turn)):

@@ -42,7 +42,7 @@ def radial_planes(
     *,
     zero: ArrayLike = (1.0, 0.0, 0.0),
 ) -> tuple[Frame, ...]:
-    """Return half planes that end at an axis. x points away from the axis, and y is along it.
+    """Return half planes that end at an axis. In each frame, x points away from the axis, and y is along the axis.
 
     Parameters
     ----------
@@ -285,7 +285,7 @@ class Split(Protocol):
         ...
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """Return the pieces of a line, or the line itself if the split does not meet it."""
+        """Return the pieces of a line, or the whole line if the split has no effect."""
         ...
 
 
@@ -302,13 +302,13 @@ class PlaneSplit:
 
     @property
     def name(self) -> str:
-        """See `Split.name`."""
+        """Name of the split in messages."""
         x, y, z = map(float, self.normal)
         across = "the plane through {place} across ({x:.4g}, {y:.4g}, {z:.4g})"
         return note(across, place=Point(self.point), x=x, y=y, z=z)
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """See `SectionLine.split_by`."""
+        """Return the pieces of a line, split at the plane."""
         return line.split_by(self.point, self.normal)
 
 
@@ -323,7 +323,7 @@ class PointSplit:
     name: ClassVar[str] = "a point"
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """See `SectionLine.split_at`."""
+        """Return the pieces of a line, split at the positions nearest to the points."""
         return line.split_at(line.frame.local(np.asarray(self.points))[:, :2])
 
 
@@ -339,11 +339,11 @@ class CornerSplit:
 
     @property
     def name(self) -> str:
-        """See `Split.name`."""
+        """Name of the split in messages."""
         return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.corners))
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """See `SectionLine.split_at_corners`."""
+        """Return the pieces of a line, split at corners."""
         return line.split_at_corners(self.corners)
 
 
@@ -439,7 +439,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """Refuse equal planes; `values` are angles with a `period`, or offsets."""
+    """Raise InputError for two equal planes. `values` are offsets, or angles with a `period`."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

@@ -24,10 +24,10 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 from elastica_cad.refusals import Length, Listed, note
 
-_SHORTEST_SHARE = 1e-4  # largest parameter range of an empty part, as a fraction of the range of the curve
+_SHORTEST_SHARE = 1e-4  # parameter range below which a part counts as empty, as a fraction of the whole range
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
-_ROUNDS = 2  # number of grids of positions; each is finer than the last, around its best positions
+_ROUNDS = 2  # number of grids of positions; each grid refines the grid before, around the best positions
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,9 +41,9 @@ class Splitting:
     supports : tuple of float
         Arc lengths of the supports, mm. Each support holds position and angle.
     ranges : tuple of (float, float)
-        Least and largest arc length of each support, mm, for which no further supports are needed.
+        Least and largest arc length at which each support can be placed without more supports, mm.
     ratios : tuple of float
-        Least stiffness ratio of each piece, max K / min K.
+        For each piece, the least possible ratio of largest to least stiffness.
     """
 
     pieces: tuple[PlaneCurve, ...]
@@ -78,13 +78,13 @@ def split(
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
-    The pieces are separate strips, each clamped at both ends: a support holds position and angle. For one
-    strip with rails, pins or cords between its ends, pass `between` to `optimal_rod` instead.
+    The pieces are separate strips, which are clamped at the supports. For one strip with rails, pins or cords
+    between its ends, pass `between` to `optimal_rod` instead.
 
-    A part of a realizable curve is realizable too, with the same line and at most the same ratio. Therefore the
-    number of pieces is least if each piece is as long as possible. The same search from the other end gives the
-    first possible position of each support. Between its first and its last position, each support is placed so
-    that the sum of the squared ratios is least.
+    A part of a realizable curve is realizable too, with the same inflection line and at most the same stiffness
+    ratio. Therefore the number of pieces is least if each piece is as long as possible, which gives the last
+    possible position of each support. The same search from the other end gives the first possible positions. Within
+    these ranges, the supports are placed so that the sum of the squared ratios is least.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
-        """Return a piece, the supports of its ends, and the tolerance as a fraction of its length."""
+        """Return a piece, the supports of its ends, and the tolerance as a fraction of the piece's length."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)
@@ -168,17 +168,17 @@ class _Cut:
 
     @property
     def short(self) -> float:
-        """Length of the parameter range below which a part of the curve counts as empty."""
+        """Parameter range below which a part of the curve counts as empty."""
         low, high = self.curve.domain
         return _SHORTEST_SHARE * (high - low)
 
     @property
     def least(self) -> float:
-        """Least length of the parameter range of a piece between two supports."""
+        """Least parameter range of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Return True if a strip can take the piece, within the stiffness ratio."""
+        """Return True if a strip can take the piece, with at most the largest stiffness ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:
@@ -193,7 +193,7 @@ class _Cut:
 
     @cached_property
     def marks(self) -> FloatArray:
-        """Positions at which pieces may have to end: corners, ends of straight parts, curvature jumps, the end."""
+        """Positions where a piece may have to end: corners, curvature jumps, ends of straight parts, the end."""
         marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):
@@ -215,7 +215,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # a piece that passes the mark by less than `least` is a numerical error: end at the mark
+        # end at the mark if the piece passes the mark by less than `least`, which is a numerical error
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
@@ -253,7 +253,7 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # a closed curve needs at least one support, so leave a last piece
+        # do not reach the end of the curve, because a closed curve needs at least one support
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -271,7 +271,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # rounding errors may change the number of supports if pieces are as long as possible
+    # because of rounding errors, the search from the other end may need another number of supports
     return earliest if len(earliest) == len(latest) else latest
 
 
@@ -296,7 +296,7 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
     """Return the positions of supports, within their ranges, with the least sum of squared stiffness ratios.
 
-    The minimum is a shortest path on a grid of positions; the grid is refined several times.
+    The minimum is a shortest path through a grid of positions, which is then refined around the best positions.
     """
     places = list(latest)
     spans = list(ranges)

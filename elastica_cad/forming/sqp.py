@@ -1,8 +1,8 @@
 """Sequential quadratic programming with a trust region and an exact penalty.
 
-A point has p unknowns z and a state, such as the angles of a rod. In equilibrium, z determines the state by
-the state equations. The search uses points nearly in equilibrium, with derivatives that predict the point in
-equilibrium to first order.
+A point has p unknowns z and a state, such as the angles of a rod. In equilibrium, the state satisfies the state
+equations, and z determines the state. The points of a search are only nearly in equilibrium. Their derivatives
+predict the point in equilibrium to first order.
 """
 
 from abc import ABC, abstractmethod
@@ -27,49 +27,50 @@ No constraint has so many values.
 
 
 class ProgramSettings(NamedTuple):
-    """Settings of a search. The defect is the change of the state that brings a point into equilibrium, rad.
+    """Settings of a search.
 
-    A change of the state by about 1 rad is too large for a linear model. Radii and distances "in scales" are
-    multiples of the typical sizes of the unknowns.
+    The defect of a point is the change of its state, rad, that brings the point into equilibrium. A change by about
+    1 rad is too large for a linear model. Radii and distances "in scales" are multiples of the typical sizes of the
+    unknowns.
 
     Attributes
     ----------
     steps, lifted_steps : int
-        Largest numbers of quadratic programs in a search, and of lifted steps (see `lift`). A search usually
-        needs less than half of its number. Lifted steps converge quadratically or not at all.
+        Largest number of steps in a search, and of lifted steps (see `lift`). A search usually needs less than half
+        of `steps`. Lifted steps converge quadratically or not at all.
     progress_tolerance : float
-        Predicted relative reduction of the objective by a step below which the search ends.
+        The search ends if the model predicts that a step reduces the objective by less than this fraction.
     resolution : float
-        Absolute accuracy of the objective, which is half a mean of squared distances; about 1 um for
-        a strip of 300 mm.
+        Absolute accuracy of the objective, which is half a mean of squared distances. The accuracy corresponds to
+        about 1 um for a strip of 300 mm.
     smallest_radius, lifted_radius : float
-        Radius of the trust region, in scales, at which the search ends without success, and the radius of
-        lifted steps.
+        Radius of the trust region, in scales, at which the search ends without success, and radius for lifted
+        steps.
     ascent_radius : float
-        Radius, in scales, below which a step that increases the objective ends the search.
+        Radius, in scales, below which the search ends if the model predicts an increase of the objective.
     damping, lifted_damping : float
-        Damping of steps and of the first lifted step, relative to the largest second derivative of the
-        objective. Damping makes the quadratic program strictly convex, and selects the smallest of several possible
-        changes.
+        Damping of steps, and of the first lifted step, as a fraction of the largest second derivative of the
+        objective. Damping makes the quadratic program strictly convex, so that the smallest of several possible
+        changes is selected.
     damping_cost : float
         Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
     least_damping : float
-        Least fraction of the damping that remains if steps achieve the predicted decrease.
+        Least fraction to which the damping is reduced while steps achieve the predicted decrease.
     lifted_tolerance, lifted_progress : float
-        Lifted steps end if a step changes the state by less than `lifted_tolerance`, rad, and reduces the
-        objective to more than the fraction `lifted_progress`.
+        Lifted steps end if a step changes the state by less than `lifted_tolerance`, rad, and more than the
+        fraction `lifted_progress` of the objective remains.
     patience, stall_fraction, stall_violation : int, float, float
-        The search ends if `patience` steps reduce the violation to more than the fraction `stall_fraction`,
+        The search ends if more than the fraction `stall_fraction` of the violation remains after `patience` steps,
         unless the violation is less than `stall_violation`.
     same_optimum : float
-        Distance from a known optimum, as a fraction of its own distance from the target, at which a search
-        ends.
+        The search ends if its distance from a known optimum is less than this fraction of the distance between
+        the optimum and the target.
     sensitivity : float
-        Square root of the second derivative of the objective, per scale, above which the scale of an unknown is
-        reduced.
+        The scale of an unknown is reduced if the square root of the second derivative of the objective, per scale,
+        exceeds this value.
 
     newton_steps : int
-        Largest number of Newton corrections of an iterate. Each squares the defect.
+        Largest number of Newton corrections of an iterate. Each correction squares the defect.
     bound_tolerance : float
         Distance from a bound, in scales, below which an unknown counts as at the bound.
     closed_defect : float
@@ -89,15 +90,16 @@ class ProgramSettings(NamedTuple):
         Violation that counts as large: 100 times the tolerance.
 
     clearance : float
-        Distance from an active limit, so that rounding errors do not violate it.
+        Distance from an active limit that prevents a violation by rounding errors.
     exact_steps : int
-        Number of Newton steps at the end of a search. Each squares the remaining violation.
+        Number of final Newton steps, which correct the violation at the end of a search. Each step squares the
+        violation.
     correctable_violation, exact_violation : float
-        Largest violation that these Newton steps correct, and violation at which they end.
+        Largest violation that the final Newton steps correct, and violation at which these steps end.
     correction_bound : float
-        Bound of these Newton steps and of their multipliers, as a multiple of the violation.
+        Bound of the final Newton steps and of their multipliers, as a multiple of the violation.
     correction_accuracy : float
-        Accuracy of these Newton steps; it is low, because the next step corrects the error.
+        Accuracy of the final Newton steps, which is low because the next step corrects the error.
     """
 
     steps: int = 80
@@ -149,7 +151,7 @@ class LocalModel:
     value : float
     hessian, gradient : (p, p), (p,) arrays
     peaks, peak_rows : (k,), (k, p) arrays
-        Terms of the maximum, which is omitted for smooth objectives (k = 0).
+        The k terms of the maximum; k = 0 for a smooth objective without a maximum.
     """
 
     value: float
@@ -171,7 +173,7 @@ class ConstraintRows:
         Values for a step of zero.
     jacobian : (j, p) array
     penalty : (j,) array
-        Largest penalty for violating a row by 1.
+        Upper bound of the penalty for a violation of 1.
     one_sided : (j,) boolean array
         True if the value must be at least 0; False if it must be 0.
     """
@@ -188,8 +190,8 @@ class ConstraintRows:
 class Linearization(Generic[Point]):
     """A point with its derivatives.
 
-    A change (p + 1,) is a change of the unknowns, followed by the fraction of the residuals of the state equations
-    that is removed.
+    A change (p + 1,) consists of a step of the p unknowns, and of the fraction by which the residuals of the state
+    equations are reduced.
 
     Attributes
     ----------
@@ -199,9 +201,9 @@ class Linearization(Generic[Point]):
     rows : ConstraintRows
         Constraints as functions of steps (p,) from the point in equilibrium.
     model : LocalModel
-        The objective as a function of the same steps.
+        Model of the objective as a function of the same steps.
     state_jacobian : (k, p + 1) array
-        Jacobian of the part of the state that limits the linear model, rad.
+        Derivatives, by a change, of the angles in the state, rad. Large angles make the linear model invalid.
     moved : callable
         Function that returns the point after a change, to first order, with the unknowns within their bounds.
     """
@@ -233,12 +235,12 @@ class NonlinearProgram(ABC, Generic[Point]):
     @property
     @abstractmethod
     def one_sided(self) -> BoolArray:
-        """True for each constraint (c,) whose values must be at least 0; False if they must be 0."""
+        """For each constraint (c,), True if its values must be at least 0, and False if they must be 0."""
 
     @property
     @abstractmethod
     def highest_penalties(self) -> FloatArray:
-        """Largest penalty (c,) of each constraint for violating a value by 1."""
+        """For each constraint (c,), upper bound of the penalty for a violation of 1."""
 
     @abstractmethod
     def objective(self, point: Point) -> float:
@@ -254,15 +256,18 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def rows(self, point: Point, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """Return the unknowns of a point in equilibrium, and its linearised constraints."""
+        """Return the unknowns and the linearised constraints of a point in equilibrium."""
 
     @abstractmethod
     def linearize(self, point: Point) -> Linearization[Point] | None:
-        """Return a point, which need not be in equilibrium, with its derivatives, or None if they overflow."""
+        """Return a point with its derivatives, or None if they overflow.
+
+        The point need not be in equilibrium.
+        """
 
     @abstractmethod
     def close(self, point: Point, step: FloatArray | None = None) -> Point | None:
-        """Return the point in equilibrium with the unknowns of `point` plus a step (p,), or None."""
+        """Return the point in equilibrium after a step (p,) of the unknowns, or None if there is no such point."""
 
     @abstractmethod
     def clip(self, point: Point) -> Point:
@@ -279,7 +284,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Rows with the keys `keys` (k,) and the values `aim` (k,) that they must have in equilibrium."""
+    """Keys (k,) of the active constraint rows, and the values `aim` (k,) of these rows in equilibrium."""
 
     keys: IntArray
     aim: FloatArray
@@ -289,7 +294,7 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
-    """Return a key for each row that does not depend on the point."""
+    """Return the key of each row, which identifies the row at all points."""
     return rows.constraint * KEY_STRIDE + rows.index
 
 
@@ -313,7 +318,7 @@ class Iterate(Generic[Point]):
     def change(self) -> FloatArray:
         """Least change (p + 1,) that brings the point into equilibrium, to first order.
 
-        The active rows then have their given values.
+        The change also gives the active rows their required values.
         """
         change = np.zeros(self.local.z.size + 1)
         change[-1] = 1.0
@@ -326,7 +331,7 @@ class Iterate(Generic[Point]):
             free = clearance > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
-            # with more rows than free unknowns, rows with large derivatives dominate the least squares
+            # with more rows than free unknowns, rows with large derivatives dominate the least-squares solution
             change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
@@ -343,7 +348,7 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def objective(self) -> float:
-        """Objective after a step that restores equilibrium, to second order in the violation of equilibrium."""
+        """Objective that the quadratic model predicts after the change to equilibrium."""
         return self._expected(self.change[:-1])
 
     @cached_property
@@ -365,8 +370,8 @@ class Iterate(Generic[Point]):
         return self._expected(step) + self._cost(self._broken(step), penalties)
 
     def is_reliable(self, promise: float, highest_penalty: float) -> bool:
-        """Return True if the error of the predicted equilibrium is small compared with the decrease `promise`."""
-        # this is necessary for every objective
+        """Return True if the uncertainty of the merit is small compared with the predicted decrease `promise`."""
+        # test first whether the part of the constraints is small, without computing the objective
         if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
@@ -410,12 +415,12 @@ def meet_equalities(here: Iterate[Point]) -> Iterate[Point]:
 def follow_step(
     start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_penalty: float
 ) -> Iterate[Point] | None:
-    """Return the iterate after a step (p + 1,), or None if its state does not converge.
+    """Return the iterate after a step (p + 1,), or None if the state does not converge.
 
-    The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows
-    to their predicted values, with the least change of the unknowns. They end when the second-order error is
-    small compared with the predicted decrease. This allows larger steps than a new computation of the state,
-    and avoids the Maratos effect.
+    The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
+    their predicted values, with the least change of the unknowns. The Newton steps end when the second-order error
+    is small compared with the predicted decrease. This method allows larger steps than a new computation of the
+    state, and avoids the Maratos effect.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
@@ -429,7 +434,7 @@ def follow_step(
 
 
 def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
-    """Return the point in equilibrium near an iterate, or None."""
+    """Return the point in equilibrium near an iterate, or None if it was not found."""
     here = start
     for _ in range(2 * SETTINGS.newton_steps):
         if not here.defect < SETTINGS.divergence_defect:
@@ -475,7 +480,7 @@ class Outcome(Generic[Point]):
 def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     """Return a point nearly in equilibrium near a point that is far from equilibrium.
 
-    In these lifted steps the state is an additional unknown, and the linearised state equations are a constraint.
+    In each lifted step, the state is an additional unknown, and the linearised state equations are a constraint.
     Therefore the quadratic program is convex for any start.
     """
     program = program.for_open_points()
@@ -493,7 +498,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # the second term estimates how much the distance increases in the step to equilibrium
+        # the second term estimates the increase of the distance by the change to equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -512,9 +517,9 @@ def minimize(
 
     The search ends early near an optimum in `known`.
 
-    Each step solves a quadratic program: a model of the objective, linearised constraints with penalties, and a
-    trust region. Then the state is brought into equilibrium (see `follow_step`). The penalties of the merit
-    function are computed from the multipliers (Powell's rule).
+    Each step solves a quadratic program, which consists of a model of the objective, linearised constraints with
+    penalties, and a trust region. Then the state is brought into equilibrium (see `follow_step`). The penalties of
+    the merit function are computed from the multipliers (Powell's rule).
 
     Raises
     ------
@@ -604,8 +609,8 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the step does not solve its quadratic program, because the model predicts an increase:
-                # shorten the step, with full damping
+                # the quadratic program was not solved accurately, because the model predicts an increase:
+                # repeat the step with a smaller radius and full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -625,10 +630,7 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
-        """Return an iterate nearer to equilibrium, or None.
-
-        It is needed if the predicted merit in equilibrium is not reliable.
-        """
+        """Return an iterate nearer to equilibrium, where the predicted merit is more reliable, or None."""
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:
@@ -669,7 +671,7 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
-    """Return the equality constraints and the active inequality constraints after a step, with their values."""
+    """Return the active set after a step: the rows of equalities and of inequalities with a multiplier."""
     rows = here.local.rows
     y = solution.row_multipliers[: rows.value.size]
     touched = ~rows.one_sided | (y > 1e-6 * rows.penalty)
@@ -692,15 +694,15 @@ def _penalties(
 def _solve_step(
     here: Iterate[Point], radius: float, damping: float
 ) -> tuple[FloatArray, QuadraticSolution] | None:
-    """Return the step (p,) that solves the linearised problem in the trust region, and the solution in scales.
+    """Return the step (p,) that solves the quadratic program, and the solution in scales.
 
-    `radius` is in scales, and `damping` is added to the diagonal of the scaled Hessian. Return None if the step is
-    not finite.
+    `radius` is the radius of the trust region in scales. `damping` is added to the diagonal of the scaled Hessian.
+    Return None if the step is not finite.
     """
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
     p = z.size
-    # reduce the scales of very sensitive unknowns, because they would reduce the accuracy of all others
+    # reduce the scales of very sensitive unknowns, which would reduce the accuracy of all other unknowns
     curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitivity) ** 2
     fine = np.sqrt(np.maximum(1.0, curved))
     s = program.scale / fine
@@ -709,7 +711,8 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # one more unknown t is at least as large as every peak; the large penalty makes this exact
+        # replace the maximum by an additional unknown, which must be at least as large as every peak; the penalty
+        # is so large that this constraint is met exactly
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -731,10 +734,10 @@ def _solve_step(
 
 
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
-    """Return the damping of long steps that have little effect.
+    """Return the damping, which prevents long steps with little effect on the objective.
 
-    The damping is at most the fraction `most` of the largest entry of the Hessian. The cost of a step of length
-    1 in scales is at most the fraction `share` of the objective.
+    The damping is at most the fraction `most` of the largest diagonal entry of the Hessian. For a step of length 1
+    in scales, damping costs at most the fraction `share` of the objective.
     """
     model = here.local.model
     largest = most * float(model.hessian.diagonal().max())
@@ -755,9 +758,10 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Return a point in equilibrium that meets the nearly met constraints up to rounding errors.
+    """Return a point in equilibrium that meets constraints exactly, except for rounding errors.
 
-    The method is Newton's, with steps of least norm within the bounds.
+    The given point must nearly meet the constraints. Newton's method is used, with steps of least norm within the
+    bounds.
     """
     best, least = point, np.inf
     for _ in range(SETTINGS.exact_steps):
@@ -771,7 +775,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
-        # scale the unknowns to derivatives of at most 1, because one unknown may dominate all rows
+        # scale the unknowns so that derivatives are at most 1, because one unknown could dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))

@@ -41,10 +41,10 @@ class StraightEnds:
     def of(
         cls, curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
     ) -> "StraightEnds":
-        """Return an open curve without straight pieces of 1 mm or more at ends whose angle is held.
+        """Separate straight pieces of 1 mm or more from an open curve, at ends whose angle is held.
 
-        Straight curves, polylines, and curves fitted to measured points are not divided. Neither are curves
-        with a `RestCurvature`, whose arc length starts at the drawn start.
+        Straight curves, polylines, and curves fitted to measured points are not divided. A curve with a
+        `RestCurvature` is not divided either, because the rest curvature counts arc length from the drawn start.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
@@ -68,9 +68,9 @@ class StraightEnds:
         return any(self.lengths)
 
     def place_of(self, point: ArrayLike, within: float) -> tuple[int, float] | None:
-        """Return the straight piece (0 or 1) near a point (2,), and the position along the piece, mm, or None.
+        """Return the straight piece near a point (2,), and the position of the point along the piece, mm.
 
-        `within` is the largest distance of the point from the piece, mm.
+        The piece is 0 (first) or 1 (last). Return None if the point is farther than `within`, mm, from both pieces.
         """
         for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
             angle = float(self.bent.angle_at(t))
