@@ -51,14 +51,15 @@ SIDE_MM = 1e-3
 LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
-NAME_MM = 3.0  # height of the names of settings on the holder
+NAME_MM = 3.0  # height of the engraved names of states on the holder
 APART = 3.0
-"""Points closer together along the part than this, in thicknesses, are neighbours. The gap between them is
-not checked."""
+"""Distance along the part, in thicknesses, below which points are neighbours.
+
+The gap between neighbours is not checked."""
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
-# distance from a snap, as a fraction of the path, at which the shapes before and after it are computed
+# distance from a snap, as a fraction of the path, at which the shapes before and after the snap are computed
 SNAP_SHARE = 1e-3
 SHAPES = 8  # number of shapes on a path in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
@@ -70,7 +71,7 @@ point."""
 REST_SHARE = 1e-3
 """Largest distance of a rest shape from the drawn state without a warning, as a fraction of the length.
 
-Two rest shapes that are closer together count as one."""
+Rest shapes that are closer together than this distance count as the same shape."""
 
 SPARE = 0.98
 """Fraction of the strain limit that is used.
@@ -157,7 +158,7 @@ class FlexureTravel:
 
     @property
     def largest_force(self) -> float:
-        """Largest force of the whole travel, N; of a pushed part only up to the snap."""
+        """Largest force, N: up to the snap for a pushed part, and over the whole travel for other parts."""
         end = self.travel[-1] if self.snap is None or self.forces_at_snap is not None else self.snap
         return float(self.force[self.travel <= end].max())
 
@@ -290,13 +291,13 @@ class Flexure:
         return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
-        """Return the least thickness, mm, at which the strain of shapes (k, n) reaches `most`."""
+        """Return the least thickness of the part, mm, with which the largest strain of k shapes (k, n) is `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
             return float(self._strains(bends, pull * scale**2, scale).max()) - most
 
-        # all other causes add strain, so they can only reduce this thickness
+        # thickness for bending alone; other causes of strain can only reduce the thickness
         high = 2 * most / float(np.abs(bends).max())
         return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
 
@@ -316,10 +317,10 @@ class Flexure:
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
-        """Return the largest strain (..., n) at the nodes, from changes of curvature (1/mm) and axial strains
-        (..., n).
+        """Return the largest strain (..., n) at n nodes.
 
-        Nodes within a fillet have the strain of the fillet.
+        `bends` (..., n) are changes of curvature, 1/mm, and `stretch` (..., n) are axial strains. `scale` is the
+        least thickness, mm. All nodes within a fillet have the strain of the fillet.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -336,9 +337,7 @@ class Flexure:
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """Return the axial strain (k, n) due to the forces of k shapes, divided by the square of `scale`,
-        1/mm2.
-        """
+        """Return the axial strains (k, n) of k shapes, divided by the square of the least thickness, 1/mm2."""
         along = [
             (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
         ]
@@ -358,7 +357,7 @@ class Flexure:
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
-        """Rest shapes of the part, which also stretches, after release in each state."""
+        """Shapes of the part after release in each state; the part can also stretch."""
         first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
         return first, second
 
@@ -457,8 +456,8 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        A fillet is thicker than the part, so it is only as compliant as a shorter piece of it, and begins
-        within the free length. The pad itself is as compliant as a half-plane.
+        A fillet is thicker than the part, so that the fillet is only as compliant as a shorter piece of the part.
+        Therefore the fillet begins within the free length. The pad is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
@@ -467,7 +466,7 @@ class Flexure:
     def pad_width(self) -> float:
         """Width of the pads, mm, enlarged for the part and its fillets if necessary."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
-        # beyond the part, the width is for the fillets and straight edges beside them
+        # the width beyond the part is for the fillets and for straight edges beside the fillets
         return max(self.pad.width, thickest + 5 * self.fillet)
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
@@ -487,14 +486,15 @@ class Flexure:
         return [position - half, outer - half, outer + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the middle of the inner edge of a pad, the outward direction, and the direction to its left."""
+        """Return the middle of a pad's inner edge, the unit vector outward, and the unit vector left of outward."""
         position, angle = (value[0] for value in line.at(np.array([s])))
         along = sign * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
-        """Return the centres of the holes (2, 2, 2) in the start and end pads, the hole nearest to the strip
-        first.
+        """Return the centres of the holes as an array (pad, hole, coordinate).
+
+        The start pad is first, and in each pad, the hole nearest to the strip is first.
         """
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         places = []
@@ -525,7 +525,7 @@ class Flexure:
     def holder(self) -> Drawing:
         """Return a plate with holes for both pads.
 
-        If the part is not bistable, the end pad has a set of holes for each state, with its name engraved.
+        If the part is not bistable, the plate has holes for the end pad in each state, with the name of the state.
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
@@ -570,8 +570,8 @@ class Flexure:
         """Return the body of the part, from z = 0 to its depth, in the state "first" or "second", or unloaded
         (None).
 
-        Joints are at half the depth. "start" and "end" are on the inner edges of the pads, with x outward.
-        "hole1" to "hole4" are the holes from start to end, with x along the part.
+        The body has joints at half its depth. The joints "start" and "end" are on the inner edges of the pads, with
+        x outward. The joints "hole1" to "hole4" are at the holes from start to end, with x along the part.
         """
         if not is_one_of(state, (None, *STATES)):
             raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
@@ -598,7 +598,7 @@ class Flexure:
 
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
-        """Arc length, mm, at which a bistable part is pushed, and displacement of this point between the states."""
+        """Arc length of the pushed point of a bistable part, and its displacement (2,) between the states, mm."""
         first, second = self.rods
         distances = second.position - first.position
         sizes = np.hypot(*distances.T)
@@ -696,7 +696,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with finer steps up to each travel in `places`, mm."""
+        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
@@ -710,7 +710,7 @@ class Flexure:
         return self._push(start, scale, path.snap, 2 * float(peak))
 
     def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
-        """Return the changes of curvature, 1/mm, and axial strains (..., n) of a shape at the nodes of the rod."""
+        """Return the changes of curvature, 1/mm, and the axial strains (..., n) at the n nodes of the rod."""
         s = self.pair.first.s
         bend, stretch = (
             np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
@@ -720,7 +720,10 @@ class Flexure:
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:
-        """Rods while the end moves along a straight line and turns uniformly, with finer steps at a snap."""
+        """Rods for successive positions of the end, which moves along a straight line and turns uniformly.
+
+        There are additional rods close to a snap.
+        """
         shares = np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
         rods = self._moved_end(shares)
         snaps = [percent for rod in rods if (percent := snap_percent(rod)) is not None]
@@ -768,7 +771,7 @@ class Flexure:
 
     @cached_property
     def contacts(self) -> dict[str, float]:
-        """Gaps below `LEAST_GAP_MM`, mm, of the unloaded part and of both states, by name."""
+        """Gaps below `LEAST_GAP_MM`, mm, by the name of the shape: unloaded, or a state."""
         lines = {
             note("unloaded"): self.centre,
             self.state_labels[0]: self.states[0],
@@ -778,7 +781,7 @@ class Flexure:
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        """Return the least gap, mm, between points of the part and its pads that are not neighbours (`APART`)."""
+        """Return the least gap, mm, between points of the part that are not neighbours (see `APART`)."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -937,7 +940,7 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
-    """Return the distance of `Flexure.overhang`, mm, for a part of thickness h and a fillet of radius r, mm."""
+    """Return the distance of `Flexure.overhang`, mm, for the thickness h, mm, and a fillet of radius r, mm."""
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0
@@ -950,7 +953,7 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""A strip that ends in a half-plane bends as if it were longer by this length, in thicknesses.
+"""Apparent additional length, in thicknesses, of a strip that ends in an elastic half-plane.
 
 Source: O'Donnell, J. Appl. Mech. 27, 1960."""
 
@@ -1015,7 +1018,7 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """Position as a function of arc length, and the position at the first arc length."""
+        """Integral of the tangent as a function of arc length, and its value at the first arc length."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
@@ -1036,8 +1039,9 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
-    """Return the centre (2,) nearest to `middle` at which a box with half sizes (2,) touches no hole and no
-    box.
+    """Return the centre (2,) of a new box that touches no hole and no other box, as near to `middle` as possible.
+
+    `half` (2,) is half the size of the new box.
     """
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
@@ -1050,7 +1054,7 @@ def _free_place(
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """Return the points (n, 2), without those closer than 0.01 mm to an earlier point."""
+    """Return the points (n, 2), without points closer than 0.01 mm to an earlier point."""
     distinct: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in distinct):

@@ -37,14 +37,14 @@ class FlexureSpec(EqualByValue):
     smooth : float, optional
         Largest distance, mm, by which smoothing may move the curves, as in `StripSpec`.
     limits : PairLimits
-        Upper limits of stiffness ratio, natural curvature and bend.
+        Upper limits of stiffness ratio, natural curvature, and change of curvature.
     free : "first", "second" or None
         State in which no external forces act, or None.
     objective : "thickness" or "ratio"
         "thickness" maximises the least thickness at the strain limit of the sheet. "ratio" minimises the stiffness
         ratio.
     least_thickness, pad, fillet, push_at, printed, label, ignore_limits
-        As in `Flexure`.
+        See `Flexure`.
     first_state, second_state : str
         Names of the states.
 

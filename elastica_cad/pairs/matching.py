@@ -19,10 +19,9 @@ from elastica_cad.refusals import FieldName, Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Two ends become the same clamp if positions differ by less than this fraction of the length, and angles by
-less than this, rad."""
+"""Tolerances within which the ends of two curves become equal: distance / length, and angle, rad."""
 
-LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
+LONGEST_STEP = 0.02  # Newton's method approaches the new length in steps of at most this relative change
 NEWTON_STEPS = 20
 MET = 1e-13  # tolerance of Newton's method: fraction of the length, or rad
 
@@ -73,10 +72,9 @@ class MatchedPair:
 
 
 def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
-    """Return both curves, one perhaps reversed, so that they start together or have the same clamps if
-    possible.
+    """Return both curves, reversed if necessary to start at the same point or to have the same clamps.
 
-    A curve may be drawn from either end.
+    If reversing a curve does not help, both curves are unchanged.
     """
     for curve in (first, first.reversed()):
         for other in (second, second.reversed()):
@@ -95,11 +93,11 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     first, second : PlaneCurve
         Drawn curves, mm.
     keep : "ends" or "shape"
-        "ends": each curve keeps the positions and directions of its ends and changes like a uniform elastic
-        strip: its curvature changes by the smallest sufficient affine function of the position. The common
-        length minimises the changes of both curves. If the ends of both curves agree after a rigid motion
-        (within 1 % of the length and 2 degrees, with the same total turning), they become exactly the same
-        clamps. "shape": each curve is scaled about its start.
+        With "ends", each curve keeps the positions and directions of its ends. Its curvature changes by the
+        smallest sufficient affine function of the position, as in a uniform elastic strip. The common length
+        minimises the changes of both curves. If the ends of both curves agree after a rigid motion (within 1 % of
+        the length and 2 degrees, with the same total turning), the ends become exactly equal. With "shape", each
+        curve is scaled about its start.
 
     Examples
     --------
@@ -157,8 +155,8 @@ def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
     """Return True if the clamps of both curves agree after a rigid motion.
 
-    `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional
-    to it.
+    `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional to
+    `share`.
     """
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
@@ -196,10 +194,10 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """Curve and the clamps it must get: start (2,), end (2,), both angles (2,).
+    """Drawn curve, and the clamps that it must get: start (2,), end (2,) and both end angles (2,).
 
-    The angle of the tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of
-    the length, c the change at the start, and alpha and beta (2,) are unknowns.
+    At the fraction u of the length, the tangent turns by the angle c + alpha u + <beta, integral of the position
+    up to u>. c is the turn at the start, and alpha and beta (2,) are unknowns.
     """
 
     curve: PlaneCurve
@@ -218,7 +216,7 @@ class _Drawn:
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
         """Quadrature nodes of the curve, and derivatives by the three unknowns: alpha, and the vector beta.
 
-        The arrays are:
+        For N panels with p nodes each, the arrays are:
 
         - edges of panels (N + 1,), as fractions of the length;
         - weights (N p,) and angles of the tangent (N p,) at the nodes;
@@ -240,9 +238,7 @@ class _Drawn:
         return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns
 
     def numbers(self, length: float) -> FloatArray | None:
-        """Return the unknowns (alpha, beta) (3,) for the clamps and a length, or None if no small change
-        suffices.
-        """
+        """Return alpha and beta (3,) for a given length, or None if no small change reaches the clamps."""
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
         clamped = self.curve.at(np.array([0.0, self.curve.length]))
@@ -278,7 +274,7 @@ class _Drawn:
     def change(self, length: float) -> float:
         """Return the integral of the squared change of curvature, times the length.
 
-        The result is infinite if no small change suffices.
+        The result is infinite if no small change reaches the clamps.
         """
         numbers = self.numbers(length)
         if numbers is None:

@@ -1,4 +1,4 @@
-"""Theorem 1 for two curves: existence of a strip, with any natural curvature, with both curves as rest shapes.
+"""Theorem 1 for two curves: conditions for a strip, of any natural curvature, with both curves as rest shapes.
 
 In both states, the moments M_i of a strip that is held at its ends are affine functions of the position gamma_i
 (paper, Eq. 3),
@@ -43,11 +43,10 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import FieldName, Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
-"""Largest relative difference of the lengths of two curves. Above it, `matched_pair` must be used first."""
+"""Largest relative difference of the lengths of two curves; `matched_pair` reduces larger differences."""
 
 SAME_CLAMPS = 1e-3
-"""Clamps are the same if positions differ by less than this fraction of the length, and angles by less than
-this, rad."""
+"""Tolerance for equal clamps: for distances as a fraction of the length, and for angles in rad."""
 
 CONGRUENT_SHARE = 1e-7
 """Curves are congruent if their difference of curvature is below this fraction of the largest curvature."""
@@ -56,26 +55,26 @@ FAINT_SHARE = 1e-9
 """A difference of curvature inside a curve counts as zero below this fraction of the largest difference."""
 
 GENTLE_SHARE = 1e-7
-"""A zero of the difference of curvature counts as a zero of higher order if the slope there is less than
-this.
+"""Slope of the curvature difference at a zero, below which the zero counts as a zero of higher order.
 
-The slope is relative to the largest difference divided by the length. At a zero of order 1, the width of the
+The slope is a fraction of the largest difference divided by the length. At a zero of order 1, the width of the
 strip is proportional to the inverse of the slope, and would be too large."""
 
 SHORT_SHARE = 0.01
-"""Longest zero of high order, as a fraction of the length of the curve. A longer one is an interval of equal
-curvature."""
+"""Longest interval of equal curvature that counts as a zero of high order, as a fraction of the curve's length."""
 
 BESIDE_SHARE = 1e-4
-"""The sign beside a zero at an end is evaluated at this distance from the end, as a fraction of the
-length."""
+"""Distance from an end, as a fraction of the length, at which the sign beside a zero at the end is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative tolerance of ranks, which are smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
+"""Relative tolerance for ranks of the moment differences.
+
+The rank is reduced if the functions 1, gamma_1 and gamma_2 (positions on both curves) are linearly dependent."""
 
 NUMBERS = 6
-"""Number of parameters of the moments: a_1 - a_2, b_1, b_2 and a_1. The vectors b count twice. All but a_1
-determine N = M_1 - M_2."""
+"""Number of parameters of the moments M_1 and M_2: a_1 - a_2, the vectors b_1 and b_2 with two numbers each, a_1.
+
+The first five numbers determine the difference N = M_1 - M_2."""
 
 
 def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
@@ -108,7 +107,10 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
 def examine_pair(
     first: PlaneCurve, second: PlaneCurve
 ) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
-    """Return the check and, if it succeeds, the panels and the parameters of the least stiffness ratio."""
+    """Return the check, the panels, and the parameters of the least stiffness ratio.
+
+    The panels and the parameters are None if no strip is possible, or if every stiffness is possible.
+    """
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
     check = PairCheck(
@@ -167,7 +169,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Return True if both curves have the same end, seen from their start, and the same total turning."""
+    """Return True if both curves have the same end, relative to the start, and the same total turning."""
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -175,9 +177,7 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
-    """Return the end (2,), mm, relative to start and start tangent, and the total turning of the tangent,
-    rad.
-    """
+    """Return the end (2,), mm, relative to the start and its tangent, and the total turning of the tangent, rad."""
     ends = curve.at(np.array([0.0, curve.length]))
     x, y = ends.position[1] - ends.position[0]
     c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
@@ -192,7 +192,7 @@ def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
 def _with_orders(
     difference: ExcessCurvature, crossings: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
-    """Return the zeros with their orders. Zeros near an end are moved to it, and close zeros are merged."""
+    """Return the zeros with their orders. Zeros near an end are moved to the end, and close zeros are merged."""
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
         if _is_stretch(curve, z):
@@ -237,11 +237,11 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 
 
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
-    """Return True if some moment difference N has a zero at the same place as d, of the same order.
+    """Return True if a moment difference N can have the same zero, of the same order, as the curvature difference.
 
-    N' = <b_1, T_1> - <b_2, T_2>, with tangents T_i. Where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the
-    common curvature kappa and normals n_i. A double zero is therefore possible where the curves are bent. If N''
-    is zero too, the order of N exceeds the order of d by two.
+    The derivative of N = M_1 - M_2 is N' = <b_1, T_1> - <b_2, T_2>, with the tangents T_i. At a zero, both curves
+    have the same curvature kappa, and N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the normals n_i. A double zero is
+    therefore possible where the curves are bent. Where N'' is zero too, the order of N is too large by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -296,8 +296,8 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 class PairedPanels:
     """Moments of two states along both curves, as linear functions of six numbers.
 
-    The numbers are a_1 - a_2, b_1, b_2 and a_1, with the vectors b multiplied by the length (symbols: see the
-    docstring of the module).
+    The numbers are a_1 - a_2, b_1, b_2 and a_1, with the vectors b multiplied by the length. The docstring of the
+    module defines the symbols. The curves have N panels with p nodes each.
 
     Attributes
     ----------
@@ -341,7 +341,7 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # N at a node is N at the near end of its panel plus a step; at a zero of N the first term is 0
+        # N at a node is its value at the near end of the panel plus a step; at a zero of N, this value is 0
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
@@ -352,7 +352,7 @@ class PairedPanels:
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
-            for row, tangent_there in zip(step, turn, strict=True):  # at a double zero, N' is zero too
+            for row, tangent_there in zip(step, turn, strict=True):  # the derivative N' is 0 at a double zero
                 row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
@@ -365,12 +365,12 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Basis (5, q) of the solutions of the conditions; a solution consists of the first five numbers."""
+        """Basis (5, q) of the solutions of `conditions`, except for solutions that do not change the stiffness."""
         return self._split[0]
 
     @cached_property
     def idle(self) -> FloatArray:
-        """Columns (6, r) of numbers that satisfy the conditions without changing the stiffness, such as a_1."""
+        """Columns (6, r), each with six numbers that satisfy `conditions` and do not change the stiffness."""
         none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
         none[-1, 0] = 1.0
         none[:-1, 1:] = self._split[1]
@@ -384,27 +384,27 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # if no stiffness satisfies the conditions, the product consists of rounding errors
+        # the product consists of rounding errors if no stiffness satisfies the conditions
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 
     @property
     def _difference(self) -> FloatArray:
-        """Coefficients (N p, 5) of the difference of moments N at the nodes, for the first five numbers."""
+        """Coefficients (nodes, 5) of the moment difference at all nodes, for the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property
     def rank(self) -> int:
-        """Dimension of the space of moment differences N: five, or three for congruent or mirrored curves."""
+        """Dimension of the space of moment differences: five, or three for congruent or mirrored curves."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros of d that make the list too long: no moment difference N has them all.
+        """Zeros of the curvature difference, from the first zero at which no moment difference can be zero too.
 
-        They follow the longest initial part of the list for which such an N exists.
+        The moment difference must also be zero at all zeros before.
         """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
@@ -428,9 +428,7 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return coefficients (..., 5) of `number` + <b_1, first> - <b_2, second>, such as the moment difference
-    N.
-    """
+    """Return the coefficients (..., 5) of `number` + <b_1, first> - <b_2, second>."""
     return np.concatenate([number[..., None], first, -second], axis=-1)
 
 

@@ -1,4 +1,4 @@
-"""Clamped rod that is pushed at one point, step by step, also beyond snaps."""
+"""Clamped rod that is pushed at one point in steps, also past points where the rod snaps."""
 
 from dataclasses import dataclass
 
@@ -18,29 +18,29 @@ The relative error (1 / EDGES)^2 is as large as the error of a drawing.
 """
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Ratio of length to thickness: assumed if the thickness is unknown, and largest in computations. A thinner
-rod hardly stretches, and rounding errors of its axial forces would be large."""
+"""Default ratio of length to thickness, and largest ratio in computations.
+
+A thinner rod hardly stretches, and its axial forces would have large rounding errors."""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
 """Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""First and least damping as fractions of the largest stiffness of a node, and factor between two values.
+"""First and least damping, as fractions of the largest nodal stiffness, and factor between successive values.
 
 Damping is added if the energy is not convex, or if a step would increase the energy."""
 
 NOISE = 4e-15
-"""Rounding error of a force, relative to the stiffness of an edge times the ratio of length to shortest
-edge."""
+"""Rounding error of a force, as a multiple of the stiffness of an edge * length of the rod / shortest edge."""
 
 ROUNDING = 1e-11
-"""A step is accepted if its predicted decrease of the energy is below this fraction of the energy.
+"""Predicted relative decrease of the energy below which a step is accepted without a check.
 
-The decrease is then hidden by rounding errors."""
+Rounding errors hide such a small decrease."""
 
 KICK = 1e-4
-"""Asymmetric displacement that moves a rod away from a saddle of the energy, as a fraction of its length."""
+"""Asymmetric displacement, as a fraction of the length, that moves a rod away from a saddle of the energy."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,11 +72,11 @@ class PushPath:
     Attributes
     ----------
     travel : (k,) array
-        Displacements of the pushed point along the direction, mm.
+        Displacements of the pushed point along the push, mm.
     force : (k,) array
-        Pushes divided by the least bending stiffness (N mm2), 1/mm2; negative if the rod must be held back.
+        Forces of the push divided by the least bending stiffness, 1/mm2. Negative forces hold the rod back.
     energy : (k,) array
-        Energies of bending and stretching over the least bending stiffness, 1/mm.
+        Energies of bending and stretching, divided by the least bending stiffness, 1/mm.
     position : (k, n, 2) array
         Positions of the nodes, mm.
     bend : (k, n) array
@@ -106,7 +106,7 @@ class PushPath:
 
     @property
     def largest_force(self) -> float:
-        """Largest push up to the snap, or over the whole travel without a snap, 1/mm2."""
+        """Largest `force` up to the snap, or over the whole travel if the rod does not snap, 1/mm2."""
         return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
     @property
@@ -121,9 +121,9 @@ class PushPath:
 
     @property
     def barrier(self) -> float:
-        """Work of the push up to the snap, over the least bending stiffness, 1/mm.
+        """Work of the push up to the snap, divided by the least bending stiffness, 1/mm.
 
-        Another push may need less.
+        A push at another point may need less work.
         """
         end = self.travel[-1] if self.snap is None else self.snap
         return float(np.interp(end, self.travel, self.energy) - self.energy[0])
@@ -134,8 +134,8 @@ def push_path(
 ) -> PushPath:
     """Return the path of a clamped rod that is pushed at a point in a direction.
 
-    The point is free to move across the direction. At every step the rod moves from its previous shape to a
-    local minimum of the energy. The rod snaps where these minima end.
+    The point is free to move across the direction. At every step, the rod moves from its previous shape to a
+    local minimum of the energy. The rod snaps where the local minimum ceases to exist.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ class _Chain:
         return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
 
     def gradient(self, x: FloatArray) -> FloatArray:
-        """Return the forces (n + 1, 2) that hold the nodes: the derivatives of the energy."""
+        """Return the forces (n + 1, 2) that hold the nodes, which are the derivatives of the energy."""
         force = self._edge_forces(x)
         return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
 
@@ -297,13 +297,12 @@ class _Chain:
     def _band(self, x: FloatArray) -> FloatArray:
         """Return the second derivatives of the energy by the positions of inner nodes.
 
-        They are an upper band (6, 2 n - 2), as SciPy stores banded matrices.
+        The result (6, 2 n - 2) is the upper band of a symmetric matrix, as SciPy stores banded matrices.
 
-        The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. Its diagonal block A_i contains
-        the terms of edge i. The block beside it is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the
-        angle of edge i by its vector, and K_{i+1} is the stiffness of the node between edges i and i + 1. Every
-        inner node is the end of an edge and the start of the next edge, so its derivatives are differences of
-        these blocks.
+        The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. The diagonal block A_i contains
+        the terms of edge i. The block beside A_i is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the
+        angle of edge i by the vector of the edge. K_{i+1} is the stiffness of the node between edges i and i + 1.
+        The vector of an edge is the difference of two nodes, so derivatives by nodes are differences of blocks.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -328,7 +327,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return the nodes after the pushed node moves along the push by `by`, to first order."""
+        """Return the nodes, to first order, after the pushed node has moved by `by` along the push."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -347,7 +346,7 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """Return the band matrix with the coordinate of the pushed node along the push fixed."""
+        """Return the band matrix for a pushed node that does not move along the push."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0
@@ -387,7 +386,7 @@ class _Chain:
                     there = x.copy()
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
-                    # near rest, rounding errors of the energy hide its decrease
+                    # near rest, rounding errors hide the decrease of the energy
                     promised = float(-slope.ravel() @ step)
                     if energy <= here or promised <= ROUNDING * abs(here):
                         x, here = there, energy
@@ -408,7 +407,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return the solution, or None if the symmetric band matrix is not positive definite."""
+    """Return the solution of a symmetric banded system, or None if the matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

@@ -33,18 +33,17 @@ MET_SHARE = 1e-6
 """Largest relative violation of a limit, due to the accuracy of the linear program."""
 
 TANGENTS = 12
-"""In the first linear program, K^(2/3) of the stiffness K is bounded by this number of tangents at each
-sample."""
+"""Number of tangents that replace the function K^(2/3) of the stiffness K in the first linear program."""
 
 WIDEST_TANGENTS = 1e4
-"""Range of the stiffness, largest over least, in which the first linear program has these tangents."""
+"""Factor below and above a typical stiffness, within which the first linear program has tangents."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
-"""Relative change of the least thickness, below which no more tangents are added."""
+"""Relative change of the least stiffness below which no more tangents are added."""
 
 SMOOTH = 4
-"""A cubic spline represents the stiffness well if the curve has this number of continuous derivatives."""
+"""Number of continuous derivatives of a curve that suffices for a cubic spline of the stiffness without kinks."""
 
 THICKNESS_SAMPLES = 301
 """Number of samples of both curves for the strain limit. A flexure evaluates the strain at its own nodes."""
@@ -228,8 +227,9 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of `PairedPanels` with the least ratio within the limits and then the least
-    bend.
+    """Return the numbers (6,) of `PairedPanels` with the least stiffness ratio, and then the least bend.
+
+    The ratio is the least ratio within the limits.
     """
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
@@ -255,11 +255,11 @@ def _first_curvature(paired: PairedPanels) -> FloatArray:
 
 
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
-    """Return the rows (N, p, 6) of the limits as conditions rows @ numbers >= 0.
+    """Return arrays of rows (N, p, 6) that express the limits as rows @ numbers >= 0, at p nodes of N panels.
 
-    State i has the moment M_i and the curvature kappa_i; K is the stiffness. If the natural curvature is
-    limited to k, the condition is |kappa_1 K - M_1| <= k K, divided by k. If the bend is limited to c, the
-    condition is |M_i| <= c K, divided by c.
+    State i has the moment M_i and the curvature kappa_i, and K is the stiffness. A limit k of the natural curvature
+    requires |kappa_1 K - M_1| <= k K. A limit c of the bend requires |M_i| <= c K. The rows are divided by the
+    limit.
     """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
@@ -276,16 +276,16 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
     """Return the numbers (6,) that give the same stiffness and the least bend.
 
-    The bend is the largest change of curvature in both states. Usually only the parameter a_1 leaves the
-    stiffness unchanged. For congruent or mirrored curves, more parameters do, and several rods have the least
-    bend. Then the natural curvature nearest to the mean of both curvatures is selected.
+    The bend is the largest change of curvature in both states. Usually only the parameter a_1 can change without
+    changing the stiffness. For congruent or mirrored curves, more parameters can change, and several rods have the
+    least bend. Then the natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
     idle = paired.idle
     step = size * (paired.moments[0] @ idle) / K[..., None]
     d = size * panels.curvature
-    # change of curvature in the first state, times the length
+    # changes of curvature in the first state, times the length
     excess = size * (paired.moments[0] @ numbers) / K
     kappa = size * _first_curvature(paired)
     functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
@@ -307,7 +307,8 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
     """Return the numbers z (r,) that minimise the largest value of the functions, within bounds.
 
-    Each function and bound is a pair (rows, offset) with the value rows @ z + offset; bounds must be >= 0.
+    Each function or bound is a pair (rows, offset) with the value rows @ z + offset. The values of bounds must be
+    at least 0.
     """
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
@@ -319,7 +320,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # apart from rounding errors, no other numbers satisfy the bounds
+        if answer is None:  # only z = 0 satisfies the bounds, except for rounding errors
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -343,9 +344,9 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the point between `start` and `goal` that is nearest to `goal`.
+    """Return the last point from `start` to `goal` where the bounds hold and no function value is too large.
 
-    There the bounds hold, and the largest function value is not larger than at `start`.
+    The limit of the function values is the largest value at `start`.
     """
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
@@ -363,10 +364,10 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     """Return the numbers (6,) of the flexure whose thinnest place is as thick as possible at a given strain.
 
-    The strain of a section with moment M, stiffness K and thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M|
-    K^(-2/3). The strain is scaled to at most 1. The convex problem is to maximise k subject to K >= k and
-    |M_i| <= K^(2/3). A linear program replaces the power by tangents; at each solution tangents are added,
-    until k converges.
+    A section with moment M, stiffness K and thickness h has the strain |M| h / (2 K). The strain is proportional to
+    |M| K^(-2/3), because h is proportional to K^(1/3). The strain is scaled to at most 1. The convex problem is to
+    maximise k subject to K >= k and |M_i| <= K^(2/3) in both states i. A linear program replaces the power by
+    tangents. More tangents are added at each solution until k converges.
     """
     from scipy.optimize import linprog
 
@@ -395,12 +396,12 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         fixed.append(with_least(K, -limits.ratio))
 
     def tangents(at: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the tangents |M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0) to the limit K^(2/3), at K_0 (2 n,)."""
+        """Return rows and right-hand sides that limit |M| by the tangents of K^(2/3) at the stiffnesses `at`."""
         slope = (2 / 3 * at ** (-1 / 3))[:, None] * stiff
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
 
-    # |M_1 - M_2| = K d <= 2 K^(2/3) with the curvature difference d, so K <= (2 / d)^3
+    # largest K: for the curvature difference d, |M_1 - M_2| = K d <= 2 K^(2/3), so K <= (2 / d)^3
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
     rows = [np.concatenate(fixed)]
     right = [np.zeros(len(rows[0]))]
