@@ -54,8 +54,8 @@ class Constraint(ABC):
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
     """Return at most MOST_ROWS of the `indices`.
 
-    Up to half of MOST_ROWS are at local maxima of `urgency` (n,), and the others are evenly spaced. If a step
-    violates an omitted row, the row becomes a local maximum and is selected in the next call.
+    Up to half of MOST_ROWS are at local maxima of `urgency` (n,), and the others are evenly spaced. A row that a
+    step violates is a local maximum in the next call.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -242,7 +242,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the three values, in three rows."""
+        """Return the derivatives of the three values by the unknowns."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -274,7 +274,7 @@ class MiddleOfTurn(Constraint):
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the three values, in three rows."""
+        """Return the derivatives of the three values by the unknowns."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -282,7 +282,7 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
-    """Return the indices of the one or two middle nodes of the rod, and of the one or two middle edges."""
+    """Return the indices of the one or two middle nodes, and of the one or two middle edges."""
     n = rod.tangents.shape[0]
     nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
     return sorted(nodes), sorted(edges)
@@ -302,8 +302,7 @@ _NEAR = 0.6
 _STEP = 1e-5  # relative step of the stiffness in finite differences of the strain
 # reserve, as a fraction of the largest stiffness, because the curvature between nodes may be larger
 _SAFETY_SHARE = 0.01
-# relative step of stiffness and curvature in finite differences of the tangent stiffness: a large step reduces
-# the effect of kinks
+# relative step of stiffness and curvature in finite differences, large enough to reduce the effect of kinks
 _TANGENT_STEP = 1e-3
 
 
@@ -360,9 +359,8 @@ class MarginLimit(Constraint):
 class FollowedMarginLimit(MarginLimit):
     """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    The stiffness is the moment divided by the change of curvature. A disturbance is resisted by the tangent
-    stiffness, the derivative of the moment by the curvature. The tangent stiffness is larger than the stiffness if
-    a strip stiffens as it bends, and smaller if a pre-bent strip is bent straight.
+    The margin depends on the tangent stiffness: the derivative of the moment by the curvature. This derivative
+    exceeds the stiffness if a strip stiffens as it bends, and is less if a pre-bent strip is bent straight.
 
     Attributes
     ----------
@@ -433,7 +431,6 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
-    """Return derivatives (j, p) by the unknowns at j nodes, from derivatives (n+1,) by moment and stiffness."""
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)
@@ -501,8 +498,8 @@ class StrainLimit(BendLimit):
 class KeepOut(Constraint):
     """Condition that all nodes are outside a region, which is given in mm.
 
-    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are not checked, because for
-    an end on the border, this condition would conflict with the fixed position.
+    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are not checked, because they
+    can be on the border.
     """
 
     region: HalfPlane | Box

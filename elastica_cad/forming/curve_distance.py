@@ -143,7 +143,7 @@ class Distance(Protocol):
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a convex Gauss-Newton model of the distance as a function of a step of the unknowns.
 
-        The last column of the sensitivities is the change that brings the rod into equilibrium.
+        The last column of the sensitivities is the change to equilibrium.
         """
 
 

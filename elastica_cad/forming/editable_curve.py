@@ -21,8 +21,7 @@ FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# The least-squares fit multiplies errors of curvature by the square of this length (in rod lengths), so that
-# they have the unit of a displacement.
+# the fit multiplies errors of curvature by the square of this length, in rod lengths, to get displacements
 _REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
@@ -37,10 +36,9 @@ _FINER = 4
 def editable_curve(rod: Rod) -> PlaneCurve:
     """Return the shape of a discrete rod as a spline of degree 4.
 
-    A rod with n edges has a discretisation error of O(1/n^2), which would disturb the curvature near inflections.
-    Therefore the continuous rod with the same stiffness and ends is computed first. The spline is fitted to the
-    position and curvature of the continuous rod. The spline interpolates the inflections exactly. Without weight,
-    the inflections of the spline are therefore on one line (Theorem 1).
+    The discretisation error O(1/n^2) of a rod with n edges would disturb the curvature near inflections. Therefore
+    the spline is fitted to position and curvature of the continuous rod with the same stiffness and ends. The
+    spline contains the inflections exactly, so that they are on one line if the rod has no weight (Theorem 1).
 
     Parameters
     ----------
@@ -107,7 +105,7 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 class _Shape:
     """Continuous rod at k evenly spaced stations. The unit of length is the length `size` of the rod, mm.
 
-    `inflections` (j,) are the arc lengths with zero moment, including ends that are free to turn.
+    `inflections` (j,) are the arc lengths where the moment is 0, including ends that are free to turn.
     """
 
     s: FloatArray
@@ -135,7 +133,7 @@ class _Shape:
 def _continuous(rod: Rod) -> _Shape:
     """Return the continuous rod, extrapolated from rods with 4 and 8 times as many edges.
 
-    The extrapolation uses that the error for n edges is a power series in 1/n^2.
+    The error for n edges is a power series in 1/n^2.
     """
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
@@ -171,8 +169,8 @@ def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     """Return the spline with the knot spans `edges` that fits position and curvature by least squares.
 
-    The spline is exact at the ends and at the inflections. The derivative of the curvature is exact at the
-    inflections, because the derivative determines the stiffness there.
+    The spline is exact at ends and inflections. The derivative of the curvature determines the stiffness at
+    inflections, and is exact there too.
     """
     from scipy.interpolate import BSpline
 
@@ -189,14 +187,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # omit inflections near an end or another inflection, because their exact positions need more control points
+    # omit inflections near an end or another inflection, whose exact positions need more control points
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # the parameter must be the arc length only if there is a rest curvature, a function of the arc length
+    # the parameter must be the arc length at these inflections only if there is a rest curvature
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -236,10 +234,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error at each station, as a multiple of its tolerance.
-
-    The errors are those of the position, of the stiffness, and of the least and largest stiffness.
-    """
+    """Return the largest error of position, stiffness or extreme stiffness at each station, over its tolerance."""
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

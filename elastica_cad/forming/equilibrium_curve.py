@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in a panel at which the stiffness is bounded: many, because its extremes move at each step
+# number of stations in a panel at which the stiffness is bounded; its extremes move at each step
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
@@ -37,9 +37,7 @@ BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCurve:
-    """Realizable curve with the stiffness that has the least ratio of largest to least value.
-
-    The stiffness is scaled to a least value of 1.
+    """Realizable curve with the stiffness of least ratio (largest / least), scaled to a least value of 1.
 
     Attributes
     ----------

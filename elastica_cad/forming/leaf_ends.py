@@ -17,7 +17,7 @@ NODES = 401
 """Number of nodes of the rods in the search."""
 
 FINE_NODES = 1001
-"""Number of nodes of the returned rod. With fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
+"""Number of nodes of the returned rod; with fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
 
 SHORTEST_SHARE = 0.01
 """Shortest ply, and shortest distance between the ends of plies, as a fraction of the length."""
@@ -221,7 +221,7 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """Return the rest shape for unknowns x: the positions of the ply ends, and clamp angles."""
+        """Return the rest shape for the unknowns x: positions of ply ends, and clamp angles."""
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
@@ -246,7 +246,7 @@ class _Search:
         return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
 
     def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return 1 / (E I) (n,) and the weight per length (n,), N/mm, as means around the n nodes."""
+        """Return 1 / (E I) (n,) and the weight per length (n,), N/mm, as means around n nodes."""
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
         values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)

@@ -15,10 +15,10 @@ from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Number of curves of a stream that are submitted at a time. It suffices for a dozen workers and saves memory."""
+"""Number of curves of a stream that are submitted at a time: enough for a dozen workers, with little memory."""
 
 LISTED = 1024
-"""Number of curves of a list that are submitted at a time. It suffices for hundreds of workers."""
+"""Number of curves of a list that are submitted at a time: enough for hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -137,7 +137,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Compute tasks on the executor, at most `ahead` at a time; yield results as they are completed."""
+    """Submit at most `ahead` tasks at a time, and yield results as soon as they are computed."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 

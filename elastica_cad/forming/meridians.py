@@ -31,7 +31,7 @@ STARTS = 30
 
 STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a Newton step that is tried; the search ends if no tried fraction reduces the residual."""
+"""Least fraction of a Newton step that is tried before the search ends."""
 
 SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
 LONGEST = 1.5
@@ -121,7 +121,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
     """Return the meridian through three to five points (n, 2), or the nearest meridian.
 
     For more than five points, or if no meridian passes through the points, the sum of squared distances is
-    minimised. The points are scaled to an extent of about 1. The axis is x = 0, and may contain the last point.
+    minimised. The points are scaled to an extent of about 1, and the axis is x = 0.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")
@@ -154,10 +154,9 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 class _Equations:
     """Equations of a meridian in pieces, which are divided by the given points.
 
-    The equation distance from the axis * curvature = a + <b, point> must hold at the nodes. Each piece must end at
-    the next point, and the angle must be continuous. The unknowns are the angles at the nodes and the length of
-    each piece, followed by a and b (2). `points` is the number of points. `closes` is True if the last point is on
-    the axis.
+    At the nodes, distance from the axis * curvature = a + <b, point>. Each piece ends at the next point, and the
+    angle is continuous. The unknowns are the nodal angles and the length of each piece, followed by a and b (2).
+    `closes` is True if the last point is on the axis.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -181,7 +180,7 @@ class _Equations:
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
-        """Return the unknowns for nodes at other stations, with interpolated angles."""
+        """Return the unknowns with the angles interpolated at other stations."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
@@ -245,10 +244,7 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return an initial guess of the unknowns from a spline through the points, and the length of the spline.
-
-    The guess of a and b is a linear regression of the spline's curvature.
-    """
+    """Return an initial guess of the unknowns from a spline through the points, and the length of the spline."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
@@ -266,7 +262,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Search meridians through all points, and return the unknowns of the shortest meridian, or None."""
+    """Return the unknowns of the shortest meridian through all points, or None if none was found."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -285,7 +281,7 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Return the solution by Newton's method, or None. With fewer equations than unknowns, take the least step."""
+    """Return the solution by Newton's method with steps of least norm, or None if it was not found."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -310,8 +306,8 @@ def _nearest(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the points (n, 2) and the unknowns of the meridian nearest to the given points.
 
-    The sum of squared distances is minimised by the Gauss-Newton method, with the equations as constraints. A step
-    is halved until the squared distances plus the weighted residuals decrease.
+    The method is Gauss-Newton, with the equations as constraints. A step is halved until the sum of squared
+    distances and weighted residuals decreases.
     """
     count = equations.count
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
@@ -381,10 +377,7 @@ TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farthe
 """End of a message about points whose last point is close to the axis."""
 
 NARROW_SHARE = 1e-3
-"""Default distance from the axis at which a meridian ends.
-
-The distance is a fraction of the length of the meridian plus the distance of the start from the axis.
-"""
+"""Default distance of a meridian's end from the axis, as a fraction of its length plus the start's distance."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -87,8 +87,8 @@ class NearestRod:
     mean_deviation : float
         Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding
-        Limits and kept properties that are violated, followed by those that increase the distance. Each group
-        is sorted by effect, the largest first.
+        Limits and kept properties that are violated, followed by those that increase the distance; in each group,
+        the largest effect is first.
     violation : float
         Largest violation of any limit; see `Binding.broken` for its units.
     iterations : int
@@ -237,7 +237,6 @@ _IN_LENGTHS = ("end position", "points", "keep-out")
 
 
 def _advise(near: NearestRod) -> Iterator[str]:
-    """Yield suggestions to change limits, the most useful first."""
     if near.found is None:
         return
     if near.ties:

@@ -45,8 +45,8 @@ class SearchSettings(NamedTuple):
     ----------
     steps, unmet_steps : int
         Total number of steps after which no further initial guess is tried. `unmet_steps` applies while no result
-        meets the limits, or if a margin is required and the first result violates a limit. A stalled search
-        counts as the largest number of steps of one search.
+        meets the limits, or if a margin is required and the first result violates a limit. A stalled search counts
+        as a search with the largest number of steps.
     tensions : tuple of float
         Tensions along the chord of initial guesses, as fractions of the tension that alone provides the margin.
         Guesses under tension are stable.
@@ -61,29 +61,28 @@ class SearchSettings(NamedTuple):
     random_angle : float
         Typical angle of the random waves, rad.
     continued_distance, continued_factor : float
-        The result of a search that continues a previous search is accepted if the distance is less than
-        `continued_distance`, or less than `continued_factor` times the previous distance.
+        The result of a continued search is accepted if the distance is less than `continued_distance`, or less than
+        `continued_factor` times the previous distance.
     exact_distance : float
-        Distance below which the rod counts as following the target exactly. A smaller stiffness ratio is then
-        tried.
+        Distance below which a rod follows the target exactly, and a smaller stiffness ratio is tried.
     ratio_distance : float
         Largest distance that is accepted for a smaller stiffness ratio.
     spline_factor : float
         Factor on the least stiffness ratio, because the stiffness is a spline with few coefficients.
     tie_factor, tie_distance : float
-        A further result is reported if its distance is at most `tie_factor` times the least distance, and its rod
-        is farther than `tie_distance` from all rods reported before.
+        A further result is reported if its distance is at most `tie_factor` times the least distance, and it is
+        farther than `tie_distance` from the other reported rods.
     closed_gap : float
         Distance between the ends, as a fraction of the length, below which the tension of a guess is reduced.
     rescalings : int
         Largest number of searches that are repeated to determine the scale of the sections.
     scale_reserve, scale_change : float
-        If the margin depends on the widths, the largest scale is multiplied by `scale_reserve`, because the widths
-        may change in the next search. The search ends if the scale would grow by less than `scale_change`.
+        For a margin that depends on the widths: factor on the largest scale, because the widths may still change,
+        and growth of the scale below which the search ends.
     scale_factors : tuple of float
-        If the margin depends on the widths, these factors on the scale are tried in order.
+        For a margin that depends on the widths: factors on the scale that are tried in order.
     margin_fraction : float
-        If the margin depends on the widths, a first search requires only this fraction of the margin.
+        For a margin that depends on the widths: fraction of the margin that a first search requires.
     """
 
     steps: int = 600
@@ -148,7 +147,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # if a margin is required and the first result violates a limit, other initial guesses get fewer steps
+    # other initial guesses get fewer steps if the first result violates a limit while a margin is required
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -204,8 +203,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 def _narrowed(search: Search, task: NearestTask) -> Search:
     """Repeat the search with the scale of `task`, then with smaller scales, until the limits are met.
 
-    A first search at each scale requires only a part of the margin. Narrower strips may meet a margin that wider
-    strips violate.
+    A first search requires only a part of the margin. Narrower strips may meet a margin that wider strips violate.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:
@@ -236,7 +234,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Return the search with an equally near rod of least stiffness ratio, or with all equally near results."""
+    """Complete a search with an equally near rod of least stiffness ratio, or with all equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -299,8 +297,7 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
     """Yield pairs of a distance and a function that returns an initial guess.
 
-    A guess is skipped if the mean distance of an optimum, divided by the diagonal of the target, is less than the
-    distance in the pair.
+    The guess is not needed if the search has found an optimum nearer than the distance, in diagonals of the target.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -418,7 +415,6 @@ def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
 
 
 def _violated_limits(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
-    """Return the limits that a stack of plies violates, each with its violation as a fraction of the limit."""
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
     shares: dict[str, tuple[float | None, float]] = {}

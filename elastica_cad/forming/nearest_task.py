@@ -145,10 +145,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """Return the task without its limit of the margin if the margin depends on a scale that is still unknown.
-
-        Otherwise return this task.
-        """
+        """This task, or the task without a limit of the margin if the margin depends on a scale still unknown."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)
@@ -284,8 +281,7 @@ class SearchPoint:
     origin : (2,) array
         Origin of the coordinates, mm.
     off : float
-        Mean distance from the target after the last search from all initial guesses, divided by the diagonal of
-        that target.
+        Mean distance from the target, in diagonals of the target, after the last search from all initial guesses.
     """
 
     z: FloatArray
@@ -308,7 +304,6 @@ class SearchPoint:
 
 
 def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
-    """Return two points, mm, on the inflection line that the rod must keep, or None."""
     line, curve = keep.line, request.curve
     if not line:
         return None

@@ -133,7 +133,6 @@ _SIDES = np.array([[1.0], [-1.0]])
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """Return the result of `_compiled`, computed in Python."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     g, y_high = p.gradient * scale, p.penalty * scale
@@ -144,8 +143,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # u (2, n + m): distances of z = (x, y) from its lower and upper bounds
-    # v (2, n + m): multipliers or slacks of these bounds, with products u v = mu that steps reduce to 0
+    # u (2, n + m): distances of z = (x, y) from its bounds; v: their multipliers or slacks, with u v = mu
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u

@@ -97,8 +97,7 @@ class SectionScale:
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
         """Return the relation with the largest scale, or without weight, with the scale for the largest curvature.
 
-        The shape of a rod without weight does not depend on the scale, and thin sections can withstand larger
-        curvatures than thick sections.
+        Without weight, the shape does not depend on the scale, and thin sections withstand larger curvatures.
         """
         least, largest = law.limits
         ratio = limits.largest_ratio
@@ -159,8 +158,8 @@ class SectionScale:
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
         """Return the relation with the scale at which the largest section of the rod is as large as allowed.
 
-        At the nodes, `stiffness` (n,) is K, `bend` (n,) is the change of curvature, 1/mm, and `rest` is the natural
-        curvature, 1/mm. If the scale does not change, the result is this object.
+        At the nodes, `stiffness` (n,) is K, `bend` (n,) is the change of curvature, and `rest` is the natural
+        curvature, 1/mm. The result is this object if the scale does not change.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits
@@ -235,7 +234,7 @@ class Unknowns:
     moment : int
         Moment at the first node.
     force : slice
-        Force lambda before the first node, which does not include the weight of the node.
+        Force lambda before the first node, without the weight of the node.
     position : slice
         Position of the first node.
     angle, length : int
@@ -317,7 +316,7 @@ class Sensitivities:
         return out
 
     def last_load_row(self, axis: int) -> FloatArray:
-        """Return the derivatives, by the p unknowns, of the weight of the last node along `axis` (0: x, 1: y)."""
+        """Return the derivatives, by p unknowns, of the last node's weight along `axis` (0: x, 1: y)."""
         grid, carried = self.grid, self.carried
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
@@ -448,8 +447,8 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # solve for the derivatives of angles and moments, in the order alpha_1, M_1, ..., alpha_{n+1}; the
-        # right-hand sides are the derivatives of the recursion by the unknowns z
+        # solve for derivatives of angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}; the right-hand
+        # sides are derivatives of the recursion by z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -499,10 +498,7 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _band(self, rod: MappedRod) -> FloatArray:
-        """Return the band of the unit lower triangular matrix of the recursion.
-
-        The rows are the angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}.
-        """
+        """Return the band of the lower triangular matrix of the recursion for alpha_1, M_1, ..., alpha_{n+1}."""
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
         band[1, 0:-1:2] = rod.edge_length * rod.pull  # minus the derivative of moment M_i by angle alpha_i

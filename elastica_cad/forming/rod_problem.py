@@ -113,7 +113,6 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """Return the rod, to first order, after a change (p + 1,) as defined in `Linearization`."""
         z = self._clipped(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
@@ -122,7 +121,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
-        """Return the problem with these unknowns fixed to `value`, clipped to the bounds."""
+        """Return the problem with some `unknowns` fixed to `value`, clipped to the bounds."""
         lower, upper = self.lower.copy(), self.upper.copy()
         lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
@@ -132,7 +131,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
     ) -> ConstraintRows:
         """Return the linearised constraints.
 
-        If the sensitivities have a column for the change to equilibrium, the values are those after this change.
+        If there is a column for the change to equilibrium, the values are those after the change.
         """
         p = sensitivities.rod.z.size
         if not self.constraints:
@@ -163,8 +162,8 @@ RodOutcome: TypeAlias = Outcome[MappedRod]
 class Search(NamedTuple):
     """Result of a search: its last task and problem, the best outcome, and equally near outcomes (`ties`).
 
-    `steps` is the number of steps of all searches. `off` is the mean distance after the last search from several
-    initial guesses, divided by the diagonal of the target.
+    `steps` counts the steps of all searches. `off` is the mean distance, in diagonals of the target, after the last
+    search from all initial guesses.
     """
 
     task: NearestTask
@@ -410,7 +409,7 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-# effect of a limit, as a fraction of the largest effect, below which it may be an error of the quadratic program
+# an effect below this fraction of the largest effect may be an error of the quadratic program
 _IDLE = 1e-6
 
 

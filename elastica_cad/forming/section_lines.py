@@ -256,7 +256,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
     x = points[:, 0]
     if np.all(x >= 0):
         return [points]
-    if closed:  # start at x < 0, so that the start of the closed line is in no part
+    if closed:  # start at x < 0, so that no part with x >= 0 contains the start of the line
         shift = int(np.argmin(x[:-1]))
         points = np.concatenate([points[shift:-1], points[: shift + 1]])
         x = points[:, 0]
@@ -483,7 +483,6 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
 
 
 def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:
-    """Return a message about the sharpest corner of a line, or an empty text."""
     turned = _inner_turns(line.points)
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
@@ -643,7 +642,7 @@ def remove_false_inflections(
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
-        # kinks beside the smoothed part make the fit fail; try a longer wavelength, which may avoid the kinks
+        # kinks beside the smoothed part make the fit fail; a longer wavelength may avoid kinks
         except NotConvergedError:
             continue
         if not len(_false_bends(simpler, turn)):

@@ -27,7 +27,7 @@ from elastica_cad.refusals import Length, Listed, note
 _SHORTEST_SHARE = 1e-4  # parameter range below which a part counts as empty, as a fraction of the whole range
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
-_ROUNDS = 2  # number of grids of positions; each grid refines the grid before, around the best positions
+_ROUNDS = 2  # number of grids of positions; each grid is finer than the grid before
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,7 +253,7 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # do not reach the end of the curve, because a closed curve needs at least one support
+        # stop before the end of the curve, because a closed curve needs at least one support
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -271,7 +271,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # because of rounding errors, the search from the other end may need another number of supports
+    # rounding errors can change the number of supports in the search from the other end
     return earliest if len(earliest) == len(latest) else latest
 
 
@@ -296,7 +296,7 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
     """Return the positions of supports, within their ranges, with the least sum of squared stiffness ratios.
 
-    The minimum is a shortest path through a grid of positions, which is then refined around the best positions.
+    The minimum is a shortest path on a grid of positions. The grid is then refined around the path.
     """
     places = list(latest)
     spans = list(ranges)

@@ -203,7 +203,7 @@ class Linearization(Generic[Point]):
     model : LocalModel
         Model of the objective as a function of the same steps.
     state_jacobian : (k, p + 1) array
-        Derivatives, by a change, of the angles in the state, rad. Large angles make the linear model invalid.
+        Derivatives, by a change, of the part of the state that limits the linear model, rad.
     moved : callable
         Function that returns the point after a change, to first order, with the unknowns within their bounds.
     """
@@ -294,7 +294,6 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
-    """Return the key of each row, which identifies the row at all points."""
     return rows.constraint * KEY_STRIDE + rows.index
 
 
@@ -358,7 +357,6 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def _broken_closed(self) -> FloatArray:
-        """Violation of each row in equilibrium, to first order."""
         return self._broken(self.change[:-1])
 
     def merit(self, penalties: FloatArray) -> float:
@@ -371,7 +369,7 @@ class Iterate(Generic[Point]):
 
     def is_reliable(self, promise: float, highest_penalty: float) -> bool:
         """Return True if the uncertainty of the merit is small compared with the predicted decrease `promise`."""
-        # test first whether the part of the constraints is small, without computing the objective
+        # first test the part of the uncertainty that does not depend on the objective
         if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
@@ -384,13 +382,11 @@ class Iterate(Generic[Point]):
         )
 
     def _expected(self, step: FloatArray) -> float:
-        """Return the objective that the model predicts after a step (p,)."""
         model = self.local.model
         smooth = model.value + float((model.gradient + 0.5 * (model.hessian @ step)) @ step)
         return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
 
     def _broken(self, step: FloatArray) -> FloatArray:
-        """Return the violation of each row after a step (p,), as predicted by the linearisation."""
         rows = self.local.rows
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
@@ -419,8 +415,8 @@ def follow_step(
 
     The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
     their predicted values, with the least change of the unknowns. The Newton steps end when the second-order error
-    is small compared with the predicted decrease. This method allows larger steps than a new computation of the
-    state, and avoids the Maratos effect.
+    is small compared with the predicted decrease. Compared with a new computation of the state, this method allows
+    larger steps and avoids the Maratos effect.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
@@ -696,8 +692,8 @@ def _solve_step(
 ) -> tuple[FloatArray, QuadraticSolution] | None:
     """Return the step (p,) that solves the quadratic program, and the solution in scales.
 
-    `radius` is the radius of the trust region in scales. `damping` is added to the diagonal of the scaled Hessian.
-    Return None if the step is not finite.
+    The `radius` of the trust region is in scales. `damping` is added to the diagonal of the scaled Hessian. Return
+    None if the step is not finite.
     """
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
@@ -711,8 +707,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # replace the maximum by an additional unknown, which must be at least as large as every peak; the penalty
-        # is so large that this constraint is met exactly
+        # the maximum becomes one more unknown, with every peak as a lower bound; a large penalty makes this exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -758,10 +753,9 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Return a point in equilibrium that meets constraints exactly, except for rounding errors.
+    """Return a point in equilibrium that meets nearly met constraints exactly, except for rounding errors.
 
-    The given point must nearly meet the constraints. Newton's method is used, with steps of least norm within the
-    bounds.
+    Newton's method is used, with steps of least norm within the bounds.
     """
     best, least = point, np.inf
     for _ in range(SETTINGS.exact_steps):

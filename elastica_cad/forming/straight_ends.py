@@ -43,8 +43,8 @@ class StraightEnds:
     ) -> "StraightEnds":
         """Separate straight pieces of 1 mm or more from an open curve, at ends whose angle is held.
 
-        Straight curves, polylines, and curves fitted to measured points are not divided. A curve with a
-        `RestCurvature` is not divided either, because the rest curvature counts arc length from the drawn start.
+        Straight curves, polylines, and curves fitted to measured points are not divided. Curves with a
+        `RestCurvature` are not divided either, because the rest curvature starts at the drawn start.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:

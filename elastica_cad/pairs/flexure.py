@@ -291,7 +291,7 @@ class Flexure:
         return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
-        """Return the least thickness of the part, mm, with which the largest strain of k shapes (k, n) is `most`."""
+        """Return the least thickness of the part, mm, at which the largest strain of k shapes is `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
@@ -456,8 +456,8 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        A fillet is thicker than the part, so that the fillet is only as compliant as a shorter piece of the part.
-        Therefore the fillet begins within the free length. The pad is as compliant as a half-plane.
+        The fillet begins within the free length, because it is thicker than the part, and so only as compliant as a
+        shorter piece of the part. The pad is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
@@ -479,14 +479,13 @@ class Flexure:
         )
 
     def _pad_corners(self, line: "CentreLine", s: float, sign: int) -> list[FloatArray]:
-        """Return the four corners of a pad, anticlockwise, starting at the lower right."""
         position, along, across = self._root(line, s, sign)
         half = self.pad_width / 2 * across
         outer = position + self.pad.length * along
         return [position - half, outer - half, outer + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the middle of a pad's inner edge, the unit vector outward, and the unit vector left of outward."""
+        """Return the middle of a pad's inner edge, the outward unit vector, and the unit vector to its left."""
         position, angle = (value[0] for value in line.at(np.array([s])))
         along = sign * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])
@@ -525,7 +524,7 @@ class Flexure:
     def holder(self) -> Drawing:
         """Return a plate with holes for both pads.
 
-        If the part is not bistable, the plate has holes for the end pad in each state, with the name of the state.
+        If the part is not bistable, there are holes for the end pad in each state, with the name of the state.
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
@@ -567,11 +566,10 @@ class Flexure:
         return self.solid_in(None)
 
     def solid_in(self, state: State | None) -> FlatSolid:
-        """Return the body of the part, from z = 0 to its depth, in the state "first" or "second", or unloaded
-        (None).
+        """Return the body of the part, from z = 0 to its depth, in the "first" or "second" state, or unloaded.
 
-        The body has joints at half its depth. The joints "start" and "end" are on the inner edges of the pads, with
-        x outward. The joints "hole1" to "hole4" are at the holes from start to end, with x along the part.
+        The joints are at half the depth: "start" and "end" on the inner edges of the pads, with x outward, and
+        "hole1" to "hole4" at the holes from start to end, with x along the part.
         """
         if not is_one_of(state, (None, *STATES)):
             raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
@@ -696,7 +694,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
+        """Return the path of a push to the other state, with additional steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
@@ -1039,10 +1037,7 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
-    """Return the centre (2,) of a new box that touches no hole and no other box, as near to `middle` as possible.
-
-    `half` (2,) is half the size of the new box.
-    """
+    """Return the centre nearest to `middle` for a box of half size `half` (2,) that touches no hole and no box."""
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]
@@ -1054,7 +1049,6 @@ def _free_place(
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """Return the points (n, 2), without points closer than 0.01 mm to an earlier point."""
     distinct: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in distinct):

@@ -145,7 +145,6 @@ def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
 
 
 def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Return the largest distance, mm, between points at the same fraction of the length of both curves."""
     if after is before:
         return 0.0
     apart = after.sample(before.survey.s.size).position - before.survey.position
@@ -166,7 +165,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """Return the common length with the smallest total change of curvature of both curves."""
+    """Return the common length with the least change of curvature of both curves."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)
@@ -216,7 +215,7 @@ class _Drawn:
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
         """Quadrature nodes of the curve, and derivatives by the three unknowns: alpha, and the vector beta.
 
-        For N panels with p nodes each, the arrays are:
+        The arrays, for N panels with p nodes each, are:
 
         - edges of panels (N + 1,), as fractions of the length;
         - weights (N p,) and angles of the tangent (N p,) at the nodes;

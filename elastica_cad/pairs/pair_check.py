@@ -67,9 +67,7 @@ BESIDE_SHARE = 1e-4
 """Distance from an end, as a fraction of the length, at which the sign beside a zero at the end is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative tolerance for ranks of the moment differences.
-
-The rank is reduced if the functions 1, gamma_1 and gamma_2 (positions on both curves) are linearly dependent."""
+"""Relative tolerance of ranks, which are smaller if 1 and the positions on both curves are linearly dependent."""
 
 NUMBERS = 6
 """Number of parameters of the moments M_1 and M_2: a_1 - a_2, the vectors b_1 and b_2 with two numbers each, a_1.
@@ -146,7 +144,6 @@ def examine_pair(
 
 
 def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
-    """Return the second curve, scaled about its start to the length of the first."""
     for curve in (first, second):
         require_bendable(curve)
         if curve.is_closed:
@@ -169,7 +166,6 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Return True if both curves have the same end, relative to the start, and the same total turning."""
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -239,9 +235,9 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
     """Return True if a moment difference N can have the same zero, of the same order, as the curvature difference.
 
-    The derivative of N = M_1 - M_2 is N' = <b_1, T_1> - <b_2, T_2>, with the tangents T_i. At a zero, both curves
-    have the same curvature kappa, and N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the normals n_i. A double zero is
-    therefore possible where the curves are bent. Where N'' is zero too, the order of N is too large by two.
+    With tangents T_i, N' = <b_1, T_1> - <b_2, T_2>. At a zero, both curves have the same curvature kappa. There,
+    N'' = kappa (<b_1, n_1> - <b_2, n_2>), with normals n_i. A double zero is therefore possible where the curves
+    are bent. Where N'' is zero too, the order of N is too large by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -296,8 +292,8 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 class PairedPanels:
     """Moments of two states along both curves, as linear functions of six numbers.
 
-    The numbers are a_1 - a_2, b_1, b_2 and a_1, with the vectors b multiplied by the length. The docstring of the
-    module defines the symbols. The curves have N panels with p nodes each.
+    The numbers are a_1 - a_2, b_1, b_2 and a_1 (symbols: see the docstring of the module), with the vectors b
+    multiplied by the length. The curves have N panels with p nodes each.
 
     Attributes
     ----------
@@ -390,7 +386,7 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
-        """Coefficients (nodes, 5) of the moment difference at all nodes, for the first five numbers."""
+        """Coefficients (nodes, 5) of the moment difference for the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property
@@ -402,10 +398,7 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros of the curvature difference, from the first zero at which no moment difference can be zero too.
-
-        The moment difference must also be zero at all zeros before.
-        """
+        """Zeros of the curvature difference after the first zeros, which a moment difference can have too."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:

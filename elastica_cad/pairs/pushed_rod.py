@@ -295,14 +295,11 @@ class _Chain:
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
-        """Return the second derivatives of the energy by the positions of inner nodes.
+        """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2) for SciPy.
 
-        The result (6, 2 n - 2) is the upper band of a symmetric matrix, as SciPy stores banded matrices.
-
-        The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. The diagonal block A_i contains
-        the terms of edge i. The block beside A_i is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the
-        angle of edge i by the vector of the edge. K_{i+1} is the stiffness of the node between edges i and i + 1.
-        The vector of an edge is the difference of two nodes, so derivatives by nodes are differences of blocks.
+        The second derivatives by the edge vectors are 2 x 2 blocks: A_i for edge i, and C_i for the edges i and
+        i + 1 with a common node. An edge vector is a difference of two nodes, so the derivatives by the nodes are
+        differences of blocks.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -407,7 +404,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return the solution of a symmetric banded system, or None if the matrix is not positive definite."""
+    """Return the solution, or None if the symmetric matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

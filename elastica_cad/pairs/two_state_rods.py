@@ -227,10 +227,7 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of `PairedPanels` with the least stiffness ratio, and then the least bend.
-
-    The ratio is the least ratio within the limits.
-    """
+    """Return the numbers (6,) of `PairedPanels` with the least ratio within the limits, and then the least bend."""
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -258,8 +255,7 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     """Return arrays of rows (N, p, 6) that express the limits as rows @ numbers >= 0, at p nodes of N panels.
 
     State i has the moment M_i and the curvature kappa_i, and K is the stiffness. A limit k of the natural curvature
-    requires |kappa_1 K - M_1| <= k K. A limit c of the bend requires |M_i| <= c K. The rows are divided by the
-    limit.
+    requires |kappa_1 K - M_1| <= k K, and a limit c of the bend |M_i| <= c K. The rows are divided by k or c.
     """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
@@ -276,9 +272,9 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
     """Return the numbers (6,) that give the same stiffness and the least bend.
 
-    The bend is the largest change of curvature in both states. Usually only the parameter a_1 can change without
-    changing the stiffness. For congruent or mirrored curves, more parameters can change, and several rods have the
-    least bend. Then the natural curvature nearest to the mean of both curvatures is selected.
+    The bend is the largest change of curvature in both states. Usually only a_1 has no effect on the stiffness. For
+    congruent or mirrored curves, more parameters have no effect, and several rods have the least bend. Then the
+    natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
@@ -307,8 +303,7 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
     """Return the numbers z (r,) that minimise the largest value of the functions, within bounds.
 
-    Each function or bound is a pair (rows, offset) with the value rows @ z + offset. The values of bounds must be
-    at least 0.
+    Each function or bound is a pair (rows, offset) with the value rows @ z + offset. Bounds must be at least 0.
     """
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
@@ -344,10 +339,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the last point from `start` to `goal` where the bounds hold and no function value is too large.
-
-    The limit of the function values is the largest value at `start`.
-    """
+    """Return the last point from `start` to `goal` where bounds hold and the largest value has not increased."""
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
     reserves = [(most - value, change) for value, change in values]
@@ -364,10 +356,9 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     """Return the numbers (6,) of the flexure whose thinnest place is as thick as possible at a given strain.
 
-    A section with moment M, stiffness K and thickness h has the strain |M| h / (2 K). The strain is proportional to
-    |M| K^(-2/3), because h is proportional to K^(1/3). The strain is scaled to at most 1. The convex problem is to
-    maximise k subject to K >= k and |M_i| <= K^(2/3) in both states i. A linear program replaces the power by
-    tangents. More tangents are added at each solution until k converges.
+    A section with moment M, stiffness K and thickness h ~ K^(1/3) has the strain |M| h / (2 K) ~ |M| K^(-2/3),
+    which is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3) in both
+    states i. A linear program replaces the power by tangents. More tangents are added until k converges.
     """
     from scipy.optimize import linprog
 
