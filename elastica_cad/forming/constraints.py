@@ -293,7 +293,7 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
-    """Return the weights (4,) of values at 0, 1, 2, 3 that give their cubic at u, and those for its slope."""
+    """Return weights (4,) of values at 0, 1, 2, 3 for the cubic through them at u, and for the cubic's slope."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 

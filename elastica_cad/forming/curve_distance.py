@@ -52,7 +52,7 @@ class TargetCurve:
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "TargetCurve":
-        """Return the target for a curve."""
+        """Return the target for a drawn curve."""
         samples = curve.sample(SPANS + 1)
         origin = samples.position.mean(axis=0)
         size = curve.length

@@ -36,7 +36,7 @@ LITTLE_BEND_SHARE = 0.05
 """Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
 SLIGHT_MM = 0.1
-"""Displacement by smoothing, mm, above which a note becomes a warning; it is less than the tolerance of a cut."""
+"""Displacement by smoothing, mm, above which a note becomes a warning. A cut has a larger tolerance."""
 
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""

@@ -234,7 +234,7 @@ class _Equations:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
         if self.closes:
-            # `half`, `turning`, `first` and `last` are those of the last piece
+            # `half`, `turning`, `first` and `last` belong to the last piece
             c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
             rows[-1, first:last] = self.slope[-1] * c
             rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
@@ -290,7 +290,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
         share = _largest_fraction(equations, unknown, step)
-        # `not` makes the condition true for NaN, so that such a step is halved
+        # with `not`, the condition is true for NaN, so that a step to NaN is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):

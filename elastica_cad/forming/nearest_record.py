@@ -83,7 +83,7 @@ class NearestRod:
         The drawn curve.
     status : Status
     deviation : float
-        Largest distance of a point of the rod from the curve, or of a point of the curve from the rod, mm.
+        Largest distance of a rod point from the curve, or of a curve point from the rod, mm.
     mean_deviation : float
         Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding

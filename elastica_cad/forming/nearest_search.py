@@ -503,9 +503,9 @@ def nearest_rod(
         Curvature of the unbent rod, 1/mm. For a `RestCurvature`, the lengths of the rod and of the pre-bent strip
         agree within 1 %.
     start : NearestRod, optional
-        Result of a similar request, such as the same curve before a small change. The search begins with its
-        rod. This saves a third of the time or more. If the result violates limits or is much farther away
-        than before, the search is repeated from new initial guesses.
+        Result of a similar request, such as the same curve before a small change. The search begins with its rod,
+        which saves a third of the time or more. If the result violates limits or is much farther away, the search
+        is repeated from new initial guesses.
 
     Returns
     -------
@@ -516,8 +516,7 @@ def nearest_rod(
     Raises
     ------
     NotConvergedError
-        There is no initial rod, because the curve bends too much, or because the weight is far too large for
-        the stiffness.
+        There is no initial rod, because the curve bends too much, or the weight is far too large for the stiffness.
 
     References
     ----------

@@ -76,7 +76,7 @@ class NearestTask:
 
     @classmethod
     def of(cls, request: RodSpec) -> "NearestTask":
-        """Return the task of a request."""
+        """Return the task for a request."""
         target, samples = TargetCurve.of(request.curve), request.samples or SEARCH_SAMPLES
         limits, keep = request.limits or Limits(), request.keep or Keep()
         coefficients = request.coefficients
@@ -254,7 +254,6 @@ class NearestTask:
 
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
-    """Return the change of curvature (nodes,), 1/mm, of a strip bent into the target."""
     kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
     return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
 

@@ -389,7 +389,7 @@ class StripGrid:
         return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
 
     def carried(self, rod: MappedRod) -> CarriedWeight:
-        """Return the integrated weight of a rod; it is cached."""
+        """Return the integrated weight of a rod, from a cache if possible."""
 
         def summed() -> CarriedWeight:
             if self.weight is None:
@@ -406,7 +406,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in equilibrium. Its last moment is not finite if numbers overflow."""
+        """Return the rod in equilibrium. The last moment is not finite if numbers overflow."""
         K, force, length = self._stiffness_forces_length(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -488,7 +488,7 @@ class StripGrid:
         step = position[1:]
         with np.errstate(
             over="ignore", invalid="ignore"
-        ):  # derivatives may overflow; `linearize` refuses them
+        ):  # derivatives may overflow; `linearize` then returns None
             np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
             np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
             step[:, :, u.length] += T / n

@@ -25,7 +25,7 @@ class RodSpec(RodRequest):
     Parameters
     ----------
     limits, keep : Limits, Keep, optional
-        Limits, and properties to keep. If one of them is given, the curve may change.
+        Limits, and properties to keep. With either, the curve may change.
     layers : LaminateLayers, optional
         Layers of a laminate that carries its own weight.
     smooth : float, optional

@@ -333,7 +333,7 @@ class SectionCurve:
     frame : Frame
     name : str
     deviation : float
-        Largest distance between section and curve, mm, measured from the points of either.
+        Largest distance of a section point from the curve, or of a curve point from the section, mm.
     removed : int
         Number of false inflections that were removed by smoothing.
     """

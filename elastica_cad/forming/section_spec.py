@@ -67,7 +67,7 @@ def radial_planes(
 def planes_along(
     path: ArrayLike, count: int, *, ends: bool = False, up: ArrayLike = (0.0, 0.0, 1.0)
 ) -> tuple[Frame, ...]:
-    """Return planes normal to a path in space, evenly spaced along it.
+    """Return evenly spaced planes normal to a path in space.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ _ROUNDS = 2  # number of grids of positions; each grid is finer than the grid be
 
 @dataclass(frozen=True, eq=False)
 class Splitting:
-    """Result of `split`; `str()` returns it as a sentence.
+    """Result of `split`; `str()` describes the result in a sentence.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ class _Cut:
         return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
-        """Return the least stiffness ratio of a piece, or infinity if no strip can take it."""
+        """Return the least stiffness ratio of a piece, or infinity if no strip can take the piece."""
         try:
             piece, held, tolerance = self._held(start, end)
             if piece.is_straight:

@@ -398,7 +398,7 @@ class Iterate(Generic[Point]):
 def iterate_at(
     program: NonlinearProgram[Point], point: Point, active: ActiveSet = _NONE_ACTIVE
 ) -> Iterate[Point] | None:
-    """Return the iterate of a point, or None if its derivatives overflow."""
+    """Return the `Iterate` at a point, or None if derivatives overflow."""
     local = program.linearize(point)
     return None if local is None else Iterate(program, local, active)
 

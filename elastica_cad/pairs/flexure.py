@@ -123,10 +123,10 @@ class FlexureTravel:
     Attributes
     ----------
     travel : (k,) array
-        Displacement of the pushed point, mm. For a part that is not bistable, it is the displacement of its end,
-        mm, or the rotation of an end that only turns, degrees.
+        Displacement of the pushed point, mm. If the part is not bistable: displacement of the end, mm, or rotation
+        of an end that only turns, degrees.
     force : (k,) array
-        Force along the push, N. For a part that is not bistable, it is the force on its moved end.
+        Force along the push, N. If the part is not bistable: force on the moved end.
     energy : (k,) array
         Elastic energy, N mm.
     position : (k, n, 2) array
@@ -609,8 +609,8 @@ class Flexure:
     def force_direction(self) -> float:
         """Direction of the force, in degrees anticlockwise from the x axis of the first curve.
 
-        A bistable part is pushed in this direction. Otherwise, it is the direction of the largest force on
-        the end.
+        A bistable part is pushed in this direction. For other parts, the largest force on the end has this
+        direction.
         """
         if self.pair.bistable:
             x, y = self.pushed[1]
@@ -622,7 +622,7 @@ class Flexure:
     def travel(self) -> FlexureTravel:
         """Path from the first state to the second.
 
-        If the part is bistable, it is pushed; otherwise its end is moved.
+        A bistable part is pushed. The end of another part is moved.
         """
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
@@ -938,7 +938,6 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
-    """Return the distance of `Flexure.overhang`, mm, for the thickness h, mm, and a fillet of radius r, mm."""
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0

@@ -398,7 +398,10 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros of the curvature difference after the first zeros, which a moment difference can have too."""
+        """Zeros of the curvature difference that are too many.
+
+        A moment difference can only have the zeros before them.
+        """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
@@ -421,7 +424,6 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return the coefficients (..., 5) of `number` + <b_1, first> - <b_2, second>."""
     return np.concatenate([number[..., None], first, -second], axis=-1)
 
 

@@ -1,6 +1,6 @@
 """Rods that have two drawn curves as rest shapes.
 
-Among them, the rod with the least stiffness ratio and bend, or with the largest least thickness, is selected.
+The rod with the least stiffness ratio and bend, or with the largest least thickness, is selected.
 """
 
 from dataclasses import dataclass, field, replace
