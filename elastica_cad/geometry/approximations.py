@@ -103,7 +103,7 @@ def _raised(rows: FloatArray) -> FloatArray:
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
-    """Return the distinct knots (k,) of each part of a curve that has `continuity` continuous derivatives.
+    """Cut a curve into parts with `continuity` continuous derivatives; return the distinct knots (k,) of each part.
 
     The last knot of a part is the first knot of the next part.
 
@@ -123,20 +123,19 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
 
 
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
-    """Return the clamped cubic B-spline that approximates `motion` within `tolerance` mm at equal parameters.
+    """Return a clamped cubic B-spline within `tolerance` mm of `motion` at every parameter.
 
-    The spline has the positions of the motion at the knots, and its directions at the ends of every
+    The spline has the positions of `motion` at the knots, and the derivatives of `motion` at the ends of every
     smooth part.
 
     Parameters
     ----------
     motion : callable
-        Function of parameters (n,), an order and a flag. The function returns positions (n, 2) for the order 0, and
-        derivatives for the order 1. If the flag is True, values at knots are left limits. The function is
-        smooth inside each part.
+        Function of parameters (n,), an order and a flag. For the order 0, the function returns positions (n, 2).
+        For the order 1, it returns their derivatives. If the flag is True, values at knots are left limits.
     stretches : tuple of arrays
-        Initial interpolation parameters of each smooth part; the last parameter of a part is the
-        first of the next part.
+        Initial interpolation parameters of each part on which `motion` is smooth. The last parameter of a part is
+        the first of the next part.
     """
     knots: list[FloatArray] = []
     points: list[FloatArray] = []
@@ -149,7 +148,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the spline through a smooth part, with the slopes of its ends."""
+    """Return knots and control points of the cubic spline for a smooth part with parameters `sites` (k,)."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -175,7 +174,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""Length of a chord, as a fraction of its coordinates, below which its direction may be a rounding error."""
+"""A chord shorter than this fraction of its coordinates may have a wrong direction due to rounding."""
 
 _SHORTEST_SHARE = 1e-6
 """Length of the shortest piece of a spline, as a fraction of its parameter range."""
@@ -187,7 +186,7 @@ _USED_SHARE = 0.95
 """Fraction of the tolerance that is used, because samples may miss the largest error."""
 
 _NEAR = 0.05
-"""Relative accuracy of the length of the longest possible biarc."""
+"""Relative accuracy of the search for the longest biarc within the tolerance."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
@@ -280,8 +279,8 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
-        return [], np.inf  # the chord points backwards, or the spline is a loop
-    # the positive root of bend d^2 + 2 along d = square, in a form that is valid for bend = 0 too
+        return [], np.inf  # no biarc: the chord points backwards, or the ends coincide
+    # d is the positive root of bend d^2 + 2 along d = square; this formula is also valid for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]

@@ -13,16 +13,16 @@ _DEGREE = 15
 """Degree of the Chebyshev series of the speed on each panel."""
 
 _FINE = 1e-14
-"""Size of the last Chebyshev coefficients, relative to the speed, up to which they are rounding errors."""
+"""Last Chebyshev coefficients below this fraction of the mean speed are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Size of the last Chebyshev coefficients, relative to the speed, up to which they may be rounding errors.
+"""Last Chebyshev coefficients below this fraction of the mean speed may be rounding errors.
 
-Such coefficients are rounding errors if halving the panel does not reduce them.
+Coefficients that do not decrease when the panel is halved are rounding errors.
 """
 
 _NARROWEST = 2.0**-40
-"""Width of the narrowest panel, as a fraction of the parameter range; the values in it are rounding errors."""
+"""Panels narrower than this fraction of the parameter range are not halved."""
 
 # largest number of Newton steps; three are usual, and more are needed only where the speed is almost 0
 _NEWTON_STEPS = 40
@@ -36,9 +36,9 @@ _PLACES = np.linspace(-1.0, 1.0, 17)
 
 @dataclass(frozen=True, eq=False)
 class ArcLength:
-    """Arc length as a function of the parameter, on panels with Chebyshev series of degree 16.
+    """Arc length as a function of the parameter: a Chebyshev series of degree 16 on each panel.
 
-    The panels are so short that the series have rounding errors only.
+    The panels are so short that the series are exact except for rounding errors.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class ArcLength:
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
-            if step < 1e-7:  # the error after this step is about its square
+            if step < 1e-7:  # the remaining error is about the square of the step
                 break
         t = self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2
         return np.asarray(np.where(s <= 0, self.t[0], np.where(s >= self.s[-1], self.t[-1], t)))
@@ -90,9 +90,9 @@ class ArcLength:
 
     @cached_property
     def _table(self) -> tuple[FloatArray, FloatArray]:
-        """Tabulated coordinates over all panels, each of width 2, and the arc lengths at these coordinates.
+        """Coordinates at which the arc length is tabulated, and the arc lengths there, which never decrease.
 
-        The arc lengths never decrease.
+        Panel i has the coordinates 2 i - 1 to 2 i + 1.
         """
         panels = len(self.series)
         inside = self.series @ chebyshev.chebvander(_PLACES[:-1], _DEGREE + 1).T + self.s[:-1, None]
@@ -104,14 +104,14 @@ class ArcLength:
 def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
     """Return the arc length for a function `speed` that is smooth between `edges`.
 
-    Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. Halving also
-    stops where it no longer reduces these coefficients, because large parameters have rounding errors.
+    Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. Halving also stops
+    if it does not reduce these coefficients.
 
     Parameters
     ----------
     speed : callable
-        Function of indices of intervals (n,) and parameters (n,) in them; it returns speeds in mm per unit of
-        the parameter.
+        Function of interval numbers (n,) and parameters (n,) that returns speeds (n,), mm per unit of the
+        parameter.
     """
     span, low, width = np.arange(edges.size - 1), edges[:-1], np.diff(edges)
     before = np.full(low.shape, np.inf)

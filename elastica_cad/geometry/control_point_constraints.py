@@ -1,8 +1,8 @@
 """Constraints on the control points of a curve, and the least change that satisfies them.
 
-The constraints are those of the paper's Appendix C: inflections on a line, end points, end tangents, arc
-length. Every constraint is an equation G(q) = 0 for the control points q (m, 2). The weights of a rational
-curve do not change.
+The constraints are those of the paper, Appendix C: inflections on a line, end points, end tangents, arc length.
+Every constraint is an equation G(q) = 0 for the control points q (m, 2). The weights of a rational curve do not
+change. The notation <u, v> is the scalar product, and gamma(t) is the curve.
 """
 
 from collections.abc import Sequence
@@ -25,12 +25,12 @@ class Constraint(Protocol):
     """Equations that the control points of a curve must satisfy."""
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return residuals (k,) and their derivatives (k, 2 m) by x and y of each control point in turn."""
+        """Return residuals (k,) and their derivatives (k, 2 m) by all coordinates x0, y0, x1, ... of control points."""
 
 
 @dataclass(frozen=True, eq=False)
 class EndPositions:
-    """Constraint on the end points (2,), mm; an end with the value None is free."""
+    """Constraint that the ends are at given points (2,), mm. An end with the value None is free."""
 
     start: FloatArray | None
     end: FloatArray | None
@@ -54,7 +54,7 @@ class EndPositions:
 
 @dataclass(frozen=True, eq=False)
 class EndTangents:
-    """Constraint on the end tangents, given by normal vectors (2,); an end with the value None is free."""
+    """Constraint that the end tangents are normal to given vectors (2,). An end with the value None is free."""
 
     start_normal: FloatArray | None
     end_normal: FloatArray | None
@@ -88,8 +88,8 @@ class SmoothJoints:
     at : (k,) array
         Indices of the control points in which pieces meet.
     size : (k,) array
-        Lengths, mm. Cross products of handles are divided by these, so that residuals are lengths. A handle is
-        the vector between a joint and the next control point.
+        Distance, mm, from each joint to the next control point. Residuals are divided by it, so that they are
+        lengths.
     """
 
     at: IntArray
@@ -127,8 +127,8 @@ class FixedLength:
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the excess length, mm, and its derivatives by the control points.
 
-        The derivative by control point q_i is the integral of <gamma' / |gamma'|, dR_i/dt>, with its basis
-        function R_i.
+        The derivative by control point q_i is the integral of R_i' gamma' / |gamma'| over t, with the basis
+        function R_i of q_i.
         """
         low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
         x, w = gauss_rule(16)
@@ -164,7 +164,7 @@ class InflectionsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class PointsOnLine:
-    """Constraint that points at parameters `t` (k,) are on the line a + <b, x> = 0, as pinned ends must be."""
+    """Constraint that points at parameters `t` (k,), such as pinned ends, are on the line a + <b, x> = 0."""
 
     a: float
     b: FloatArray
@@ -209,7 +209,7 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[inner] - position[i]
         along = offset @ chord / size**2
-        # a point on a rotating chord moves by the fraction `along` of the displacement of its far end
+        # relative to end i of the chord, its point at the fraction `along` moves by this fraction of end j's move
         step = jacobian[inner] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -229,8 +229,8 @@ def least_norm_newton(
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals, relative to the size of the curve, at which the iteration stops. It also stops
-        if the residuals are rounding errors of the control points.
+        Norm of all residuals, relative to the size of the curve, at which the iteration stops. The iteration also
+        stops if the residuals are rounding errors of the control points.
 
     Returns
     -------
@@ -316,7 +316,7 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Return the derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
+    """Return the derivatives (k, 2 m) of <direction[k], sum of basis[k, i] q_i> by the control points q_i."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
@@ -331,10 +331,10 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k, 2) of the inflections near parameters (k,), and derivatives by the control points.
+    """Return the positions (k, 2) of the inflections near parameters (k,), and derivatives of the positions.
 
-    The derivatives have the shape (k, 2, 2 m). The curvature at an inflection remains kappa_0, so its
-    parameter t changes with the control points q: dt/dq = -(d kappa/dq) / (d kappa/dt).
+    The derivatives (k, 2, 2 m) are taken by the control points q. The curvature kappa at an inflection remains
+    kappa_0, so the parameter t of the inflection changes: dt/dq = -(d kappa/dq) / (d kappa/dt).
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
@@ -345,7 +345,10 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
-    """Return the inflections nearest to given parameters, or all in order if their number is the same."""
+    """Return the parameters (k,) of the inflections nearest to parameters `near` (k,).
+
+    If the curve has exactly k inflections, they are assigned in order.
+    """
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(

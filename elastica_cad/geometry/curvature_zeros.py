@@ -24,13 +24,13 @@ _DEGREE = 11
 """Degree of the polynomials that approximate a function on each interval."""
 
 _FOLLOWED = 1e-13
-"""Last coefficients of a polynomial, relative to the function, up to which the approximation is accepted."""
+"""A polynomial is accepted if its last coefficients are below this fraction of the size of the function."""
 
 _FOLLOWED_NOISE = 1e-12
-"""Coefficients of a polynomial, relative to the function, up to which they are rounding errors."""
+"""Coefficients below this fraction of the size of the function are rounding errors."""
 
 _FLAT = 1e-7
-"""Value of a function, relative to its size, up to which it counts as 0 on a whole interval."""
+"""A function is zero on an interval if all its values there are below this fraction of its size."""
 
 _MOST_CUTS = 12  # largest number of halvings of an interval; any remaining error is a rounding error
 
@@ -99,9 +99,8 @@ def function_zero_places(
 ) -> tuple[ZeroPlace, ...]:
     """Return all zeros along the curve of a function that is smooth between `edges`.
 
-    Each span is halved until a polynomial agrees with the function within rounding errors. The zeros of the
-    polynomials are then found as for the curvature. No zero is missed between samples, and zeros without a change
-    of sign are found.
+    Each span is halved until a polynomial agrees with the function within rounding errors. All zeros of these
+    polynomials are returned, including zeros without a change of sign.
 
     Parameters
     ----------
@@ -136,14 +135,17 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return flags (k - 1,) for joints of pieces that start at `starts` (k,): True for a smooth joint."""
+    """Return flags (k - 1,) of the joints between pieces that start at `starts` (k,).
+
+    A flag is `smooth` at inner edges, and True at joints between edges.
+    """
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
-    """Return flags (p,) of straight pieces of a curve of extent 1: those with a curvature below 1e-8."""
+    """Return flags (p,): True for pieces with a curvature below 1e-8, on a curve of extent 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
@@ -172,19 +174,19 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors.
 
-    D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de Casteljau's
-    algorithm. The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of
-    `hodograph`.
+    D = det(A, B - A, A - 2B + C), where A, B, C are the three points two steps before the end of de Casteljau's
+    algorithm. The curvature is (degree - 1)/degree * D * w^3 / |h|^3, where w is the weight and `hodograph`
+    returns h.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    # equal weights are set to 1, which leaves one factor of each term
+    # equal weights count as 1, so that D is the cross product of `step` and `bend`
     if np.ptp(bezier[..., 2]) == 0:
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])
         return first - second, _numerator_noise(d, e, centre)
-    # coordinates x w, y w, w relative to the middle of each piece
+    # homogeneous coordinates x w, y w, w relative to the centre of each piece
     a, d, e = (
         np.stack([*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2]])
         for v in (bezier[:, :-2], step[:, :-1], bend)
@@ -204,7 +206,7 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Function along a curve, with the same sign as polynomials with Bernstein coefficients (p, n)."""
+    """Polynomials with the sign of a function along a curve, as Bernstein coefficients (p, n)."""
 
     coefficients: FloatArray
     noise: FloatArray
@@ -248,7 +250,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return the zero, or the interval of zeros, that starts at the start of piece i, in a list."""
+    """Return a list with the zero, or the interval of zeros, that starts where piece i starts."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

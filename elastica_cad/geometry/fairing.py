@@ -9,8 +9,8 @@ ends and end tangents of the drawn curve. On request the curvature is 0 at the e
 the largest for which the curve is within the tolerance. If the drawn curve is closed, c is periodic. The slope
 of the curvature is linearised about the curve of the previous iteration. All systems are sparse.
 
-Corners of at most 5 degrees are removed first, by turning the handles beside them: the vectors from the corner to
-the neighbouring control points.
+Corners of at most 5 degrees are removed first, by turning the handles beside them. A handle is the vector from a
+corner to a neighbouring control point.
 """
 
 from collections.abc import Callable
@@ -92,13 +92,13 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
 DEGREE = 4  # with simple knots, the curvature and its slope are continuous
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""Default of the largest distance by which a curve is smoothed: in mm, and as a fraction of its length."""
+"""Default largest distance between a curve and its smooth curve: in mm, and as a fraction of the length."""
 
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
 _LINEARISATIONS = 3
 _HALVINGS = 14  # number of bisections in the search for the smoothing length
-# fraction of the tolerance that is used at the samples, because the distance between samples may be larger
+# samples must be within this fraction of the tolerance, because the distance between samples may be larger
 _USED = 0.96
 _SLIDE = 1e4  # weight of distances along the drawn curve, relative to distances normal to it
 _FINE = 1.5  # least ratio of the smoothing length to the length of a knot span
@@ -128,7 +128,7 @@ def may_step(curve: PlaneCurve) -> bool:
     """Return True if the width of a strip with this curve may have a step.
 
     The width has a step if the curvature jumps, or if the slope of the curvature jumps at an inflection. The
-    result is False for curves that are not smoothed: corners are refused, and straight pieces are intended.
+    result is False for curves with corners or straight pieces, because they are not smoothed.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     rough = [b for b in breaks if b.continuity <= 2]
@@ -142,7 +142,7 @@ def may_step(curve: PlaneCurve) -> bool:
 
 
 def usual_tolerance(curve: PlaneCurve) -> float:
-    """Return the default of the largest distance, mm, by which a curve is smoothed."""
+    """Return the default largest distance, mm, between a curve and its smooth curve."""
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
@@ -257,10 +257,10 @@ class _Problem:
         self.data_part = self._normal_equations(both, np.concatenate(target))
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Fix the end control points; return the index of the unknown of each control point, -1 for none."""
+        """Fix the end control points. Return the number of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # multiples of the first step of a straight line with constant speed: its first three control points
+        # distances of the first three control points of a straight line with constant speed, relative to the first
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -279,7 +279,7 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) from control points to derivatives along `direction`."""
+        """Return the sparse matrix (n, 2 m) that multiplies control points to get derivatives along `direction`."""
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
@@ -291,7 +291,7 @@ class _Problem:
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
     def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
-        """Return the matrix and right-hand side of the least squares problem rows @ points = target."""
+        """Return matrix and right-hand side of the normal equations of rows @ points = target."""
         sought = rows @ self.chosen
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 
@@ -301,10 +301,10 @@ class _Problem:
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 
     def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
-        """Return the normal equations of the slope of the curvature, linearised about the curve of `points`.
+        """Return the normal equations of zero curvature slope, linearised about the curve of `points`.
 
-        A change d of the curve changes this slope by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2
-        n . d', with unit tangent t, unit normal n and curvature kappa. The speed is near 1.
+        If the curve moves by a vector d, its curvature slope changes by n . d''' - 3 kappa t . d'' - 2 kappa' t .
+        d' - 2 kappa^2 n . d', with unit tangent t, unit normal n and curvature kappa. The speed is near 1.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
@@ -321,7 +321,7 @@ class _Problem:
         return self._normal_equations(rows, rows @ points.ravel() - slope)
 
     def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
-        """Return the control points (m, 2) that minimise the distance plus the weighted slope of the curvature."""
+        """Return the control points (m, 2) of least squared distance plus `weight` times squared curvature slope."""
         from scipy.sparse.linalg import spsolve
 
         matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
@@ -329,7 +329,7 @@ class _Problem:
         return np.asarray(self.held + (self.chosen @ unknowns).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
-        """Return the largest distance, mm, normal to the drawn curve at the samples."""
+        """Return the largest distance, mm, of the samples from the drawn curve, along its normals."""
         return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 
@@ -356,13 +356,16 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 """Largest error of the vector between two points, as a multiple of the rounding error of a coordinate."""
 
 SMOOTHING_SHARE = 0.5
-"""Fraction of the allowed distance for the removal of corners; the rest is for smoothing the curvature."""
+"""Fraction of the allowed distance that removes corners. The rest smooths the curvature."""
 
 POLYLINE_SHARE = 0.1
-"""Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
+"""Largest smoothing distance suggested for a polyline, as a fraction of its size."""
 
 WORTH_SHARE = 1e-3
-"""Largest suggested displacement, as a fraction of the length; a larger one would change the drawing visibly."""
+"""Largest smoothing distance suggested for a spline, as a fraction of its length.
+
+A larger distance would change the drawing visibly.
+"""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
@@ -398,11 +401,11 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """Return a `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
+    """Return a smoothing distance, mm, rounded to one digit, with which `round_corners` removes all corners.
 
-    For a spline, it is at least the default smoothing distance, and at most a thousandth of the length. For a
-    polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or if
-    they cannot be removed within that limit.
+    For a spline, the distance is at least the default smoothing distance, and at most a thousandth of the length.
+    For a polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or needs a
+    larger distance.
 
     Examples
     --------
@@ -426,7 +429,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    # 5 % more, because `moved` is estimated with the sine of an angle, which is smaller than the angle
+    # add 5 %, because `moved` is estimated with the sine of an angle, which is smaller than the angle
     needed = 1.05 * healing.moved / SMOOTHING_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
@@ -438,7 +441,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """Return the curve without corners that disappear if the ends of handles move by at most `reach`, mm."""
+    """Remove the corners for which the ends of the handles must move by at most `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

@@ -89,7 +89,7 @@ class Frame:
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
-        """Return the frame in space, if this frame is given in the coordinates of `outer`."""
+        """Convert this frame from coordinates in `outer` to coordinates in space."""
         require_record(outer, Frame, "the outer frame", "a Frame")
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 

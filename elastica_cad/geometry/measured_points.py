@@ -19,15 +19,12 @@ FEWEST = 8
 """Least number of differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""Ratio of the divided differences of successive orders that separates noise from shape.
-
-Differences of a smooth curve decrease by a smaller ratio, and differences of noise by a larger one.
-"""
+"""Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise."""
 
 CROWDED_SHARE = 0.1
-"""Noise, as a fraction of the point spacing, above which every other point is omitted.
+"""If the noise exceeds this fraction of the point spacing, every other point is omitted.
 
-Otherwise neighbouring points would change their order along the curve.
+Otherwise noise could change the order of neighbouring points along the curve.
 """
 
 REPORTED_MM = 0.01
@@ -40,15 +37,15 @@ MOST_DECIMALS = 9
 """Largest number of decimals of millimetres that points may have."""
 
 REACH = 4.0
-"""Largest distance of about a hundred noisy points from a smooth curve, in standard deviations.
+"""Largest distance of a hundred or more noisy points from a smooth curve, in standard deviations.
 
-The distance is smaller for fewer points.
+For fewer points, the largest distance is smaller.
 """
 
 OUTLIER_TIMES = 4.0
-"""Least distance of an outlier from the curve through its neighbours, as a multiple.
+"""An outlier is more than this many times farther from the curve through its neighbours than all other points.
 
-It is relative to the largest distance of the other points, and to the rounding error.
+The distance also exceeds this multiple of the noise from rounding.
 """
 
 
@@ -75,9 +72,9 @@ class MeasuredPoints:
 
     @classmethod
     def of(cls, points: FloatArray, least: float = 0.0, rounding: float = 0.0) -> "MeasuredPoints":
-        """Return points (n, 2), among which no neighbours are equal, with their noise.
+        """Return the record of points (n, 2), with an estimate of their noise. Neighbouring points must differ.
 
-        If `rounding` is 0, it is computed from the decimals of the numbers.
+        If `rounding` is 0, it is computed from the decimals of the coordinates.
         """
         return cls(points, max(estimate_noise(points), least), least, rounding or _half_last_decimal(points))
 
@@ -95,16 +92,16 @@ class MeasuredPoints:
     def reach(self) -> float:
         """Distance, mm, by which a smooth curve may differ from the points because of their noise.
 
-        It is at least the largest rounding error, sqrt(3) standard deviations of rounding errors.
+        The distance is at least sqrt(3) standard deviations, which is the largest error of rounded numbers.
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.noise, 2)
 
     @cached_property
     def outlier(self) -> tuple[Refusal, ...]:
-        """Message about a point that is an outlier, such as a mistyped point; empty if there is none.
+        """Message about an outlier, such as a mistyped point. The tuple is empty if there is no outlier.
 
-        Without the outlier, all points are close to the cubics through their neighbours. The first and last
-        point are not checked, because a curve may end anywhere.
+        If the outlier is removed, each other point is close to the cubic through its neighbours. The first and last
+        points are not checked, because a curve may end anywhere.
         """
         count = len(self.points)
         if count < FEWEST + 4:
@@ -133,9 +130,9 @@ class MeasuredPoints:
         ),)  # fmt: skip
 
     def turns_beside(self, place: FloatArray) -> tuple[float, float, float]:
-        """Return the turning angles, rad, at the measured point nearest to `place` (2,) and at both neighbours.
+        """Return the turning angles, rad, at the point nearest to `place` (2,), before this point and after it.
 
-        Angles to the left are positive. For neighbours beyond the ends they are 0.
+        Angles to the left are positive. Points beyond the ends have the angle 0.
         """
         turn = np.pad(self._turns[0], 2)
         at = int(np.hypot(*(self.points - place).T).argmin())
@@ -144,7 +141,7 @@ class MeasuredPoints:
 
     @property
     def bend_changes(self) -> int:
-        """Number of changes of the turning direction along the points that exceed the effect of rounding.
+        """Number of changes between left and right turns along the points, without turns that rounding can cause.
 
         A curve through the points has at least this number of inflections.
         """
@@ -154,7 +151,7 @@ class MeasuredPoints:
 
     @cached_property
     def _turns(self) -> tuple[FloatArray, FloatArray]:
-        """Turning angles (n - 2,), rad, at the points, left positive, and the largest effects of rounding."""
+        """Turning angles (n - 2,), rad, at inner points, positive to the left, and their largest rounding errors."""
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
         rounding = 2 * self.resolution / np.hypot(*step.T)
@@ -190,10 +187,10 @@ def _half_last_decimal(points: FloatArray) -> float:
 def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
-    The result is the median of divided differences normal to the curve, scaled to unit variance of white noise.
-    The order of the differences is increased as long as this reduces the estimate. Gasser, Sroka and
-    Jennen-Steinmetz (Biometrika 73, 1986) use order 2. The result is 0 if there are too few points, or if the
-    differences decrease like the differences of a smooth curve.
+    The result is the scaled median of divided differences normal to the curve. The order of the differences is
+    increased as long as this reduces the estimate. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
+    order 2. The result is 0 if there are too few points, or if the differences decrease with the order like those
+    of a smooth curve.
 
     Examples
     --------
@@ -213,7 +210,7 @@ def estimate_noise(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Return the median divided difference normal to the curve, scaled to estimate the noise in mm."""
+    """Return the noise, mm, estimated from the median divided difference of this order normal to the curve."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
@@ -252,7 +249,7 @@ class Provenance:
     place : (3, 3) array, optional
         Matrix that converts millimetres to the coordinates displayed by the drawing program.
     unit : str
-        Unit of the displayed coordinates: "mm", "user units".
+        Unit of the displayed coordinates, such as "mm" or "user units".
     name, layer : str
         Names of the curve and its layer in the file; empty if it has none.
     holes : tuple of (float, float, float)

@@ -40,11 +40,11 @@ from elastica_cad.refusals import Length, note
 
 # speed that counts as zero, as a fraction of the largest speed on the same knot span
 _STANDSTILL_SHARE = 1e-9
-# largest speed on a knot span that is a single point, as a fraction of the largest speed of the curve
+# a knot span is a single point if its speed is below this fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-# smallest component of a velocity along the middle direction of its part, as a fraction of the speed
+# velocities in a half plane must have a component normal to its edge of more than this fraction of the speed
 _ALONG_SHARE = 1e-9
-# largest number of halvings of a knot span; an undecided tangent direction then means a cusp
+# largest number of halvings of a knot span; a part that still does not fit in a tangent cone has a cusp
 _MOST_HALVINGS = 27
 
 
@@ -52,7 +52,7 @@ _MOST_HALVINGS = 27
 class TangentAngle:
     """Angle of the tangent of a curve as a continuous function.
 
-    The curve is cut into parts, on each of which the tangents are in a cone around a middle direction.
+    The curve is cut into parts. All tangents of a part are in a cone around a middle direction.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class TangentAngle:
     axis : (k, 2) array
         Unit vector of the middle direction of each part.
     angle : (k,) array
-        Angle of this direction, rad, continuous from part to part.
+        Angle of the middle direction of each part, rad, without jumps of 2 pi between parts.
     spread : float
         Upper bound on the difference between the largest and the smallest angle of the curve, rad.
     """
@@ -80,8 +80,8 @@ class TangentAngle:
 def hodograph(bezier: FloatArray) -> FloatArray:
     """Return Bernstein coefficients (p, n, 2) of vectors parallel to the velocity of Bezier pieces.
 
-    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). The vectors are (w P' - P w') /
-    degree, for weight w and weighted position P: the velocity times w^2 / degree.
+    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). The vectors are the velocities times
+    w^2 / degree, with weight w.
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:
@@ -101,8 +101,8 @@ class TangentCones:
     hodographs : (k, n, 2) array
         Bernstein coefficients of vectors parallel to the velocity, as returned by `hodograph`.
     standstill : float or None
-        Parameter of the first point at which the velocity is zero, by a cusp or coincident control points. The
-        other attributes are then undefined.
+        Parameter of the first point at which the velocity is zero, because of a cusp or coincident control points.
+        If there is such a point, the other attributes are undefined.
     """
 
     edges: FloatArray
@@ -111,13 +111,10 @@ class TangentCones:
 
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
-    """Return the angle of the tangent of a curve without cusp.
-
-    At a corner it jumps by the exterior angle.
-    """
+    """Return the tangent angle of a curve without cusp. At a corner, the angle jumps by the exterior angle."""
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
-    # the velocities are in the convex hull of the coefficients, so the bounds apply to the whole piece
+    # velocities are in the convex hull of the coefficients, so bounds of the coefficients hold on the whole piece
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])
@@ -204,7 +201,7 @@ class RationalPieces:
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """Return the parameters, moved into the domain if they are outside by rounding errors; refuse others."""
+        """Return the parameters, clipped to the domain. Refuse any that are outside by more than rounding errors."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
@@ -216,7 +213,7 @@ class RationalPieces:
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
-        """Return the position and its derivatives up to `order` at local coordinates u (n,) of spans (n,)."""
+        """Return position and derivatives up to `order` at local coordinates u (n,) of the spans `index` (n,)."""
         values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series_to(order), index)
         size = values.shape[1] // (order + 1)
         rows = [values[:, k : k + size] for k in range(0, values.shape[1], size)]
@@ -234,7 +231,7 @@ class RationalPieces:
         return [d[:knots] for d in both], [d[knots:] for d in both]
 
     def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
-        """Return the speed (n,), mm per unit of t, at parameters (n,) of spans (n,)."""
+        """Return the speed (n,), mm per unit of t, at parameters t (n,) of the spans `index` (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         return norm(self.within(index, u, 1)[1])
@@ -242,11 +239,11 @@ class RationalPieces:
     def extremes(self) -> FloatArray:
         """Return the parameters (k,) at which x or y may have an extreme value.
 
-        These are the knots, and the points outside the bounding box of the knots at which x or y is stationary.
+        These are the knots, and the stationary points of x or y on pieces that may leave the box around the knots.
         """
         points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
-        # the curve is in the convex hull of the control points
+        # a piece is in the convex hull of its control points
         beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))
         if not beyond.size:
             return edges
@@ -273,14 +270,14 @@ class RationalPieces:
         return self._known[order]
 
     def _series(self, order: int) -> FloatArray:
-        """Return derivatives of all pieces with respect to t, of the given order, in a scaled Bernstein basis.
+        """Return the derivatives d/dt of the given order of all pieces, as coefficients of `scaled_bernstein`.
 
         The coefficients (p, degree + 1, 2 or 3) are raised to the degree of the curve.
         """
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
             return np.zeros_like(self._local)
-        # nearly equal knots cause an overflow; callers that need these derivatives refuse such curves
+        # nearly equal knots cause an overflow; callers that use the result refuse such curves
         with np.errstate(over="ignore", invalid="ignore"):
             rate = perm(degree, order) / widths**order
             return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
@@ -308,7 +305,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Return the matrix from Bernstein coefficients of degree `degree` - `times` to scaled ones of `degree`."""
+    """Return the matrix that raises Bernstein coefficients by `times` to `degree`, for `scaled_bernstein`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
@@ -348,7 +345,7 @@ SHORT_SPAN_SHARE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class KnotSides:
-    """Angle (rad), curvature and its slope, (3, p - 1), just before and just after the interior knots."""
+    """Values (3, p - 1) on both sides of the interior knots: tangent angle (rad), curvature, and its slope."""
 
     before: FloatArray
     after: FloatArray
@@ -381,14 +378,14 @@ def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *
 
 
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
-    """Return the number of continuous derivatives at the interior knots (p - 1,), from their multiplicity."""
+    """Return the number of continuous derivatives at each interior knot (p - 1,), from its multiplicity."""
     t = pieces.edges[1:-1]
     repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
     return np.asarray(pieces.spans.degree - repeated)
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Return how many of angle, curvature and its slope, in this order, are equal on both sides of each knot."""
+    """Count the values that are equal on both sides of each knot: first angle, then curvature, then its slope."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
@@ -452,19 +449,16 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 
 
 SAME_KNOT = 1e-12
-"""Distance from a knot, as a fraction of the domain, up to which a parameter equals the knot.
+"""A parameter closer to a knot than this fraction of the domain counts as the knot.
 
-A shorter knot span would consist of rounding errors.
+Otherwise a knot span could be as short as rounding errors.
 """
 
 FAR_SIZES = 1e6
-"""Displacement, in sizes of the curve, above which coordinates lose digits, so that the curve is checked again."""
+"""A transformed curve is checked again if its coordinates exceed this multiple of its size and so lose digits."""
 
 _AHEAD_SHARE = 1e-6
-"""Step of the control polygon along the chord of a curve, as a fraction of the chord.
-
-If all steps are larger, the curve has no point of zero speed.
-"""
+"""If all sides of the control polygon advance by more than this fraction of the chord, the speed is never zero."""
 
 MOST_TURNS = 100
 """Largest number of turns of an arc."""
@@ -512,7 +506,7 @@ class NurbsCurve:
         )
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        # otherwise the control polygon proves that the speed is positive
+        # check the speed, unless the control polygon proves that it is positive
         if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
             _refuse_standstill(self._pieces, self.control_points, format_point, rounding)
 
@@ -598,8 +592,8 @@ class NurbsCurve:
     ) -> Self:
         """Return a spline with few control points whose distance from all `points` is at most `tolerance` mm.
 
-        The curve contains the noise of measured points. Strips report noise that affects their widths, and the
-        option `smooth` of a strip removes it.
+        The curve contains the noise of measured points. Strips report noise that affects their widths. Their option
+        `smooth` removes the noise.
 
         Parameters
         ----------
@@ -610,9 +604,9 @@ class NurbsCurve:
         tolerance : float
             Largest distance of a point from the curve, mm.
         smoothing : float, optional
-            Weight of the mean square third derivative (mm, parameter from 0 to 1) relative to the mean square
-            distance (mm2); the distance may then exceed the tolerance. By default the weight depends on the noise
-            of the points.
+            Weight of the mean square third derivative (mm2, for a parameter from 0 to 1) relative to the mean
+            square distance (mm2). With a given weight, the distance may exceed the tolerance. By default the weight
+            depends on the noise of the points.
 
         Examples
         --------
@@ -637,14 +631,14 @@ class NurbsCurve:
         degree: int = 4,
         breaks: Sequence[tuple[float, int]] = (),
     ) -> Self:
-        """Return the spline that approximates a smooth function within `tolerance` mm at equal parameters.
+        """Return a spline within `tolerance` mm of a smooth function at every parameter.
 
         Parameters
         ----------
         function : callable
             Function of parameters (k,) between `start` and `end` that returns points (k, 2), mm.
         breaks : sequence of (parameter, continuity)
-            Parameters at which the function is only `continuity` times differentiable; they become knots.
+            Parameters at which the function has only `continuity` continuous derivatives. They become knots.
 
         Examples
         --------
@@ -677,7 +671,7 @@ class NurbsCurve:
     def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
         """Return the position, or its derivative d/dt of order 1 to 3, (..., 2), at parameters t (...).
 
-        If the result jumps at a knot, it is the right-hand value, or the left-hand value with `left=True`.
+        At a knot where the result jumps, the right-hand value is returned, or the left-hand value with `left=True`.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
             raise InputError(f"the order of a derivative must be 0 to 3, not {derivative!r}")
@@ -689,10 +683,9 @@ class NurbsCurve:
         return self._pieces.at(t, order)
 
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Return the derivatives (n, m) of the position, or of its derivative, at t (n,) by the m control points.
+        """Return the rational basis functions (n, m), or their derivatives d/dt, at parameters t (n,).
 
-        The derivatives are the rational basis functions R_i: the position is the sum of R_i(t) times control
-        point i.
+        The position is the sum of R_i(t) q_i, with basis functions R_i and control points q_i.
         """
         t = self._pieces.inside(np.atleast_1d(numbers(t, "parameters")))
         spans = self._pieces.spans
@@ -760,7 +753,7 @@ class NurbsCurve:
     def transformed(self, matrix: ArrayLike) -> Self:
         """Return the exact image under a projective map: matrix @ (x, y, 1) divided by its third component.
 
-        The image of a realizable curve with clamped ends is realizable too (paper, section 4.3).
+        If a strip with clamped ends can have this curve, a strip can also have the image (paper, section 4.3).
         """
         knots, points, weights = map_spline(
             self.knots,
@@ -780,7 +773,7 @@ class NurbsCurve:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        """Smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
         points, (low, high) = self.control_points, self.domain
         box = box_about(points[[0, -1]])
         clamped = self.knots[0] == low and self.knots[-1] == high
@@ -798,7 +791,7 @@ class NurbsCurve:
 
 
 def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
-    """Return the rows of De Boor's triangle, (degree, d) to (1, d), in the span that starts at a knot."""
+    """Return the rows of De Boor's triangle for t, from `degree` points to 1 point; `span` is the knot before t."""
     degree = knots.size - len(points) - 1
     rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
     for level in range(1, degree + 1):

@@ -16,7 +16,7 @@ from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_t
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""Length of a piece of the path, in multiples of the offset, above which the offset piece must not vanish."""
+"""An offset is refused if a part of the path vanishes that is longer than this multiple of the offset."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
@@ -70,7 +70,7 @@ class _Element:
 
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
-    """Return the moved segments, with arcs about the corners that are convex on the offset side."""
+    """Return the moved segments and the arcs about outer corners, in order."""
     segments = [part for segment in path.segments for part in _split_at_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []
@@ -142,7 +142,7 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Pieces of the offset path in order; they are trimmed to their crossings, and vanished pieces are removed."""
+    """Pieces of the offset path in order. Vanished pieces are removed, and others are trimmed at their crossings."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements

@@ -29,10 +29,10 @@ _BLOCK = 4096
 
 _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a length
-# last step of Newton's method, as a fraction of the domain; the error of the distance is its square
+# Newton's method stops at a step below this fraction of the domain
 _SETTLED = 1e-12
-_UNSETTLED = 1e-7  # step of Newton's method, as a fraction of the domain, above which it has not converged
-_SEARCHES = 20  # number of rounds of sampling; each reduces an interval to a quarter or less
+_UNSETTLED = 1e-7  # Newton's method failed if its last step exceeds this fraction of the domain
+_SEARCHES = 20  # number of rounds of sampling; each round reduces an interval to a quarter or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -72,9 +72,9 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the distances (n, m) of points from chords a[j] b[j], and the nearest fractions of the chords."""
+    """Return distances (n, m) of points from chords a[j] b[j], and the fraction of each chord that is nearest."""
     (x, y), (dx, dy) = a.T, (b - a).T
-    # separate x and y, because sums over an axis of length 2 are slow
+    # x and y are separate, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y
     square = dx**2 + dy**2
     where = left * dx
@@ -96,7 +96,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     """Return the least distances of points from a spline, by Newton's method from the nearest chords."""
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
-    # all chords that may be nearest, within the error of the chords
+    # keep all chords that may be the nearest, because chords differ from the spline
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]

@@ -24,9 +24,10 @@ _CHORD_TOLERANCE_MM = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Chords:
-    """Points (n, 2) at parameters u (n,) of a segment; Newton's method starts from the chords between them.
+    """Points (n, 2) at parameters u (n,) of a segment, with chords between them.
 
-    The points are computed once for a segment that is crossed many times.
+    Newton's method starts from crossings of chords. The points are computed once for a segment that is crossed many
+    times.
     """
 
     segment: Segment
@@ -142,14 +143,11 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 
 
 _FAN = 8
-"""Number of boxes in a group.
-
-The number is a compromise between the number of levels and the number of useless pairs.
-"""
+"""Number of boxes in a group: a compromise between many levels and many useless pairs."""
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the boxes of chords, then of groups of boxes, up to one box around all."""
+    """Return the boxes around chords, around groups of these boxes, and so on up to one box around everything."""
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -166,9 +164,9 @@ def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
 def _line_parameters(
     a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the intersections of the lines through a, b and through c, d, with (n, 2) points each.
+    """Return the intersections of lines a b with lines c d, as fractions (n,) of a b and of c d.
 
-    The intersections are fractions of a b and c d, or nan for parallel lines.
+    The lines are given by points a, b, c, d (n, 2). Parallel lines have the fractions nan.
     """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
@@ -177,7 +175,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Return parameters near crossings of chords, which are extended beyond their ends by a tenth."""
+    """Return the parameters at crossings of chords. Each chord is extended by a tenth beyond its ends."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -218,7 +216,7 @@ def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float
 
 
 FLAT_MM = 0.002
-"""Largest distance, mm, between a closed path and the polygon that replaces it in tests of points inside."""
+"""To find points inside a closed path, a polygon within this distance, mm, replaces the path."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
@@ -292,7 +290,7 @@ def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
 
 
 def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
-    """Return the parts of a path, cut at `walls`, whose midpoints satisfy `keeps`, as lists of segments."""
+    """Cut a path at segments `walls`. Return the parts whose midpoints satisfy `keeps`, as lists of segments."""
     runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}

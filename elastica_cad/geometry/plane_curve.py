@@ -131,7 +131,7 @@ CORNER_RAD = 1e-5
 """Smallest jump of the tangent direction, rad, that counts as a corner."""
 
 ROUNDED_ZERO_SHARE = 1e-6
-"""Rounding error of a zero of the curvature, as a fraction of the length of a piece."""
+"""Rounding error of a zero of the curvature, as a fraction of its knot span."""
 
 _ROUNDING = 1e-10  # rounding error of an angle, as a fraction of the angle
 
@@ -210,7 +210,7 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Parameters between which a Gauss rule of 16 points has rounding errors only, including both ends."""
+        """Ends of the panels on which a Gauss rule of 16 points is exact except for rounding, as parameters."""
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
@@ -314,7 +314,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def seam(self) -> Break | None:
-        """Start of a closed curve with its continuity, or None for an open curve."""
+        """Point where a closed curve starts and ends, with the continuity there; None for an open curve."""
         if not self.is_closed:
             return None
         return Break(0.0, self.domain[0], int(agreeing_orders(self._seam_sides, self.length)[0]))
@@ -364,7 +364,7 @@ class PlaneCurve(NurbsCurve):
         return knot_orders(self._pieces, self.knots)
 
     def _is_smooth(self, order: int) -> bool:
-        """Return True if the multiplicities of the knots alone show that the curve is smooth to this order."""
+        """Return True if the knot multiplicities alone prove that the curve has `order` continuous derivatives."""
         spans = self._pieces.spans
         apart = spans.widths.min() > SHORT_SPAN_SHARE * (spans.edges[-1] - spans.edges[0])
         return bool(apart and self._knot_orders.min(initial=order) >= order)
@@ -382,7 +382,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Improve sign changes by a Newton step, because zeros on short pieces have rounding errors."""
+        """Improve the parameters of sign changes by a Newton step, because rounding errors are large on short pieces."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
             return zero_places
@@ -472,7 +472,7 @@ def integrate_tangents(
     tolerance: float,
     breaks: Sequence[tuple[float, int]] = (),
 ) -> PlaneCurve:
-    """Return the spline of degree 5 from `start` (2,), mm, whose parameter is arc length.
+    """Return the curve from `start` (2,), mm, with the given tangents, as a spline of degree 5 over arc length.
 
     Parameters
     ----------
@@ -481,7 +481,7 @@ def integrate_tangents(
     tolerance : float
         Largest error of a unit tangent.
     breaks : sequence of (s, continuity)
-        Arc lengths at which the tangent is only `continuity` times differentiable.
+        Arc lengths at which the tangent has only `continuity` continuous derivatives.
 
     Examples
     --------

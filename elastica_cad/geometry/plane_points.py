@@ -169,7 +169,7 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
 
 
 _ROW, _FINEST_CELL = 2**31, 2.0**-30
-"""Number of cells in a row, and width of the finest cell as a fraction of the extent of all points."""
+"""Number of cells in a row, and least width of a cell as a fraction of the extent of all points."""
 
 
 def near_pairs(
@@ -178,8 +178,8 @@ def near_pairs(
     """Return index pairs (k,) of points (n, d) and other points (m, d) whose distance is at most `reach`.
 
     The plane of the first two coordinates is divided into square cells of width `reach` or more. Each point is
-    compared with the points of its cell and of the eight cells around it. A point with more than `most` of these
-    neighbours gets no pairs. Pairs are in the order of the points.
+    compared with the other points in its cell and in the eight cells around it. If these are more than `most`, the
+    point has no pairs in the result. Pairs are in the order of the points.
     """
     both = np.concatenate([points, others])[:, :2]
     cells = both - both.min(axis=0, initial=np.inf)
@@ -195,12 +195,12 @@ def near_pairs(
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]
-    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # `einsum`, because a sum over a short axis is slow
+    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # `einsum` is faster than a sum over a short axis
     return i[close], j[close]
 
 
 def distinct(values: FloatArray) -> FloatArray:
-    """Return the sorted distinct values (n,); unlike `numpy.unique`, without importing masked arrays.
+    """Return the sorted distinct values (n,). Unlike `numpy.unique`, this does not import masked arrays.
 
     Examples
     --------

@@ -1,4 +1,8 @@
-"""Polynomials in Bernstein form with all their roots, and piecewise polynomials over panels."""
+"""Polynomials in Bernstein form with all their roots, and piecewise polynomials over panels.
+
+Notation: polynomials (k, n+1) are k rows of Bernstein coefficients of degree n on [0, 1]. A function on N panels
+has p = `ORDER` values at nodes, or Legendre coefficients, in each panel. Panel coordinates x are from -1 to 1.
+"""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,19 +15,19 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Return binomial coefficients (degree + 1,): quotients of Bernstein polynomials and `scaled_bernstein`."""
+    """Return binomial coefficients (degree + 1,), by which Bernstein polynomials exceed `scaled_bernstein`."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 _SPLIT = 0.46875
-"""Fraction at which an interval is divided.
+"""Fraction at which an interval is divided, exact in binary.
 
-The fraction is exact in binary, and not 0.5, because polynomials of symmetric curves often have zeros at 0.5.
+The fraction is not 0.5, because polynomials of symmetric curves often have zeros at 0.5.
 """
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
-    """Return u^i (1 - u)^(degree - i) (n, degree + 1): the Bernstein polynomials without binomial coefficients."""
+    """Return u^i (1 - u)^(degree - i), for all i in a row: Bernstein polynomials without binomial coefficients."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
     if degree:
@@ -50,7 +54,7 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
 
 
 def sums_in_pieces(basis: FloatArray, series: FloatArray, piece: IntArray) -> FloatArray:
-    """Return values (n, c) of piecewise polynomials (p, degree + 1, c) in pieces (n,).
+    """Return values (n, c) of polynomials with coefficients `series` (p, degree + 1, c), in pieces `piece` (n,).
 
     `basis` contains the values of `scaled_bernstein` at the local coordinates.
     """
@@ -66,7 +70,7 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Return a matrix that adds all products (i, j) with i + j = k, for coefficient k of a product."""
+    """Return the matrix that adds the products a_i b_j with i + j = k to coefficient k."""
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -74,7 +78,7 @@ def _gathered(m: int, n: int) -> FloatArray:
 
 
 def raise_degree(c: FloatArray) -> FloatArray:
-    """Return the coefficients (..., n+2) of polynomials (..., n+1) of degree n as polynomials of degree n + 1."""
+    """Convert coefficients (..., n+1) of polynomials of degree n to coefficients (..., n+2) of degree n + 1."""
     n = c.shape[-1]
     weight = np.arange(n + 1) / n
     padded = np.concatenate([c[..., :1], c, c[..., -1:]], axis=-1)
@@ -91,7 +95,7 @@ def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
 
 
 def subdivide_pieces(bezier: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Return the control points (..., n+1, d) of the parts on [0, u] and [u, 1] of Bezier pieces."""
+    """Cut Bezier pieces at u. Return the control points (..., n+1, d) of both parts."""
     left, right = subdivide(np.swapaxes(bezier, -1, -2), u)
     return np.swapaxes(left, -1, -2), np.swapaxes(right, -1, -2)
 
@@ -109,7 +113,7 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 
 def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
-    """Return polynomials (k, n+1) divided by their zeros at 0 and 1, and flags (k, 2) of the ends with zeros.
+    """Divide out the zeros of polynomials (k, n+1) at 0 and 1; also return flags (k, 2) of the ends with zeros.
 
     Values up to `noise` (k,) count as zero. Only polynomials whose flag in `which` (k,) is True are changed.
     """
@@ -126,16 +130,16 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Divide polynomials (..., n+1) by u, or by 1 - u with `at_end`, where they have a zero; keep n+1 coefficients.
+    """Divide polynomials that are zero at 0 by u, or with `at_end` polynomials that are zero at 1 by 1 - u.
 
-    Signs inside (0, 1) do not change.
+    The number of coefficients (..., n+1) and the signs inside (0, 1) do not change.
     """
     return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
 
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
-    """Return the matrix (n+1, n+1) that divides coefficients (n+1,) by 1 - u, or by u, at the same degree."""
+    """Return the matrix (n+1, n+1) of `divide_out_end_root` for polynomials of degree n."""
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
@@ -163,14 +167,14 @@ class Root:
 _MOST_HALVINGS = 48
 """Largest number of halvings of an interval.
 
-The remaining interval is about as short as rounding errors. Several zeros in it count as one multiple zero.
+After these halvings, an interval is as short as rounding errors. All zeros in the interval count as one.
 """
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""Factors that decide when a sign change is treated as a multiple zero, with e^3 the relative rounding error.
+"""Factors that detect a multiple zero. The rounding error, relative to the largest coefficient, is e^3.
 
-The slope at a multiple zero, relative to the largest coefficient, is less than `_GENTLE` e^2. Rounding moves
-the zero by less than `_BLUR` e, so it is computed as the zero of a derivative.
+A zero with a slope below `_GENTLE` e^2, relative to the largest coefficient, may be a multiple zero. Rounding moves
+a multiple zero by up to `_BLUR` e. A zero of a derivative is then more accurate.
 """
 
 _EPS = float(np.finfo(float).eps)
@@ -180,9 +184,9 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
     The number of sign changes of the Bernstein coefficients is an upper bound of the number of zeros
-    (Descartes). The interval is divided until each part has at most one zero, or no coefficient above the
-    rounding errors `noise` (k,). Zeros that rounding errors cannot separate count as one zero. Such a zero is a
-    crossing if the sign differs on its two sides, else a touch. The coefficients at both ends must exceed the
+    (Descartes). The interval is divided until each part has at most one zero, or until all its coefficients are
+    below the rounding errors `noise` (k,). Zeros that are too close to be separated count as one zero. This zero is
+    a crossing if the signs before and after it differ, else a touch. The first and last coefficient must exceed the
     rounding errors (see `divide_out_end_root`).
     """
     return _classified(c, _merged(sorted(_events(c, noise))))
@@ -191,7 +195,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
     """Return intervals with one sign change each, and intervals in which all values are rounding errors.
 
-    Each is the index of a polynomial, start, end, and True if the zero is known exactly.
+    Each tuple contains the index of a polynomial, start and end of the interval, and True if they are equal.
     """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
@@ -217,7 +221,7 @@ def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, b
 
 
 def interior_roots(c: FloatArray) -> list[Root]:
-    """Return zeros in (0, 1) of polynomials (k, n+1), without zeros at the ends; zero polynomials have no zeros."""
+    """Return zeros of polynomials (k, n+1) in (0, 1), except of polynomials that are zero everywhere."""
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
@@ -227,7 +231,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Return the numbers (k,) of sign changes in rows, ignoring zeros, and flags (k,) of rows with zeros."""
+    """Count the sign changes (k,) in each row, ignoring zeros. Also return flags (k,) of the rows with zeros."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()
@@ -248,7 +252,10 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """Return an interval around the only sign change of each polynomial; it is wider at a multiple zero."""
+    """Return start and end of an interval around the only sign change of each polynomial.
+
+    The interval is a single point, unless the zero may be a multiple zero.
+    """
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -257,7 +264,7 @@ def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float
 
 
 def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the position (k,) of the only sign change of each polynomial, and the slope there."""
+    """Return the coordinates (k,) of the only sign change of each polynomial, and the slopes (k,) there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     rising = c[:, -1] > 0
@@ -276,7 +283,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Join close intervals, unless both contain an exact zero with a sign change."""
+    """Join close intervals of a polynomial, but never two intervals that are single points."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -304,7 +311,7 @@ def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> 
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
-    """Return a multiple zero in [a, b] as a zero of the first derivative, or of the second for a crossing."""
+    """Return the multiple zero in [a, b]: a zero of the first derivative, or of the second if the sign changes."""
     derivative = np.diff(c)
     if crossing and derivative.size > 1:
         derivative = np.diff(derivative)
@@ -321,7 +328,7 @@ def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> floa
 ORDER = 12  # number of Gauss nodes of a panel
 
 DENSE_PARTS = 24
-"""Number of equal parts of a panel at whose ends bounds are checked first."""
+"""Number of parts of a panel. The ends of the parts are the samples at which bounds are checked first."""
 
 EXTREME_STEPS = 2
 """Number of steps of Halley's method from the nearest sample to a local extreme.
@@ -329,9 +336,9 @@ EXTREME_STEPS = 2
 Each step reduces the error to about its third power.
 """
 
-_REACH = 0.15  # largest distance in panel coordinates from a sample to the local extreme next to it
-# distance from the largest or smallest value, as a fraction of the range, within which extremes are
-# computed
+_REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
+# local extremes are computed if they differ from the largest or smallest value by less than this fraction of
+# the range of values
 _NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -341,7 +348,7 @@ TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
 
 
 def _antiderivatives() -> tuple[FloatArray, FloatArray]:
-    """Return matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
+    """Return two matrices (p, p) that integrate nodal values: from -1 to each node, and from each node to 1."""
     longer = np.polynomial.legendre.legvander(NODES, ORDER)
     primitive = np.empty((ORDER, ORDER))
     primitive[:, 0] = NODES + 1
@@ -358,7 +365,7 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Return the panels (n,) of positions (n,) between edges (N + 1,), and panel coordinates (n,) from -1 to 1."""
+    """Return the numbers (n,) of the panels that contain positions (n,), and the panel coordinates (n,)."""
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -366,13 +373,13 @@ def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, F
 
 @dataclass(frozen=True, eq=False)
 class PanelFunction:
-    """Piecewise polynomial: Legendre coefficients (N, p, ...) on panels."""
+    """Function that is a polynomial on each of N panels, with Legendre coefficients (N, p, ...)."""
 
     coefficients: FloatArray
 
     @classmethod
     def through(cls, values: FloatArray) -> "PanelFunction":
-        """Return the interpolant of nodal values (N, p, ...)."""
+        """Return the function with given values (N, p, ...) at the nodes."""
         return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
@@ -382,7 +389,7 @@ class PanelFunction:
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Return values (N, k, ...) at the same coordinates of every panel, from their `legendre_basis` (k, p)."""
+        """Return values (N, k, ...) at the same k coordinates in every panel, given their `legendre_basis` (k, p)."""
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
@@ -418,13 +425,13 @@ class PanelFunction:
 
     @property
     def extreme_places(self) -> tuple[IntArray, FloatArray]:
-        """Panels and coordinates x at which `extremes` returns values: samples and local extremes."""
+        """Panels and panel coordinates of the values in `extremes`."""
         panel, sample, x = self.found_extremes
         return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
 
     @property
     def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Panels, starting samples and coordinates x, (n,) each, of extremes near the largest or smallest value."""
+        """Panels, nearest samples and panel coordinates, (n,) each, of local extremes near the largest or least value."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -432,7 +439,7 @@ class PanelFunction:
         low, high = table.min(), table.max()
         band = _NEAR_SHARE * (high - low)
         near = extreme & ((table > high - band) | (table < low + band))
-        # keep the largest and smallest sample, also at ends of panels
+        # add the largest and the smallest sample, which may be at the end of a panel
         near.flat[[table.argmin(), table.argmax()]] = True
         panel, sample = near.nonzero()
         coefficients, start = self.coefficients[panel], _DENSE[sample]
@@ -459,7 +466,7 @@ def legendre_basis(x: FloatArray) -> FloatArray:
 
 
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """Return the products (N, k, ...) of a matrix (k, p) with values or coefficients (N, p, ...) of panels."""
+    """Multiply a matrix (k, p) with the values or coefficients (N, p, ...) of all panels."""
     if values.ndim == 2:
         return np.asarray(values @ matrix.T)
     flat = matrix @ values.reshape(*values.shape[:2], -1)
@@ -477,7 +484,7 @@ _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
 _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
-"""First, second and third derivatives by x of every Legendre polynomial."""
+"""First, second and third derivatives of every Legendre polynomial at the samples."""
 
 
 @lru_cache(maxsize=64)
