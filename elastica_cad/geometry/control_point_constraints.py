@@ -25,7 +25,7 @@ class Constraint(Protocol):
     """Equations that the control points of a curve must satisfy."""
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return residuals (k,) and their derivatives (k, 2 m) by all coordinates x0, y0, x1, ... of control points."""
+        """Return residuals (k,), and their derivatives (k, 2 m) by the coordinates x0, y0, x1 ... of the points q."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,8 +88,7 @@ class SmoothJoints:
     at : (k,) array
         Indices of the control points in which pieces meet.
     size : (k,) array
-        Distance, mm, from each joint to the next control point. Residuals are divided by it, so that they are
-        lengths.
+        Distance, mm, from each joint to the next control point, which makes the residuals lengths.
     """
 
     at: IntArray

@@ -321,7 +321,7 @@ class _Problem:
         return self._normal_equations(rows, rows @ points.ravel() - slope)
 
     def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
-        """Return the control points (m, 2) of least squared distance plus `weight` times squared curvature slope."""
+        """Return the control points (m, 2) that minimise squared distance + `weight` * squared curvature slope."""
         from scipy.sparse.linalg import spsolve
 
         matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))

@@ -151,7 +151,7 @@ class MeasuredPoints:
 
     @cached_property
     def _turns(self) -> tuple[FloatArray, FloatArray]:
-        """Turning angles (n - 2,), rad, at inner points, positive to the left, and their largest rounding errors."""
+        """Turning angles (n - 2,), rad, at inner points, positive to the left, and their largest errors."""
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
         rounding = 2 * self.resolution / np.hypot(*step.T)

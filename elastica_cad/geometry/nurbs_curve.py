@@ -201,7 +201,7 @@ class RationalPieces:
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """Return the parameters, clipped to the domain. Refuse any that are outside by more than rounding errors."""
+        """Return the parameters clipped to the domain. Refuse parameters that are outside except for rounding."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):

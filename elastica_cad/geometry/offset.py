@@ -142,7 +142,7 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Pieces of the offset path in order. Vanished pieces are removed, and others are trimmed at their crossings."""
+    """Pieces of the offset path in order. Vanished pieces are removed, others are trimmed at their crossings."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements

@@ -382,7 +382,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Improve the parameters of sign changes by a Newton step, because rounding errors are large on short pieces."""
+        """Improve sign changes by a Newton step, because parameters on short pieces have rounding errors."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
             return zero_places

@@ -389,7 +389,7 @@ class PanelFunction:
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Return values (N, k, ...) at the same k coordinates in every panel, given their `legendre_basis` (k, p)."""
+        """Return values (N, k, ...) at the same k coordinates in every panel, from the `legendre_basis` there."""
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
@@ -431,7 +431,7 @@ class PanelFunction:
 
     @property
     def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Panels, nearest samples and panel coordinates, (n,) each, of local extremes near the largest or least value."""
+        """Panels, nearest samples and coordinates x, (n,) each, of extremes near the largest or smallest value."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]

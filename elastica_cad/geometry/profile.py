@@ -94,8 +94,8 @@ class Profile:
         function : callable
             Function of arc lengths (k,) that returns values (k,); it is not evaluated at breaks and ends.
         breaks : sequence of (s, continuity)
-            Arc lengths at which the function is only `continuity` times differentiable; -1 means a jump. They
-            become knots of such a multiplicity that the profile has the same continuity.
+            Arc lengths at which the function has only `continuity` continuous derivatives; -1 means a jump. The
+            profile has the same continuity there.
         knots : (k,) array_like
             Initial knots; further knots are inserted where the error exceeds the tolerance.
 
@@ -113,7 +113,7 @@ class Profile:
             tolerance=tolerance,
             breaks=breaks,
             knots=finite("knots", knots),
-            rounding=1e-9,  # quotients of moment and curvature have rounding errors of this size
+            rounding=1e-9,  # typical rounding error of quotients of moment and curvature
         )
         return cls(spline_knots, coefficients, degree)
 
@@ -143,7 +143,7 @@ class Profile:
 
     @property
     def extremes(self) -> tuple[float, float]:
-        """Smallest and largest value, with both sides of jumps included; accurate except for rounding errors."""
+        """Smallest and largest value, except for rounding errors. The values on both sides of a jump count."""
         (_, low), (_, high) = self._extreme_points
         return low, high
 
@@ -161,8 +161,8 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # both sides of a jump count
-        # only a piece with a coefficient beyond the values at the knots can exceed them
+        at_knots = pieces[:, [0, -1]]  # the values on both sides of a jump count
+        # only a piece with a coefficient outside the range of knot values can leave this range
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]
         turns = interior_roots(np.diff(pieces[which]))
@@ -176,7 +176,7 @@ class Profile:
 
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:
-        """Interior knots s with the number of continuous derivatives; -1 at a jump."""
+        """Arc length of each interior knot, with the number of continuous derivatives there; -1 at a jump."""
         knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
         return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
 
@@ -217,7 +217,7 @@ class Profile:
     def _changed(self, least: float, factor: float, low: float) -> "Profile":
         """Return the profile with the values low + (value - least) factor.
 
-        If the factor is positive, the extremes keep their arc lengths.
+        If the factor is positive, the arc lengths of the extremes do not change.
         """
         changed = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
         if factor > 0 and "_extreme_points" in vars(self):

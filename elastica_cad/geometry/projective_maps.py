@@ -48,14 +48,14 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     x, y = np.asarray(before, dtype=float)[0]
     matrix = matrix / (matrix[2] @ (x, y, 1.0))
     size = float(np.abs(np.asarray(before, dtype=float)).max())
-    # remove rounding errors, because affine maps keep polynomial curves polynomial
+    # make the map exactly affine if only rounding errors differ, so that polynomial curves remain polynomial
     if np.abs(matrix[2, :2]).max() * size < 1e-13:
         matrix[2] = 0.0, 0.0, 1.0
     return np.asarray(matrix)
 
 
 def _basis(name: str, points: ArrayLike) -> FloatArray:
-    """Return the matrix that maps the unit vectors and their sum to the four homogeneous points."""
+    """Return the matrix that maps the three unit vectors and their sum to the four points, in homogeneous form."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
         raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")

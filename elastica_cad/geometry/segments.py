@@ -35,7 +35,7 @@ The ends of such an arc are not accurate to 1e-6 mm.
 """
 
 RATIONAL_NODES = 32
-"""Number of Gauss nodes for the area of a rational piece; for a quarter circle only rounding errors remain."""
+"""Number of Gauss nodes for the area of a rational piece, so many that a quarter circle is exact."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ class Line:
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area that the ray from `origin` sweeps, mm2: half the integral of x dy - y dx."""
+        """Return the signed area between `origin` and the line, mm2: half the integral of x dy - y dx."""
         origin = point(origin, "origin")
         return 0.5 * float(cross(self.start - origin, self.end - origin))
 
@@ -219,7 +219,7 @@ class Arc:
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area that the ray from `origin` sweeps, mm2."""
+        """Return the signed area between `origin` and the arc, mm2."""
         origin = point(origin, "origin")
         triangle = float(cross(self.start - origin, self.end - origin))
         return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
@@ -302,7 +302,7 @@ class Spline:
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return unit tangents (..., 2) at u in [0, 1].
 
-        At a corner the tangent after it or, with `left`, before it.
+        At a corner, the result is the tangent after the corner, or before the corner with `left`.
         """
         d = np.asarray(
             self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
@@ -310,10 +310,10 @@ class Spline:
         return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area that the ray from `origin` sweeps, mm2, by Gauss's rule on each Bezier piece.
+        """Return the signed area between `origin` and the spline, mm2, by Gauss's rule on each Bezier piece.
 
-        Without weights the result is exact, because x y' - y x' has a degree of at most 2 p - 1 for splines of
-        degree p.
+        For a spline of degree p without weights the result is exact, because the degree of x y' - y x' is at most
+        2 p - 1.
         """
         origin = point(origin, "origin")
         edges, _ = self.curve.bezier_table
@@ -354,7 +354,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
 
 
 def _beyond_sine(x: float) -> float:
-    """Return x - sin x without cancellation; it gives the area between a flat arc and its chord."""
+    """Return x - sin x without cancellation, for the area between a flat arc and its chord."""
     y = x * x
     near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
     return x - sin(x) if abs(x) > 0.3 else near
@@ -375,12 +375,12 @@ def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
 
 
 _PROBES = np.array([0.25, 0.5, 0.75])
-"""Fractions of the interval of a chord at which the distance of the segment from the chord is measured."""
+"""Fractions of a parameter interval at which the distance of a segment from its chord is measured."""
 
 _ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
 
 MOST_ROUNDS = 40
-"""Largest number of halvings of an interval; then it is as short as rounding errors."""
+"""Largest number of halvings of an interval, which is then as short as rounding errors."""
 
 
 def require_tolerance_mm(tolerance: float) -> float:
@@ -408,12 +408,12 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
 
 
 def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
-    """Return initial parameters u (n,) from 0 to 1 for chords; splines get more parameters later."""
+    """Return the parameters u (n,) of the ends of chords: final for lines and arcs, initial for splines."""
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
     if isinstance(segment, Arc):
-        # at most 120 degrees, so that the polygon of a circle has an area
+        # a chord spans at most 120 degrees, so that the polygon of a circle has an area
         half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
         return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
     knots, (t0, t1) = segment.curve.knots, segment.curve.domain
@@ -425,9 +425,9 @@ def _halve_chords(
     at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
     tolerance: float,
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return segment numbers, parameters u and points (n, 2), with points inserted until chords are accurate.
+    """Insert points until chords are accurate. Return segment numbers, parameters u and points (n, 2).
 
-    Only chords after a parameter with `bent` True are measured.
+    Only chords that start at a parameter with `bent` True are divided.
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
@@ -454,16 +454,16 @@ def _halve_chords(
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # beyond an end of the chord, as in hairpins, measure from this end
+    # for a probe beyond an end of the chord, as in hairpins, measure the distance from this end
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
-"""Function of segment numbers (n,), parameters u (n,) and an order that is 0 or 1.
+"""Function of segment numbers (n,), parameters u (n,) and an order, for segments of one kind.
 
-The function returns points (n, 2), or derivatives by u, for segments of one kind.
+The function returns points (n, 2) for the order 0, and their derivatives by u for the order 1.
 """
 
 
@@ -506,7 +506,7 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
 
 
 def _kind(segment: Segment) -> Hashable:
-    """Return a key that is equal for segments that are evaluated together."""
+    """Return a key that is equal for segments that can be evaluated together."""
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
@@ -547,7 +547,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
-    """Return a function that evaluates all splines as one B-spline with spline i at parameters 2 i to 2 i + 1."""
+    """Return a function that evaluates all splines as one B-spline. Spline i has the parameters 2 i to 2 i + 1."""
     nothing = np.zeros((degree + 1, 2))
     chain = [part for array in points for part in (array, nothing)][:-1]
     joined = SplineFunction(

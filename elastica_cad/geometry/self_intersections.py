@@ -24,11 +24,11 @@ from elastica_cad.geometry.polynomials import (
 )
 
 _MOST_HALVINGS = 40
-"""Largest number of halvings of a piece; then it is as short as rounding errors."""
+"""Largest number of halvings of a piece, which is then as short as rounding errors."""
 
-_NEWTON_SHARE = 1e-4  # a piece smaller than this fraction of the extent is a start for Newton's method
+_NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
-"""Number of pairs of pieces that means overlapping parts; only a tenth of the pairs is then examined."""
+"""More pairs of pieces than this mean overlapping parts. Only a tenth of this number is then examined."""
 
 
 def find_self_intersections(
@@ -37,8 +37,8 @@ def find_self_intersections(
     """Return the pairs of parameters (k, 2), the smaller one first, at which a curve meets itself.
 
     The curve consists of homogeneous Bezier pieces (p, degree + 1, 3). Pieces are halved while their boxes overlap.
-    Neighbouring pieces, or a single piece, whose velocities are all in a common half plane cannot meet again.
-    They are excluded, so that joints are not reported.
+    If all velocities of two neighbouring pieces are in a common half plane, the pieces meet only at their joint.
+    Such pairs are excluded, so that joints are not reported.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def _boxes(part: FloatArray) -> FloatArray:
 def _meeting(
     part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """Return the pairs of pieces with overlapping boxes, without neighbours that cannot meet again."""
+    """Return the pairs of pieces with overlapping boxes, except neighbours that meet only at their joint."""
     (low, high), box = limits, _boxes(part)
     overlap = boxes_meet(box[first], box[second])
     first, second = first[overlap], second[overlap]
@@ -122,7 +122,7 @@ def _polished(
         p, v = motion(pairs.T.ravel())
         n = len(pairs)
         gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
-        # least squares with a small damping, to avoid division by zero where the parts touch
+        # a small damping of the least squares problem avoids division by zero where the parts touch
         a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
         r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
@@ -148,7 +148,7 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(distinct).reshape(-1, 2)
 
 
-# distance from a knot, as a fraction of a knot span, within which a parameter is at the knot
+# a parameter closer to a knot than this fraction of the knot span is at the knot
 _AT_KNOT_SHARE = 1e-9
 
 
@@ -174,10 +174,10 @@ class ViewAngles:
 
 
 def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
-    """Return the angles of the directions from the point at t to the other points of the curve.
+    """Return the range of the angles of the directions from the point at t to the other points of the curve.
 
-    Directions to points before t are reversed, and the direction at t is the tangent, so that the angle is
-    continuous along the curve. The result is None if the curve passes the same point again.
+    Directions to points before t are reversed, and the direction at t is the tangent. The angle is therefore
+    continuous along the curve. The result is None if the curve passes through the point at t again.
     """
     views, edges, point = _views(curve, t)
     cones = cut_into_tangent_cones(views, edges)
@@ -200,8 +200,8 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
     """Return Bezier pieces (k, n, 2) of the directions from the point p at t, their edges (k + 1,), and p.
 
-    The direction to a point of the curve gamma is gamma - p, or p - gamma before t. In pieces that end at p
-    it is divided by u or 1 - u, which is zero at p.
+    The direction to a point q of the curve is q - p, or p - q before t. A piece that starts at p is divided by its
+    coordinate u, and a piece that ends at p by 1 - u, so that the direction is not zero at p.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

@@ -20,7 +20,7 @@ SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Return the distinct knots (k,) of a vector of knots without a decrease, and their multiplicities (k,).
+    """Return the distinct values (k,) of ascending knots, and their multiplicities (k,).
 
     Examples
     --------
@@ -30,7 +30,7 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    # index where each run of equal knots starts, and of the end of the last run
+    # index of the first knot of each run of equal knots, and the number of knots
     first = rises.nonzero()[0]
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
@@ -86,13 +86,13 @@ def whole_degree(degree: int) -> int:
 
 
 def check_knots(knots: FloatArray, count: int, degree: int) -> None:
-    """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
+    """Refuse a knot vector that is not valid for a curve with `count` control points."""
     _check_knots(knots.tobytes(), count, degree)
 
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Do the work of `check_knots`; cached for curves with equal knots."""
+    """Check knots that are given as bytes, so that the result is cached."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -166,7 +166,7 @@ class Spans:
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Return the span index and the local coordinate u in [0, 1] of parameters t (n,).
 
-        At an edge it is the span on the right, or on the left with `left`.
+        At an edge, the span on the right is returned, or with `left` the span on the left.
         """
         index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         u = (t - self.edges[index]) / self.widths[index]
@@ -181,7 +181,7 @@ class Spans:
         return out
 
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
-        """Return the degree + 1 basis functions that are not zero, (n, degree + 1), and the span index (n,)."""
+        """Return the degree + 1 nonzero basis functions, (n, degree + 1), and the span index (n,)."""
         index, u = self.locate(t)
         width = self.widths[index]
         bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
@@ -191,15 +191,14 @@ class Spans:
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:
     """Return the spans of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
 
-    Bezier point j of the span [a, b] is the blossom (polar form) at the arguments a (degree - j times) and b (j
-    times).
+    Bezier point j of the span [a, b] is the blossom (polar form) of degree - j arguments a and j arguments b.
     """
     return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
 
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Do the work of `bezier_spans`; cached for curves with equal knots."""
+    """Return the spans for knots that are given as bytes, so that the result is cached."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
@@ -208,7 +207,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a in the first Bezier points and b in the others
+        # argument `level` of the blossom is a for Bezier points j < level, and b for the others
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -238,7 +237,7 @@ class SplineFunction:
     degree: int
 
     def __call__(self, x: FloatArray, derivative: int = 0) -> FloatArray:
-        """Return values or derivatives at x of any shape; the end pieces are extrapolated beyond the ends."""
+        """Return values or derivatives at x of any shape. Beyond the ends, the end pieces are extrapolated."""
         if derivative > self.degree:
             return np.zeros((*x.shape, *self.coefficients.shape[1:]))
         rows, u, width = self._at(x)
@@ -313,15 +312,15 @@ def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
 
 
 def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
-    """Return coefficients (m, ...) of the spline with given knots that has `values` (m, ...) at `sites` (m,)."""
+    """Return coefficients (m, ...) of the spline with the given knots and with values (m, ...) at sites (m,)."""
     spans = bezier_spans(knots, degree)
     return solved(spans, *spans.local_basis(sites), values)
 
 
 def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray) -> FloatArray:
-    """Return the coefficients (m, ...) of the spline with m given values.
+    """Return the coefficients (m, ...) of the spline with given values (m, ...) at m parameters.
 
-    Row i of `basis` (m, degree + 1) contains the basis functions at the parameter of values[i], in span index[i].
+    Parameter i is in the span index[i], and row i of `basis` (m, degree + 1) contains the nonzero basis functions.
 
     Raises
     ------
@@ -393,29 +392,27 @@ _MOST_SPANS = 3000
 _NARROWEST_SHARE = 1e-9
 """Width of the narrowest knot span, as a fraction of the domain."""
 
-_SAME_BREAK_SHARE = 1e-10  # distance, as a fraction of the domain, below which breaks count as equal
-# distance below which breaks with a continuous slope count as equal, because a knot span between them would
-# be singular
+_SAME_BREAK_SHARE = 1e-10  # breaks closer than this fraction of the domain count as equal
+# the same fraction for breaks with a continuous slope, because a knot span between them would be singular
 _ALIKE = 1e-7
-# ratio of the width of a knot span to a neighbour with a large error, above which the wide span is divided
-# too
+# a knot span that is this many times wider than a neighbour with a large error is divided too
 _WIDER_TIMES = 8.0
 
 _REFINED_SHARE = 0.05
-"""Fraction of the largest error above which knot spans are divided."""
+"""Knot spans with an error above this fraction of the largest error are divided."""
 
 _CORRECTIONS = 2
-"""Number of times that all parameters move to the nearest points of the curve, for each knot vector."""
+"""Number of corrections for each knot vector. A correction moves all parameters to the nearest curve points."""
 
-_POINTS_EACH = 4  # number of points for each control point, needed by a fit that is closer than the tolerance
+_POINTS_EACH = 4  # least number of points per control point for a fit within a third of the tolerance
 # least number of points from which noise is separated from shape
 _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated by a dense linear system."""
 
-# largest move of a parameter, as a fraction of the distance to the next, if moves change the order
+# if moves change the order of parameters, each is limited to this fraction of the distance to the next
 _STRIDE_SHARE = 0.4
-# penalty without visible effect, which determines coefficients without data
+# penalty that has no visible effect, but determines the coefficients where there are no data
 _LEAST_PENALTY = 1e-11
 # factor by which the root mean square distance may increase in exchange for a smoother curve
 _ALLOWED_INCREASE = 1.1
@@ -441,8 +438,8 @@ def adaptive_spline(
     tolerance : float
         Largest error of a value, measured between the interpolation points.
     breaks : sequence of (x, continuity)
-        Values of x at which the function is only `continuity` times differentiable; -1 means a jump. They become
-        knots with the corresponding multiplicity.
+        Values of x at which the function has only `continuity` continuous derivatives; -1 means a jump. The breaks
+        become knots with the corresponding multiplicity.
     knots : (k,) array_like
         Initial knots in addition to the breaks; further knots are inserted where the error is too large.
     rounding : float
@@ -493,7 +490,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """Return the first edges and their continuity; breaks that are too close count as one."""
+    """Return the initial edges, and the continuity at breaks. Breaks that are too close count as one."""
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
     for place, continuity in sorted(breaks):
@@ -515,7 +512,7 @@ def _first_edges(
 
 
 def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
-    """Return values (p, k, ...) of a function at x (p, k); refuse values that are not finite."""
+    """Return the values (p, k, ...) of a function at x (p, k). Refuse values that are not finite."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
         raise InputError(f"a function along the curve must give a value for each of {x.size} places")
@@ -526,7 +523,7 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Return least-squares coefficients.
+    """Return the coefficients of the spline that approximates values at x by weighted least squares.
 
     This replaces `make_lsq_spline` of SciPy, whose import is slow.
     """
@@ -566,7 +563,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Also mark wide neighbours, because a narrow span cannot compensate for their errors."""
+    """Mark the bad spans and their wide neighbours, because narrow spans cannot compensate for wide ones."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
@@ -574,7 +571,10 @@ def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
-    """Return the number of parts of a span, 2 to 8, for an error that decreases like width^(degree + 1)."""
+    """Return the number of parts, 2 to 8, that reduces the error of a span by the factor `excess`.
+
+    The error is proportional to width^(degree + 1).
+    """
     return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
@@ -586,9 +586,8 @@ def fit_spline(
     Knots are added where points are too far from the spline. Between iterations, every point gets the
     parameter of the nearest point of the spline. The correlation of the remaining deviations of neighbouring
     points separates noise from shape. Shape is approximated within a third of the tolerance, so that the
-    curvature is accurate. Noise is removed by the largest penalty on the third derivative that hardly
-    increases the mean distance; a parabola has the penalty 0. If no such spline is within the tolerance, the
-    points are interpolated.
+    curvature is accurate. Noise is removed by a penalty on the third derivative. The penalty is the largest that
+    hardly increases the mean distance. If no such spline is within the tolerance, the points are interpolated.
     """
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
@@ -637,9 +636,9 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     """Return knots and control points of the smoothest clamped spline within `tolerance` of `points` (n, 2).
 
     The spline has about one knot for each point. The penalty on its third derivative is the largest with
-    which all points are within the tolerance. For every tolerance, the spline is between the interpolating
-    spline and a parabola. The spline does not oscillate between the points. For 100 points or more,
-    `fit_spline` is used, which separates noise from shape with few control points.
+    which all points are within the tolerance. With increasing tolerance, the spline changes from interpolation to
+    a parabola, without oscillations. For 100 points or more, `fit_spline` is used, which separates noise from shape
+    with few control points.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
@@ -663,11 +662,11 @@ class _Problem:
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
-        """Return the penalty factor for the argument `smoothing`, scaled to the data."""
+        """Return the factor of the scaled penalty matrix for the argument `smoothing`."""
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Return control points and parameters after `corrections` moves of parameters to the nearest points."""
+        """Return control points and parameters after `corrections` moves of all parameters to nearest points."""
         control = self.at(t, weight)
         for _ in range(corrections):
             t = self.feet(control, t)
@@ -675,7 +674,7 @@ class _Problem:
         return control, t
 
     def at(self, t: FloatArray, weight: float) -> FloatArray:
-        """Return the control points (m, 2) of the best spline for data at parameters t (n,)."""
+        """Return the control points (m, 2) of the least-squares spline for data at parameters t (n,)."""
         basis = self._basis(t)
         weighted = basis.T * self._end_emphasis(t)
         normal = weighted @ basis + weight * self.penalty
@@ -693,7 +692,7 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Give more weight to points in the first and last knot span, where least squares is inaccurate."""
+        """Return weights (n,), larger in the first and last knot span, where least squares would be inaccurate."""
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
@@ -716,7 +715,7 @@ class _Problem:
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
-        """Return the correlation of the deviations (vectors) of neighbouring points: 1 for shape, 0 for noise."""
+        """Return the correlation of the deviation vectors of neighbouring points: 1 for shape, 0 for noise."""
         gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
@@ -725,7 +724,7 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points of the smoothest spline, with errors up to `tolerance` and an RMS up to `mean`."""
+    """Return the control points of the smoothest spline with errors up to `tolerance` and an RMS up to `mean`."""
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -771,7 +770,7 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
-    """Return knots at the points or, for even degrees, between them, because the spline would oscillate."""
+    """Return knots at the points, or between the points for even degrees, to avoid oscillations of the spline."""
     inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
 

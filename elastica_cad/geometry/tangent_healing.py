@@ -20,7 +20,7 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
 
-# distance of a control point from a chord, as a fraction of the chord, up to which it is on the chord
+# a control point closer to a chord than this fraction of the chord is on the chord
 _STRAIGHT = 1e-12
 _CLOSED = 1e-9  # ends closer than this fraction of the size coincide
 _SHORT = 1e-12  # control points closer than this fraction of the longest handle coincide
@@ -91,10 +91,10 @@ def heal_tangents(
 ) -> Healing:
     """Return the spline without the corners that rounding of its coordinates can cause.
 
-    Corners are possible at knots of full multiplicity, and where a closed clamped spline starts and ends. The
-    control points before and after the node are turned about the node by equal distances, so the longer handle
-    turns by the smaller angle. A straight piece is not turned if rounding explains the whole turn of its
-    neighbour. Splines of degree 2 are first raised to degree 3, because their control points belong to two nodes.
+    Corners are possible at knots of full multiplicity, and where a closed clamped spline starts and ends. The ends
+    of both handles at a node are moved by equal distances, so the longer handle turns by the smaller angle. If only
+    one of the two pieces is straight, only the handle of the other piece is turned. Splines of degree 2 are first
+    raised to degree 3, because their control points belong to two nodes.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def heal_tangents(
 
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
-    """Return the indices of control points on the curve, at inner knots of full multiplicity."""
+    """Return the indices of the control points at inner knots of full multiplicity, where corners are possible."""
     values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
     return np.asarray((np.cumsum(counts) - counts)[inner] - 1, dtype=int)
@@ -193,7 +193,7 @@ def _smooth_seam(points: FloatArray, degree: int) -> None:
 
 
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
-    """Turn the handles at a node into a common direction, in place."""
+    """Turn the handles at a node into a common direction. The array `points` is changed."""
     into, out, before, after = _handles(points, node, degree)
     inward, onward = float(np.hypot(*into)), float(np.hypot(*out))
     angles = np.arctan2(into[1], into[0]), np.arctan2(out[1], out[0])
