@@ -25,9 +25,9 @@ def plane_curve(
 ) -> tuple[PlaneCurve, Frame]:
     """Return the curve of an edge, a wire, or several consecutive edges, and the plane of the curve.
 
-    NURBS, lines and conics are converted exactly, and offset curves are approximated to 1e-6 mm. The
-    direction of the curve and the axes of the plane are chosen as in `placed_curve`. Without `plane`, the
-    side of the plane follows from the edges as drawn, and then rotates with the shapes.
+    NURBS, lines and conics are converted exactly. Offset curves are approximated to 1e-6 mm. `placed_curve`
+    describes how the direction of the curve and the axes of the plane are chosen. By default the axes are chosen
+    before the rotation `turned` of the edges, and then rotate with the edges.
     """
     if _has_faces(shape):
         raise InputError(
@@ -47,7 +47,7 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
-    """Return the rotation matrix (3, 3) of the location of the first edge, or None if it has no location."""
+    """Return the rotation (3, 3) of the first edge since it was drawn, or None if the edge was not moved."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
@@ -61,7 +61,7 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """Return the chains of edges without a face, and the numbers of omitted items by kind."""
+    """Return the chains of edges that belong to no face, and the number of omitted items of each kind."""
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()

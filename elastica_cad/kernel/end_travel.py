@@ -27,12 +27,10 @@ from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Angle, rad, of the circular arc into which a strip is bent for meshing; so small that the tabs do not
-meet."""
+"""Angle, rad, of the circular arc into which a strip is bent for meshing. The tabs do not meet."""
 
 CHORD = 5e-5
-"""Largest distance of triangles from the arc, as a fraction of the length. It gives about 80 triangles along
-the strip."""
+"""Largest distance of triangles from this arc, as a fraction of its length: about 80 triangles along a strip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +84,7 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Mesh a layer bent into a circular arc, where each point shows its position in the flat pattern."""
+    """Mesh a layer that is bent into a circular arc, and return the mesh unrolled to the flat strip."""
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
@@ -99,14 +97,13 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
 
 
 def _unrolled(points: FloatArray, radius: float) -> FloatArray:
-    """Return the positions (along, across, height), mm, in the flat strip for points (n, 3) of the strip bent
-    into an arc.
+    """Convert points (n, 3) of a strip bent into an arc to (along, across, height), mm, in the flat strip.
 
     The centre of the arc is the origin.
     """
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # tabs are straight; their points have angles outside the arc
+    # tabs are straight, and their points have angles outside the arc
     for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = sign * (points[:, :2] @ along)
@@ -144,9 +141,9 @@ class Travel:
     frame : Frame
         Plane of the curve of the strip.
     end : (2,) array_like, optional
-        Final position of the end after a translation, mm, in this plane.
+        Final position of the end after a translation, mm, in the plane of the curve.
     angle : float, optional
-        Final angle of the end after a rotation, rad, including full turns along the strip, as in `bend`.
+        Final direction of the end after a rotation, rad. Full turns along the strip are included, as in `bend`.
 
     Examples
     --------
@@ -211,7 +208,7 @@ class Travel:
     def place(self) -> Frame:
         """Frame of the end before the travel, with the z axis across the strip.
 
-        The x axis is along the translation. For a rotation about z, it is along the strip.
+        The x axis is along the translation or, for a rotation about z, along the strip.
         """
         angle = self._rod.angle[-1]
         along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
@@ -225,7 +222,7 @@ class Travel:
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Shapes along the path, from the design on, as initial guesses for others."""
+        """Shapes in equal steps along the path, starting with the design, as initial guesses for other shapes."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:

@@ -22,9 +22,7 @@ class MadeFlexure:
 
     @classmethod
     def of(cls, flexure: "Flexure", state: "State | None", color: Any) -> "MadeFlexure":
-        """Return the record. `color` is a colour of the library, a name, numbers, or None for that of the
-        sheet.
-        """
+        """Return the record. `color` is a colour of the library, a name, or numbers; None is the sheet's colour."""
         from elastica_cad.pairs.flexure import Flexure
 
         require_record(flexure, Flexure, "the part", "a Flexure")

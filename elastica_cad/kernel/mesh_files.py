@@ -17,9 +17,9 @@ from elastica_cad.kernel.step_files import NamedShape, make_document
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
-    """Yield for each face the points (n, 3), mm, and the triangles (m, 3) as indices of points.
+    """Yield points (n, 3), mm, and triangles (m, 3) of each face of a body.
 
-    Triangles are anticlockwise, seen from outside.
+    A triangle consists of three indices of points, anticlockwise as seen from outside.
 
     Parameters
     ----------
@@ -45,8 +45,8 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
 
 
 PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
-"""Largest distance of triangles from faces, mm, for printing and for display; largest angle between
-triangles, rad."""
+"""Largest distance of triangles from faces, mm, for printing and for display, and largest angle between
+successive segments of an edge, rad."""
 
 HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -65,7 +65,7 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
-    # programs report an open body if there are triangles without area, as at the pole of a sphere
+    # omit triangles without area, as at the pole of a sphere, because programs would report an open body
     same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
     corners = corners[~np.any(same, axis=0)]
     rows = np.zeros(len(corners), dtype=TRIANGLE)

@@ -46,7 +46,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def lock(shape: Shape) -> Shape:
-    """Lock a body: boolean operations then change copies of its parts, not the body itself."""
+    """Lock a body, so that boolean operations change copies of its parts instead of the body."""
     shape.Locked(True)
     return shape
 

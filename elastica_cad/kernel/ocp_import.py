@@ -17,13 +17,13 @@ Shape: TypeAlias = Any
 
 
 def bare(shape: Any) -> Any:
-    """Return the OpenCASCADE shape in a wrapper. Other objects are returned unchanged.
+    """Return the OpenCASCADE shape in a wrapper, or an empty tuple if the wrapper is empty.
 
-    For an empty wrapper, return an empty tuple.
+    Other objects are returned unchanged.
     """
     try:
         inside = getattr(shape, "wrapped", shape)
-    except AssertionError:  # build123d raises it for an empty shape
+    except AssertionError:  # build123d raises this error for an empty shape
         return ()
     return () if inside is None and shape is not None else inside
 
@@ -39,13 +39,13 @@ REMARKS = {
     "7": ("TColStd", "TColStd_IndexedDataMapOfStringString"),
     "8": ("collections", "IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString"),
 }
-"""Module and name of the OCP class for comments in files, by the major version of OCP."""
+"""Module and name of the OCP class for comments in written files, for each major version of OCP."""
 
 
 @lru_cache(maxsize=1)
 @interrupts_held()
 def kernel() -> SimpleNamespace:
-    """Import OCP and return its classes by name. `Remarks` is the class for comments in files.
+    """Import OCP and return its classes by name. The class in `REMARKS` has the name `Remarks`.
 
     Raises
     ------

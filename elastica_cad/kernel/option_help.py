@@ -17,16 +17,16 @@ DRAWN = {
     "sheet": ("Sheet or str", "Material, or the name of a built-in sheet; omit it for a finished strip."),
     "max_width": ("float", "Largest width of the free part (mm); or set `min_width`, the least width."),
 }
-"""Type and description of the arguments that all functions for a strip along a drawn path have."""
+"""Type and description of the arguments of every function for a strip along a drawn path."""
 
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     """Return a decorator that adds the keys of `options` to docstring and signature of a class or function.
 
-    A key is declared as `Annotated["type", "help"]` in a typed dictionary. The first class with a key
-    describes it. Keys that the docstring already describes are not repeated. With `drawn`, the first
-    parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...` for their
-    defaults.
+    A key is declared as `Annotated["type", "help"]` in a typed dictionary. If several dictionaries declare a key,
+    the first one describes the key. Keys that the docstring already describes are not repeated. With `drawn`, the
+    docstring also describes path, sheet and max_width. In the signature, the keys replace `**options`, and their
+    defaults are `...`.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def _rows(keys: dict[str, tuple[str, str]]) -> Iterator[tuple[str, str]]:
 
 
 def _with_first_parameters(text: str) -> str:
-    """Return the docstring with `DRAWN` at the start of its parameters."""
+    """Return the docstring with the arguments in `DRAWN` as its first parameters."""
     title = "Parameters\n----------\n"
     first = title + "".join(f"{row}\n" for _, row in _rows(DRAWN))
     if title in text:

@@ -19,10 +19,10 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Number of points on each span of a section's edge. Edges with more than four spans have fewer."""
+"""Number of points on each span of an edge of a section. If the edge has more than four spans, they have fewer."""
 
 MOST = 1000
-"""A line with more points is thinned: evenly spaced points and points at bends remain."""
+"""Lines with more points than this are thinned. Evenly spaced points and points at bends remain."""
 
 BETWEEN = 1e-3
 """Largest distance, mm, of omitted points from the chords between remaining points."""
@@ -42,9 +42,9 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     Returns
     -------
     tuple of PlaneSection
-        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or as many
-        as its chords need to be within 0.001 mm of it. A plane that misses the shape gives a section without
-        lines.
+        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or more if
+        its chords would otherwise deviate by more than 0.001 mm. The section has no lines if the plane misses the
+        shape.
     """
     k, shape = kernel(), bare(shape)
     if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():
@@ -53,7 +53,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # gives splines; a freeform face would otherwise give a polyline of 10,000 points
+        # request splines, because a freeform face would otherwise give a polyline of 10,000 points
         section.Approximation(True)
         section.Build()
         return section.Shape()
@@ -92,7 +92,7 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
-    """Return the points (n, 2) of a chain of edges in the plane, directed as `SectionLine` requires."""
+    """Return the points (n, 2) of a chain of edges in the plane, in the order that `SectionLine` requires."""
     parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:
@@ -106,15 +106,13 @@ def _places(edge: Edge) -> FloatArray:
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points
     stations = edge.stations(max(edge.degree + 2, min(POINTS, 4 * POINTS // count)))
-    # in blocks, because the matrix of basis functions is dense
+    # evaluate in blocks, because the matrix of basis functions is dense
     rows = max(1, MOST * MOST // len(edge.points))
     return np.concatenate([edge.at(stations[i : i + rows]) for i in range(0, len(stations), rows)])
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return fewer points of a line: evenly spaced ones, and those without which chords would deviate from
-    it.
-    """
+    """Return evenly spaced points of a line, and the points without which chords would deviate from the line."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

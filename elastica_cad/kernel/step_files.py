@@ -39,19 +39,20 @@ if TYPE_CHECKING:
     from elastica_cad.pairs.flexure import Flexure, State
 
 LEAST_S, S_PER_MB = 5, 5
-"""Limit of the CPU time for reading a file, in s, and in s per MB; valid files take a tenth."""
+"""CPU time limit for reading a file: a constant in s, plus s per MB. Valid files need a tenth of the limit."""
 
 BUSY = 10
-"""Limit of the elapsed time, as a multiple of the limit of the CPU time, because the machine may be busy."""
+"""Limit of the elapsed time, as a multiple of the CPU time limit. Other programs may use the processor."""
 
 PR_SET_PDEATHSIG = 1
 """Option of Linux's prctl: the signal that a process gets when its parent ends."""
 
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
-    """Run a task in a copy of this process to find out whether it crashes. Its exceptions are ignored.
+    """Run a task in a forked copy of this process. Raise InputError if the copy crashes or takes too long.
 
-    The time of the copy is limited. On Linux it also ends with this process. Without fork, nothing is done.
+    Exceptions of the task are ignored. On Linux, the copy also ends when this process ends. On systems without
+    fork, nothing is done.
 
     Parameters
     ----------
@@ -64,7 +65,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
     with warnings.catch_warnings():
-        # Python warns because forks copy no threads; the copy needs none
+        # Python warns that a fork copies no threads, but the copy needs none
         warnings.simplefilter("ignore", DeprecationWarning)
         parent, copy = os.getpid(), os.fork()
     if not copy:
@@ -88,7 +89,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
 def _limit(parent: int, seconds: int) -> None:
     """Limit the time of this process, also in compiled code, and suppress its output.
 
-    On Linux, the process ends with its parent.
+    On Linux, the process also ends when its parent ends.
     """
     import resource
 
@@ -111,7 +112,7 @@ def _limit(parent: int, seconds: int) -> None:
 
 
 MANY_WIRES = 32
-"""A face with more wires than this is slow to write, because OpenCASCADE compares all of them."""
+"""A face with more wires than this is slow to write, because OpenCASCADE compares all pairs of wires."""
 
 
 def _has_many_wires(shape: Shape) -> bool:
@@ -121,10 +122,9 @@ def _has_many_wires(shape: Shape) -> bool:
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """Give every wire of a face its own vertices, as OpenCASCADE's writer does.
+    """Give each wire that shares a vertex with another wire of its face vertices of its own.
 
-    The writer compares all pairs of wires, which takes time with the square of their number. This function
-    changes only wires that share a vertex.
+    OpenCASCADE's writer has the same effect, but compares all pairs of wires, which is slow for many wires.
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
@@ -146,8 +146,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without the check of their wires.
 
-    The later transfer of the document reuses these entities. The writer itself cannot skip the check; a new
-    controller does.
+    The later transfer of the document reuses these entities. The writer itself cannot skip the check, but a new
+    controller skips it.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()
@@ -175,10 +175,10 @@ def _touching(wires: list[Shape]) -> list[int]:
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
-"""Name of the setting that also writes edges as curves in the parameters of their faces.
+"""Name of the setting that decides whether edges are also written as curves in the parameters of faces.
 
-These curves are more than half of a file. Readers compute them exactly for planes, cylinders, cones, spheres
-and tori."""
+These curves are more than half of a file. For planes, cylinders, cones, spheres and tori, readers can compute
+these curves exactly."""
 
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
@@ -290,10 +290,10 @@ def _is_elementary(shape: Shape) -> bool:
 def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
     """Suppress the output of OpenCASCADE and set the format of STEP files in a `with` block.
 
-    The previous settings are restored at its end.
+    The previous settings are restored at the end of the block.
     """
     k, settings = kernel(), {**SETTINGS, **further}
-    k.STEPControl_Writer()  # the settings exist only after the first writer
+    k.STEPControl_Writer()  # OpenCASCADE defines the settings when it makes the first writer
     before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())

@@ -36,13 +36,13 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
-"""An angle that has decimals and is below this, in degrees, was probably given in radians."""
+"""An angle in degrees that is smaller than this, and has decimals, was probably given in radians."""
 
 LEAST_LEAN_DEGREES = 90 / degrees(1)
-"""An inclination of a slot that has decimals and is below this, in degrees, was probably given in radians."""
+"""A slot's inclination in degrees that is smaller than this, and has decimals, was probably given in radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""A warning is located at the first line of code outside these packages, in the user's script."""
+"""Warnings point to the first caller outside these packages: a line of the user's script."""
 
 
 class StripWarning(UserWarning):
@@ -66,7 +66,7 @@ def model_parts(
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:
-    """Return the angles at start and end in rad, from degrees. Warn if they look like radians."""
+    """Convert the angles at start and end from degrees to rad. Warn if they were probably given in radians."""
     pair = angles_in_rad(angles)
     warn_of_radians([degrees(angle) for angle in pair if angle], LEAST_DEGREES)
     return pair
@@ -88,7 +88,7 @@ def warn_of_radians(angles: Sequence[float], least: float) -> None:
 def clamped_wire(
     start: Any, end: Any, length: float, *, angles: object, buckling: int, **others: Any
 ) -> tuple[ElasticaBetween, Shape]:
-    """Return the rod of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
+    """Return the rod of `elastica_between`, and its curve as a TopoDS_Wire. The angles are in degrees."""
     mode = whole_number(buckling, "buckling", 1)
     rod = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
     return rod, make_wire(Path([Spline(rod.curve)]))
@@ -117,7 +117,7 @@ def warn_of_strip(strip: Strip) -> None:
 
 
 OFF_PLANE_MM = 1e-4
-"""Largest distance of a given point from the plane of the curve, mm."""
+"""A point farther from the plane of the curve than this, mm, is refused."""
 
 
 class TupleLike(Protocol):
@@ -144,8 +144,7 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Two colours differ if a component differs by more than this; rounding errors of the libraries are
-smaller."""
+"""Two colours differ if a component differs by more than this. Rounding errors of libraries are smaller."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
@@ -167,7 +166,7 @@ def color_numbers(color: Any) -> tuple[float, ...]:
 
 
 class BendOptions(TypedDict, total=False):
-    """Options for bending a strip to other ends, as in `mechanics.bend`."""
+    """Options for moving and turning the ends of a strip: see `mechanics.bend`."""
 
     start: Annotated[
         "Point | None",
@@ -200,7 +199,7 @@ class BendOptions(TypedDict, total=False):
 
 @dataclass(frozen=True, eq=False)
 class MadeStrip:
-    """Strip of a body with its position; copies of the body share this record.
+    """Strip from which a body was made, with its position. Copies of the body share this record.
 
     Attributes
     ----------
@@ -208,7 +207,7 @@ class MadeStrip:
     frame : Frame
         Plane of the strip's curve.
     deviation : float
-        Largest distance of the strip from the drawn curve, mm, if limits changed the curve.
+        Largest distance of the strip from the drawn curve, mm; 0 if neither limits nor smoothing changed the curve.
     home : Frame or None
         Frame of the joint "start" of a bent body when it was made; None for other bodies.
     color: tuple[float, ...] or None
@@ -228,7 +227,7 @@ class MadeStrip:
         return self
 
     def mirrored(self) -> "MadeStrip":
-        """Return the record of a mirrored body. Its strip is turned over."""
+        """Return the record of the mirrored body, with the strip turned over."""
         return replace(self, strip=self.strip.mirrored())
 
     @property
@@ -258,7 +257,7 @@ class StripBody:
 
     @property
     def label(self) -> str:
-        """Name of the body and of its strip. Bodies made from it have the same name."""
+        """Name of the body and of its strip. Bodies that are made from this body have the same name."""
         return self._label
 
     @label.setter
@@ -279,12 +278,12 @@ class StripBody:
 
     @property
     def deviation(self) -> float:
-        """Largest distance of the strip from the drawn curve, mm, if limits changed the curve."""
+        """Largest distance of the strip from the drawn curve, mm; 0 if the curve was not changed."""
         return self._made.deviation
 
     @property
     def frame(self) -> Frame:
-        """Plane of the curve. It moves with a bent body; other bodies have the drawn plane."""
+        """Plane of the curve. For a bent body, the plane moves with the body; else it is the drawn plane."""
         home, now = self._made.home, self._start()
         return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
 
@@ -295,7 +294,7 @@ class StripBody:
 
     @property
     def check(self) -> EquilibriumCheck | None:
-        """Result of the check of the drawn curve by Theorem 1, or None if it was not checked."""
+        """Result of the check of the drawn curve (paper, Theorem 1), or None if the curve was not checked."""
         return self.rod.check
 
     @property
@@ -332,7 +331,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """Return a point in the plane of the curve. Two coordinates are already in this plane."""
+        """Convert a point to two coordinates in the plane of the curve. Two coordinates are returned unchanged."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):

@@ -41,7 +41,7 @@ FAR_SHARE = 0.01
 """Deviation of a strip from the drawn curve, as a fraction of the length, above which a warning is issued."""
 
 SHORTEST_MM = 5.0
-"""A curve shorter than this, mm, and shorter than its strip is wide, was probably drawn in metres."""
+"""A curve shorter than this, mm, and shorter than the width of its strip, was probably drawn in metres."""
 
 KEPT_REQUESTS = 64  # number of cached strips, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
@@ -66,7 +66,7 @@ NO_CURVES = {
     "Rod": "ec.Strip(rod, sheet, max_width=...)",
     "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
 }
-"""Records that are not curves, and what the user must pass instead."""
+"""For each type of record that is not a curve, the object that the user must pass instead."""
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
@@ -91,19 +91,19 @@ def make_strip_on(
     Parameters
     ----------
     path : PlaneCurve, edges and wires of a kernel, a Strip, or the body of a Strip
-        Path of the strip. Drawn edges determine their plane. A `PlaneCurve` or `Strip` is in the option `plane`,
-        by default the xy plane.
+        Path of the strip. Drawn edges determine their plane. For a `PlaneCurve` or `Strip`, the option `plane` is
+        the plane of the curve, by default the xy plane.
     sheet : Sheet or str
         Sheet of the strip; None for a finished strip.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        Plane of the drawing. It determines which side of a parallel path is up.
+        Plane in which the path was drawn. It determines the axes of the curve's plane.
     **options
         `StripOptions`, and `max_width`.
     """
     from elastica_cad.strip.strip_spec import StripSpec, changes_suggested_in_python
 
     drawn = getattr(path, "line", None)
-    # build123d: a `BuildLine` stands for its line
+    # use the line of a `BuildLine` of build123d
     path = path if drawn is None or callable(drawn) else drawn
     options = {name: value for name, value in options.items() if value is not None}
     _refuse_unknown(options)
@@ -189,7 +189,7 @@ def _require_tabs(ends: Any) -> None:
 
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    """Return the slots with inclinations in rad, from degrees. Warn if they look like radians."""
+    """Convert the inclinations of slots from degrees to rad. Warn if they were probably given in radians."""
     in_degrees = several("slots", slots, Slot, "Slot")
     warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
     return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
@@ -250,9 +250,9 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """Return the curve of each section of a body, with the options of its strip.
+    """Return the curve of each section of a body, and the options of its strip.
 
-    They include the plane and a numbered label.
+    The options include the plane of the section, and a label with a number.
     """
     label = options.get("label")
     called = "strip" if is_one_of(label, (None, "")) else label

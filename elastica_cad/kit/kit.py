@@ -21,7 +21,7 @@ from elastica_cad.strip.drawing import Drawing
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Files to be written, and the content of the report file among them."""
+    """Files to be written, and the content of the report, which is one of the files."""
 
     files: tuple[File, ...]
     report: dict[str, Any]
@@ -34,7 +34,7 @@ class Kit:
         done: Callable[[str, int], None] | None = None,
         process: DrawingProcess | None = None,
     ) -> tuple[Path, ...]:
-        """Write all files, or none of them if there is an error: see `write_files`.
+        """Write all files, or none if an error occurs: see `write_files`.
 
         `process` is the process that draws the pictures.
         """
@@ -52,7 +52,7 @@ def can_draw() -> bool:
 def left_out(
     *, step: bool = True, pictures: bool = True, paper: bool = False, blocks: Sequence[str] = ()
 ) -> tuple[str, ...]:
-    """Return a sentence for each missing package: the files it is needed for, and how to install it.
+    """Return a sentence for each missing package, with the files that need it and how to install it.
 
     `blocks` are the names of printed blocks.
     """

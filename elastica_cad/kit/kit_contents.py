@@ -51,13 +51,11 @@ class KitContents:
     entries: tuple[StripEntry, ...] = ()
     """Entries of the design file from which the strips were made; empty without a design file."""
     held: dict[str, HeldShape] = field(default_factory=dict)
-    """Shape of each finished strip in its holders, by name; empty if not requested."""
+    """Shape of each finished strip in its holders, by the name of the strip; empty if not requested."""
     notes: tuple[str, ...] = ()
-    """Notes on holders, on strips that rock in them or have no rest shape, and on parts that cannot be
-    cut."""
+    """Notes for the user, such as on strips that rock in their holders, or on parts that cannot be cut."""
     deviations: dict[str, float] = field(default_factory=dict)
-    """Largest distance, mm, of each part from its drawn curve, by name, if the curve was allowed to
-    change."""
+    """Largest distance, mm, of each part from its drawn curve, by name. Parts with fixed curves are omitted."""
 
     @cached_property
     def cut_list(self) -> CutList:
@@ -100,9 +98,9 @@ def kit_contents(
     spec : KitSpec, optional
         Request for additional parts of the kit. By default there are only the nested sheets.
     entries : sequence of StripEntry
-        Entries of the design file from which the strips were made, for the deviations from their curves.
+        Entries of the design file from which the strips were made, with their drawn curves.
     effects : bool
-        If True, compute the shape of every finished strip in its holders, and its deviation.
+        If True, compute the shape of every finished strip in its holders, and the deviation from the design.
     """
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
@@ -150,7 +148,7 @@ def kit_contents(
 
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
-    """Return the model with plates over the joints of long strips, clear of slots."""
+    """Return the model, with joints of long strips between the slots and covered by plates."""
     joined = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(joined[id(strip)] is strip for strip in model.strips):
         return model
@@ -158,7 +156,7 @@ def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str,
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
-    """Return, by name, the strips that are longer than the stock and are joined from pieces."""
+    """Return the strips that are longer than the stock, divided into pieces, by name."""
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
@@ -168,12 +166,12 @@ def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Return True if the ends of strips get engraved numbers, for their slots or for printed templates."""
+    """Return True if numbers are engraved at the ends of strips, for slots or for printed templates."""
     return bool(spec.holders or model.plates or spec.pages)
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the limits for a strip. The pieces of a long strip must fit inside the borders of a sheet."""
+    """Return the limits for a strip. If long strips are joined, their pieces must fit on a nested sheet."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -184,7 +182,7 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """Return the parts, with strips that are joined replaced by their pieces."""
+    """Return all parts to cut. A strip that is joined from pieces is replaced by these pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -193,9 +191,9 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
-    """Return warnings about strips that cannot be cut or handled, if `ignore_limits` is set."""
+    """Return warnings about strips that cannot be cut or handled; refuse them unless `ignore_limits` is set."""
     messages: list[str] = []
-    # layers without faults, with their limits; equal strips share their layers
+    # layers in which no faults were found, and their limits; equal strips share their layers
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)
@@ -261,7 +259,7 @@ def _departure_notes(
 
 
 def _pre_bend_notes(model: Model) -> list[str]:
-    """Return notes on pre-bent strips, because drawings do not show the bend."""
+    """Return notes on pre-bent strips, because drawings do not show how strips are pre-bent."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
@@ -351,7 +349,7 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _shapes_in_holders(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Return the shape of each strip in its holders, and notes on the play of tabs and on missing shapes."""
+    """Return the shape of each strip in its holders, and notes on the clearance of tabs and on missing shapes."""
     held_shapes = dict[str, HeldShape]()
     names = distinct_names(model.placed)
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]
@@ -376,7 +374,7 @@ def _shapes_in_holders(
 
 
 def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
-    """Return a note on interlocked strips that deviate by more than the clearance of their slots."""
+    """Return a note on interlocked strips that deviate from the design by more than the clearance of slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from elastica_cad.kernel.step_files import NamedShape
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
-"""Folders in a kit. The start page, the lists and the report are beside them."""
+"""Subfolders of a kit. The start page, the lists and the report are in the folder of the kit itself."""
 
 START_PAGE = "index.html"
 
@@ -42,10 +42,10 @@ FRAME_MM = 4.0
 """Distance between a printed template and the cutting line around it, mm."""
 
 LONGEST_TITLE = 90
-"""Largest number of letters of a page title with all parts. A longer title names only the first."""
+"""Largest number of letters of a page title with all parts. A longer title names only the first part."""
 
 NOT_WRITTEN = "not written"
-"""Text of the lists for the file of a block, if no solids are written."""
+"""Text in the lists instead of the file name of a block, if no solids are written."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Suffixes of the files from which parts are made."""
@@ -81,7 +81,7 @@ class SavedKit:
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
     """Raise InputError if the kit of a model with this name cannot be written to the folder.
 
-    Call it before the model is computed. A folder with the lists of a kit is accepted only with `force`.
+    Call this function before the model is computed. A folder with the lists of a kit is refused without `force`.
     """
     check_folder(folder, _list_names(file_word(name)), force=force)
 
@@ -100,13 +100,13 @@ def model_kit(
     ----------
     contents : KitContents
     step, pictures : bool
-        If True, include the assembly, or the pictures.
+        If True, include the assembly (for `step`) or the pictures (for `pictures`).
     parts : bool
         If True, include a file for every part. A cutting service always gets these files, without nested
         sheets.
     archives : bool
-        If True, include two ZIP files: one with the files to cut or print, every part once, and one with all
-        files except DXF and STL.
+        If True, include two ZIP files. The first contains the files to cut or print, with every part once. The
+        second contains all files except DXF and STL.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
@@ -254,9 +254,9 @@ def _list_names(word: str) -> tuple[str, ...]:
 
 
 def _draw_pages(contents: KitContents, path: Path) -> None:
-    """Write a PDF file with every part at full size, once, with its quantity. Small parts share pages.
+    """Write a PDF file that shows every part once, at full size, with the quantity. Small parts share pages.
 
-    If nothing holds the strips, holding templates and pages for measurements are added.
+    If the model has no holders, templates for holding strips and pages for measurements are added.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
@@ -269,7 +269,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            # paper has no grain
+            # paper has no grain, so parts may be rotated
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
@@ -284,7 +284,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """Return the holding template of each strip, with a cutting line around it, if nothing holds the strips."""
+    """Return the holding template of each strip in a cutting line, or nothing if the model has holders."""
     if _has_holders(contents):
         return []
     templates = []
@@ -301,7 +301,7 @@ def _templates(contents: KitContents) -> list[Piece]:
 
 
 def _measuring_pages(contents: KitContents) -> list[Drawing]:
-    """Return a page of measurements for each strip, if nothing holds the strips and the report has them."""
+    """Return the page of each strip whose measurements are in the report, or nothing if the model has holders."""
     if _has_holders(contents):
         return []
     return [
@@ -316,7 +316,7 @@ def _has_holders(contents: KitContents) -> bool:
 
 
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the file from which each piece is cut: its own file, or that of the nested sheet."""
+    """Return the file from which each piece is cut: the file of the part, or the file of a nested sheet."""
     named = contents.spec.cutting.file_name
     no_file = not parts or contents.spec.cutting.service
     rods = {piece.name: "" for piece in contents.pieces if piece.is_rod and no_file}
@@ -370,7 +370,7 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 
 
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """Return an archive of the files to cut or print, every part once, and one of all but DXF and STL files."""
+    """Return two archives: files to cut or print, with every part once, and all files except DXF and STL."""
     names = [file.name for file in files]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
@@ -381,7 +381,7 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
-    """Write files into an archive in their folder, with a fixed date."""
+    """Pack files into an archive in the same folder, with a fixed date."""
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)

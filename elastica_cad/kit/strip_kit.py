@@ -23,7 +23,7 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
-"""Default plane of a curve in space: upright, as seen on a screen."""
+"""Default plane of a curve in space: upright, with y upwards."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ class StripResult:
     def kit(self, request: StripFiles) -> Kit:
         """Return the report and all requested files for which the required packages are installed.
 
-        Files are described by their kind, such as "dxf", or "backing dxf" for the backing of a laminate.
+        The description of a file is its kind, such as "dxf", or "backing dxf" for the backing of a laminate.
         """
         strip, name, cutting, files = self.strip, self.name, request.cutting, list[File]()
         pictures, looked_at = request.pictures and can_draw(), cutting.service and can_draw()
@@ -132,7 +132,7 @@ class StripResult:
     def _drawn(
         self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
-        """Return the files of another drawing, in each requested format."""
+        """Return the files of the drawing that `draw` makes, one for each requested format."""
         cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
@@ -146,7 +146,7 @@ class StripResult:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """Drawing of each layer. Ends at which another strip continues are engraved with the name of the joint."""
+        """Drawing of each layer. The names of joints are engraved at ends where another strip continues."""
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
         if joined is not None:
             return replace(joined, ends=self.joints).drawings
@@ -159,7 +159,7 @@ class StripResult:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """Drawing of each layer with the name of its file."""
+        """Drawing of each layer, with the name of its file as its own name."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
@@ -176,7 +176,7 @@ class StripResult:
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return a function that draws the picture. It can be pickled without importing kits and designs."""
+        """Return a function that draws the picture, and can be unpickled without importing kits and designs."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 
@@ -184,7 +184,7 @@ class StripResult:
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
     def _template(self, strip: Strip) -> Drawing:
-        """Return the drawing to print on paper: the base, or the side view of a stack of plies."""
+        """Return the drawing to print on paper: the pattern of the base or, for a stack of plies, the side view."""
         if not strip.layout.stack:
             return self.patterns[0]
         from elastica_cad.model.batten import bench_drawing
