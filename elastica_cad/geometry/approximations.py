@@ -148,7 +148,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the cubic spline for a smooth part with parameters `sites` (k,)."""
+    """Return knots and control points of the cubic spline for one smooth part."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -183,14 +183,14 @@ _SAMPLES = np.linspace(0.0, 1.0, 33)
 """Fractions of a spline piece at which a biarc is compared with it."""
 
 _USED_SHARE = 0.95
-"""Fraction of the tolerance that is used, because samples may miss the largest error."""
+"""Samples must be within this fraction of the tolerance, because they may miss the largest error."""
 
 _NEAR = 0.05
 """Relative accuracy of the search for the longest biarc within the tolerance."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
-    """Return the path as lines between points of the path; their distance from the path is at most `tolerance` mm.
+    """Return the path as lines between its points, within `tolerance` mm of the path.
 
     Examples
     --------

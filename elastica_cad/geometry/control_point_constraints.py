@@ -30,7 +30,7 @@ class Constraint(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class EndPositions:
-    """Constraint that the ends are at given points (2,), mm. An end with the value None is free."""
+    """Constraint that the ends of a curve are at given points (2,), mm. An end with the value None is free."""
 
     start: FloatArray | None
     end: FloatArray | None
@@ -192,7 +192,7 @@ class CurvatureAt:
 
 @dataclass(frozen=True, eq=False)
 class CollinearInflections:
-    """Constraint that the inflections near parameters `t` (k,) are on a common line in any position."""
+    """Constraint that the inflections near parameters `t` (k,) are collinear."""
 
     t: FloatArray
 
@@ -208,7 +208,7 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[inner] - position[i]
         along = offset @ chord / size**2
-        # relative to end i of the chord, its point at the fraction `along` moves by this fraction of end j's move
+        # motion of each inflection relative to the moving line through inflections i and j
         step = jacobian[inner] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -290,7 +290,7 @@ def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
 def _damped_step(
     curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
 ) -> tuple[PlaneCurve, FloatArray, FloatArray]:
-    """Take the longest of the steps 1, 1/2, ... 1/64 that reduces the residual."""
+    """Take the longest of step, step / 2, ... step / 64 that reduces the residual."""
     lost: Exception | None = None
     for halving in range(7):
         try:

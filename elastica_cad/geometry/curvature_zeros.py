@@ -137,7 +137,7 @@ def function_zero_places(
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
     """Return flags (k - 1,) of the joints between pieces that start at `starts` (k,).
 
-    A flag is `smooth` at inner edges, and True at joints between edges.
+    The flags at inner edges are taken from `smooth`. All other flags are True.
     """
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
@@ -174,9 +174,8 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors.
 
-    D = det(A, B - A, A - 2B + C), where A, B, C are the three points two steps before the end of de Casteljau's
-    algorithm. The curvature is (degree - 1)/degree * D * w^3 / |h|^3, where w is the weight and `hodograph`
-    returns h.
+    D = det(A, B - A, A - 2B + C). A, B and C are the points two steps before the end of de Casteljau's algorithm.
+    The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with the weight w and the result h of `hodograph`.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]

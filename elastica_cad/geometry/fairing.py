@@ -260,7 +260,7 @@ class _Problem:
         """Fix the end control points. Return the number of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # distances of the first three control points of a straight line with constant speed, relative to the first
+        # the first three control points of a straight line with constant speed are 0, 1 and 3 steps from its end
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -279,7 +279,7 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) that multiplies control points to get derivatives along `direction`."""
+        """Return the sparse matrix (n, 2 m) that converts control points to derivatives along `direction`."""
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
@@ -356,16 +356,13 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 """Largest error of the vector between two points, as a multiple of the rounding error of a coordinate."""
 
 SMOOTHING_SHARE = 0.5
-"""Fraction of the allowed distance that removes corners. The rest smooths the curvature."""
+"""Fraction of the allowed distance for removing corners. The rest is for smoothing the curvature."""
 
 POLYLINE_SHARE = 0.1
 """Largest smoothing distance suggested for a polyline, as a fraction of its size."""
 
 WORTH_SHARE = 1e-3
-"""Largest smoothing distance suggested for a spline, as a fraction of its length.
-
-A larger distance would change the drawing visibly.
-"""
+"""Largest smoothing distance suggested for a spline, as a fraction of its length, so that it is hardly visible."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
@@ -404,8 +401,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     """Return a smoothing distance, mm, rounded to one digit, with which `round_corners` removes all corners.
 
     For a spline, the distance is at least the default smoothing distance, and at most a thousandth of the length.
-    For a polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or needs a
-    larger distance.
+    For a polyline, the limit is a tenth of the size. The result is None if the curve has no corners, or if the
+    limit is too small to remove them.
 
     Examples
     --------

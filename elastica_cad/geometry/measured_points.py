@@ -16,7 +16,7 @@ ORDERS = range(2, 8)
 """Orders of the divided differences that separate noise from shape."""
 
 FEWEST = 8
-"""Least number of differences of an order from which the noise is estimated."""
+"""Least number of divided differences for an estimate of the noise."""
 
 SETTLED = 0.7
 """Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise."""
@@ -43,10 +43,7 @@ For fewer points, the largest distance is smaller.
 """
 
 OUTLIER_TIMES = 4.0
-"""An outlier is more than this many times farther from the curve through its neighbours than all other points.
-
-The distance also exceeds this multiple of the noise from rounding.
-"""
+"""An outlier is this many times farther from the curve through its neighbours than other points and rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,8 +186,7 @@ def estimate_noise(points: FloatArray) -> float:
 
     The result is the scaled median of divided differences normal to the curve. The order of the differences is
     increased as long as this reduces the estimate. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
-    order 2. The result is 0 if there are too few points, or if the differences decrease with the order like those
-    of a smooth curve.
+    order 2. The result is 0 for too few points, or if the differences decrease like those of a smooth curve.
 
     Examples
     --------

@@ -42,7 +42,7 @@ from elastica_cad.refusals import Length, note
 _STANDSTILL_SHARE = 1e-9
 # a knot span is a single point if its speed is below this fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-# velocities in a half plane must have a component normal to its edge of more than this fraction of the speed
+# a tangent cone contains a velocity if the component along its axis exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9
 # largest number of halvings of a knot span; a part that still does not fit in a tangent cone has a cusp
 _MOST_HALVINGS = 27
@@ -101,8 +101,8 @@ class TangentCones:
     hodographs : (k, n, 2) array
         Bernstein coefficients of vectors parallel to the velocity, as returned by `hodograph`.
     standstill : float or None
-        Parameter of the first point at which the velocity is zero, because of a cusp or coincident control points.
-        If there is such a point, the other attributes are undefined.
+        Parameter of the first point with zero velocity, at a cusp or at coincident control points. With such a
+        point, the other attributes are undefined.
     """
 
     edges: FloatArray
@@ -127,7 +127,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
-    """Return the tangent cones of pieces with Bernstein coefficients (p, n, 2) of the velocity."""
+    """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
     size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)
@@ -201,7 +201,7 @@ class RationalPieces:
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """Return the parameters clipped to the domain. Refuse parameters that are outside except for rounding."""
+        """Return the parameters clipped to the domain, and refuse those that are clearly outside."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
@@ -288,7 +288,7 @@ class RationalPieces:
 
     @cached_property
     def _local(self) -> FloatArray:
-        """Bezier points (p, degree + 1, 2 or 3) of the pieces; the third column contains weights if these differ.
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces. If weights differ, they are the third column.
 
         Coordinates are relative to the middle control point of each piece. Otherwise second derivatives of
         short pieces far from the origin would have large rounding errors.
@@ -305,7 +305,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Return the matrix that raises Bernstein coefficients by `times` to `degree`, for `scaled_bernstein`."""
+    """Return the matrix from Bernstein coefficients of degree `degree - times` to those of `scaled_bernstein`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
@@ -340,7 +340,7 @@ ORDERS_OF_SIDES = 3
 """Number of derivatives that `KnotSides` compares; higher derivatives follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Least distance of knots, as a fraction of the domain, for knot multiplicities to prove continuity."""
+"""Knot multiplicities prove continuity only if knots are this fraction of the domain apart."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -385,7 +385,7 @@ def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Count the values that are equal on both sides of each knot: first angle, then curvature, then its slope."""
+    """Count how many of angle, curvature and its slope agree on both sides of each knot, until one differs."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
@@ -393,7 +393,7 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
 
 
 SHORT_HANDLE = 1e-3
-"""Length of a handle, as a fraction of the size of the curve, above which it is not a rounding error.
+"""A handle longer than this fraction of the size of the curve is not a rounding error.
 
 A handle is the vector from the end of a piece to its next control point.
 """
@@ -405,7 +405,6 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
-    """Refuse a curve of zero length, or with a point without tangent."""
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide, so the curve has zero length: draw it again")
     t = pieces.tangent_cones.standstill
@@ -464,7 +463,7 @@ MOST_TURNS = 100
 """Largest number of turns of an arc."""
 
 MOST_UNEVEN = 1e8
-"""Largest ratio of weights; beyond it, points are lost in rounding errors."""
+"""Largest ratio of weights. With a larger ratio, points of the curve are lost in rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,7 +16,7 @@ from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_t
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""An offset is refused if a part of the path vanishes that is longer than this multiple of the offset."""
+"""An offset is refused if it removes a part of the path that is longer than this multiple of the offset."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
@@ -209,7 +209,6 @@ def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
 
 
 def _refuse_collisions(path: Path, moved: Path, distance: float, tolerance: float) -> None:
-    """Refuse an offset that crosses itself or is closer to the path than `distance`."""
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
     worst = int(np.argmin(near))

@@ -72,7 +72,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n, m) of points from chords a[j] b[j], and the fraction of each chord that is nearest."""
+    """Return distances (n, m) of points from chords a[j] b[j], and the fractions (n, m) at the nearest points."""
     (x, y), (dx, dy) = a.T, (b - a).T
     # x and y are separate, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y

@@ -26,8 +26,7 @@ _CHORD_TOLERANCE_MM = 1e-3
 class Chords:
     """Points (n, 2) at parameters u (n,) of a segment, with chords between them.
 
-    Newton's method starts from crossings of chords. The points are computed once for a segment that is crossed many
-    times.
+    Newton's method starts from crossings of chords.
     """
 
     segment: Segment
@@ -220,7 +219,7 @@ FLAT_MM = 0.002
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
-    """Return the part of a closed path with low <= x <= high, closed by straight lines; its curves are exact.
+    """Return the exact part of a closed path with low <= x <= high, closed by straight lines.
 
     Examples
     --------

@@ -15,7 +15,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Return binomial coefficients (degree + 1,), by which Bernstein polynomials exceed `scaled_bernstein`."""
+    """Return binomial coefficients (degree + 1,): factors from `scaled_bernstein` to Bernstein polynomials."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
@@ -27,7 +27,7 @@ The fraction is not 0.5, because polynomials of symmetric curves often have zero
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
-    """Return u^i (1 - u)^(degree - i), for all i in a row: Bernstein polynomials without binomial coefficients."""
+    """Return u^i (1 - u)^(degree - i), (n, degree + 1): Bernstein polynomials without binomial factors."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
     if degree:
@@ -165,9 +165,9 @@ class Root:
 
 
 _MOST_HALVINGS = 48
-"""Largest number of halvings of an interval.
+"""Largest number of halvings of an interval, which is then as short as rounding errors.
 
-After these halvings, an interval is as short as rounding errors. All zeros in the interval count as one.
+All zeros in the remaining interval count as one.
 """
 
 _GENTLE, _BLUR = 10.0, 4.0
@@ -184,10 +184,10 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
     The number of sign changes of the Bernstein coefficients is an upper bound of the number of zeros
-    (Descartes). The interval is divided until each part has at most one zero, or until all its coefficients are
-    below the rounding errors `noise` (k,). Zeros that are too close to be separated count as one zero. This zero is
-    a crossing if the signs before and after it differ, else a touch. The first and last coefficient must exceed the
-    rounding errors (see `divide_out_end_root`).
+    (Descartes). The interval is divided until each part has at most one zero, or only coefficients below the
+    rounding errors `noise` (k,). Zeros that cannot be separated count as one zero. This zero is a crossing if the
+    signs before and after it differ, else a touch. The first and last coefficient must exceed the rounding errors
+    (see `divide_out_end_root`).
     """
     return _classified(c, _merged(sorted(_events(c, noise))))
 
@@ -195,7 +195,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
     """Return intervals with one sign change each, and intervals in which all values are rounding errors.
 
-    Each tuple contains the index of a polynomial, start and end of the interval, and True if they are equal.
+    Each tuple contains the index of a polynomial, start and end of the interval, and True if start equals end.
     """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
@@ -283,7 +283,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Join close intervals of a polynomial, but never two intervals that are single points."""
+    """Join close intervals of a polynomial, except two single points."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -337,8 +337,7 @@ Each step reduces the error to about its third power.
 """
 
 _REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
-# local extremes are computed if they differ from the largest or smallest value by less than this fraction of
-# the range of values
+# extremes are computed if they are within this fraction of the range of the largest or smallest value
 _NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -456,7 +455,7 @@ class PanelFunction:
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """Return the sum of the functions on the last axis, each multiplied by one of `numbers`."""
+        """Return the sum of the functions on the last axis, weighted by `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
 
 

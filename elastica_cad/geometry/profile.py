@@ -161,7 +161,7 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # the values on both sides of a jump count
+        at_knots = pieces[:, [0, -1]]
         # only a piece with a coefficient outside the range of knot values can leave this range
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]

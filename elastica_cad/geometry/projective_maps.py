@@ -15,7 +15,7 @@ from elastica_cad.refusals import Length
 _MOST_HALVINGS = 30  # largest number of halvings of a piece to make its weights positive
 
 IN_LINE_SHARE = 1e-9
-"""Height of a triangle, as a fraction of the size of all four points, below which its corners are collinear."""
+"""Points are collinear if their triangle is lower than this fraction of the size of all four points."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:

@@ -26,10 +26,10 @@ from elastica_cad.geometry.splines import SplineFunction
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
-"""Height of an arc above its chord, mm, below which the arc is replaced by a line."""
+"""An arc that rises less than this above its chord, mm, is replaced by a line."""
 
 _FARTHEST_MM = 1e9
-"""Radius of an arc, mm, above which the arc is replaced by a line.
+"""An arc with a larger radius than this, mm, is replaced by a line.
 
 The ends of such an arc are not accurate to 1e-6 mm.
 """
@@ -161,7 +161,7 @@ class Arc:
         first = atan2(y0 - y, x0 - x)
         radius = dist((x0, y0), (x1, y1)) * (1 + square) / (4 * abs(bulge))
         arc = cls((x, y), radius, first, first + 4 * atan(bulge))
-        vars(arc).update(start=start, end=end)  # exact end points
+        vars(arc).update(start=start, end=end)  # keep the exact end points
         return arc
 
     @property
@@ -312,8 +312,7 @@ class Spline:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area between `origin` and the spline, mm2, by Gauss's rule on each Bezier piece.
 
-        For a spline of degree p without weights the result is exact, because the degree of x y' - y x' is at most
-        2 p - 1.
+        The result is exact without weights: the degree of x y' - y x' is at most 2 p - 1 for a spline of degree p.
         """
         origin = point(origin, "origin")
         edges, _ = self.curve.bezier_table

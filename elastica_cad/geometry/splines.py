@@ -338,7 +338,7 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
 
 
 def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return knots, control points (m, 2) and weights (m,) of the unit circle between two angles, of degree 2.
+    """Return knots, control points (m, 2) and weights (m,) of an arc of the unit circle as a quadratic spline.
 
     Segments of at most a quarter turn are joined by double knots at their angles. The middle control point of a
     segment of angle 2 h has the weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
@@ -390,7 +390,7 @@ _MOST_SPANS = 3000
 """Largest number of knot spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
-"""Width of the narrowest knot span, as a fraction of the domain."""
+"""Least width of a knot span, as a fraction of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # breaks closer than this fraction of the domain count as equal
 # the same fraction for breaks with a continuous slope, because a knot span between them would be singular
@@ -586,8 +586,8 @@ def fit_spline(
     Knots are added where points are too far from the spline. Between iterations, every point gets the
     parameter of the nearest point of the spline. The correlation of the remaining deviations of neighbouring
     points separates noise from shape. Shape is approximated within a third of the tolerance, so that the
-    curvature is accurate. Noise is removed by a penalty on the third derivative. The penalty is the largest that
-    hardly increases the mean distance. If no such spline is within the tolerance, the points are interpolated.
+    curvature is accurate. Noise is removed by the largest penalty on the third derivative that hardly increases
+    the mean distance. If no such spline is within the tolerance, the points are interpolated.
     """
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
@@ -637,8 +637,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
 
     The spline has about one knot for each point. The penalty on its third derivative is the largest with
     which all points are within the tolerance. With increasing tolerance, the spline changes from interpolation to
-    a parabola, without oscillations. For 100 points or more, `fit_spline` is used, which separates noise from shape
-    with few control points.
+    a parabola, without oscillations. For 100 points or more, `fit_spline` is used.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
@@ -662,11 +661,11 @@ class _Problem:
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
-        """Return the factor of the scaled penalty matrix for the argument `smoothing`."""
+        """Return the penalty weight for the argument `smoothing`, at least `_LEAST_PENALTY`."""
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Return control points and parameters after `corrections` moves of all parameters to nearest points."""
+        """Return control points and parameters after `corrections` moves of parameters to nearest curve points."""
         control = self.at(t, weight)
         for _ in range(corrections):
             t = self.feet(control, t)

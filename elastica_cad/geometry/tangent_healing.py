@@ -69,7 +69,7 @@ class Healing:
     healed : tuple of Turn
         Nodes whose corners were removed.
     undecided : tuple of Turn
-        Nodes whose corners rounding can cause, but with angles above `SURE`; they may be real corners.
+        Nodes with corners above `SURE` that rounding can cause. They may be real corners.
     """
 
     knots: FloatArray
@@ -135,7 +135,7 @@ def heal_tangents(
 
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
-    """Return the indices of the control points at inner knots of full multiplicity, where corners are possible."""
+    """Return the indices of the control points at inner knots of full multiplicity."""
     values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
     return np.asarray((np.cumsum(counts) - counts)[inner] - 1, dtype=int)

@@ -27,7 +27,7 @@ from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Angle, rad, of the circular arc into which a strip is bent for meshing. The tabs do not meet."""
+"""Angle, rad, of the circular arc into which a strip is bent for meshing, so that its tabs do not meet."""
 
 CHORD = 5e-5
 """Largest distance of triangles from this arc, as a fraction of its length: about 80 triangles along a strip."""
@@ -285,7 +285,7 @@ class Travel:
 def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
     """Return the travel of the end of a bent body to a point, mm, or to an angle, degrees.
 
-    A point is in space, or two coordinates in the `frame` of the body. An angle is in this frame.
+    A point is in space, or two coordinates in the `frame` of the body. The angle is measured in this frame.
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:

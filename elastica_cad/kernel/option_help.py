@@ -25,8 +25,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
 
     A key is declared as `Annotated["type", "help"]` in a typed dictionary. If several dictionaries declare a key,
     the first one describes the key. Keys that the docstring already describes are not repeated. With `drawn`, the
-    docstring also describes path, sheet and max_width. In the signature, the keys replace `**options`, and their
-    defaults are `...`.
+    docstring also describes path, sheet and max_width. In the signature, the keys replace `**options`.
 
     Examples
     --------
@@ -68,7 +67,6 @@ def _rows(keys: dict[str, tuple[str, str]]) -> Iterator[tuple[str, str]]:
 
 
 def _with_first_parameters(text: str) -> str:
-    """Return the docstring with the arguments in `DRAWN` as its first parameters."""
     title = "Parameters\n----------\n"
     first = title + "".join(f"{row}\n" for _, row in _rows(DRAWN))
     if title in text:

@@ -19,7 +19,7 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Number of points on each span of an edge of a section. If the edge has more than four spans, they have fewer."""
+"""Number of points on each span of an edge of a section; fewer if the edge has more than four spans."""
 
 MOST = 1000
 """Lines with more points than this are thinned. Evenly spaced points and points at bends remain."""
@@ -101,7 +101,6 @@ def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
 
 
 def _places(edge: Edge) -> FloatArray:
-    """Return points (n, 3) along an edge, including its knots."""
     count = len(edge.spans.edges) - 1
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points

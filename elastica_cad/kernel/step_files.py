@@ -77,7 +77,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         os._exit(1)
     try:
         status = os.waitpid(copy, 0)[1]
-    except BaseException:  # Ctrl-C
+    except BaseException:  # such as Ctrl-C
         os.kill(copy, signal.SIGKILL)
         raise
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
@@ -124,7 +124,7 @@ def _has_many_wires(shape: Shape) -> bool:
 def _with_wires_apart(shape: Shape) -> Shape:
     """Give each wire that shares a vertex with another wire of its face vertices of its own.
 
-    OpenCASCADE's writer has the same effect, but compares all pairs of wires, which is slow for many wires.
+    OpenCASCADE's writer does the same, but slowly, because it compares all pairs of wires.
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
@@ -146,8 +146,7 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without the check of their wires.
 
-    The later transfer of the document reuses these entities. The writer itself cannot skip the check, but a new
-    controller skips it.
+    The later transfer of the document reuses these entities. Only a new controller skips the check.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()
@@ -177,8 +176,8 @@ SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
 """Name of the setting that decides whether edges are also written as curves in the parameters of faces.
 
-These curves are more than half of a file. For planes, cylinders, cones, spheres and tori, readers can compute
-these curves exactly."""
+These curves are more than half of a file. Readers compute the curves exactly for planes, cylinders, cones, spheres
+and tori."""
 
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 

@@ -144,7 +144,7 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Two colours differ if a component differs by more than this. Rounding errors of libraries are smaller."""
+"""Two colours differ if a component differs by more than this, which exceeds rounding errors."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:

@@ -162,7 +162,6 @@ def make_strip_on(
 
 
 def _require_curve(path: Any) -> None:
-    """Raise InputError for a text or a list of points, which are not curves."""
     if isinstance(path, str | PathLike):
         raise InputError(
             f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
@@ -180,7 +179,6 @@ def _is_point(value: Any) -> bool:
 
 
 def _require_tabs(ends: Any) -> None:
-    """Raise InputError for a number, which is not a tab."""
     lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
     if lengths:
         raise InputError(

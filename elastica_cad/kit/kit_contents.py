@@ -148,7 +148,6 @@ def kit_contents(
 
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
-    """Return the model, with joints of long strips between the slots and covered by plates."""
     joined = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(joined[id(strip)] is strip for strip in model.strips):
         return model
@@ -234,7 +233,6 @@ def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips
 def _departure_notes(
     model: Model, entries: Sequence[StripEntry], deviations: Mapping[str, float]
 ) -> list[str]:
-    """Return a warning for each sheet whose strips deviate far from their drawn curves."""
     specs = {entry.label: entry.spec for entry in entries}
     far = dict[Sheet, list[EqualStrips]]()
     for part in far_parts(model, deviations):
@@ -259,7 +257,6 @@ def _departure_notes(
 
 
 def _pre_bend_notes(model: Model) -> list[str]:
-    """Return notes on pre-bent strips, because drawings do not show how strips are pre-bent."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
@@ -374,7 +371,6 @@ def _shapes_in_holders(
 
 
 def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
-    """Return a note on interlocked strips that deviate from the design by more than the clearance of slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [

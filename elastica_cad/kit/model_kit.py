@@ -105,8 +105,8 @@ def model_kit(
         If True, include a file for every part. A cutting service always gets these files, without nested
         sheets.
     archives : bool
-        If True, include two ZIP files. The first contains the files to cut or print, with every part once. The
-        second contains all files except DXF and STL.
+        If True, include two ZIP files: one with the files to cut or print, with every part once, and one with all
+        files except DXF and STL.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
@@ -284,7 +284,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """Return the holding template of each strip in a cutting line, or nothing if the model has holders."""
+    """Return the holding template of each strip, framed by a cutting line, unless the model has holders."""
     if _has_holders(contents):
         return []
     templates = []
@@ -301,7 +301,6 @@ def _templates(contents: KitContents) -> list[Piece]:
 
 
 def _measuring_pages(contents: KitContents) -> list[Drawing]:
-    """Return the page of each strip whose measurements are in the report, or nothing if the model has holders."""
     if _has_holders(contents):
         return []
     return [
@@ -381,7 +380,6 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
-    """Pack files into an archive in the same folder, with a fixed date."""
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)

@@ -66,7 +66,7 @@ class StripResult:
     name : str
         Stem of the names of the files.
     joints : (str, str)
-        Names of the joints at both ends where another strip continues; empty strings for other ends.
+        Name of the joint at each end where another strip continues; empty at other ends.
     """
 
     spec: StripSpec
