@@ -43,7 +43,7 @@ For fewer points, the largest distance is smaller.
 """
 
 OUTLIER_TIMES = 4.0
-"""An outlier is this many times farther from the curve through its neighbours than other points and rounding."""
+"""An outlier is this many times farther from its neighbours' curve than other points, and than rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)

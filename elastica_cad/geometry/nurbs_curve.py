@@ -340,7 +340,7 @@ ORDERS_OF_SIDES = 3
 """Number of derivatives that `KnotSides` compares; higher derivatives follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Knot multiplicities prove continuity only if knots are this fraction of the domain apart."""
+"""Knot multiplicities prove continuity only if knots are at least this fraction of the domain apart."""
 
 
 @dataclass(frozen=True, eq=False)
