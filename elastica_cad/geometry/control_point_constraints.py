@@ -290,7 +290,7 @@ def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
 def _damped_step(
     curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
 ) -> tuple[PlaneCurve, FloatArray, FloatArray]:
-    """Take the longest of step, step / 2, ... step / 64 that reduces the residual."""
+    """Take the first of `step`, `step` / 2, ... `step` / 64 that reduces the residual."""
     lost: Exception | None = None
     for halving in range(7):
         try:

@@ -454,7 +454,7 @@ Otherwise a knot span could be as short as rounding errors.
 """
 
 FAR_SIZES = 1e6
-"""A transformed curve is checked again if its coordinates exceed this multiple of its size and so lose digits."""
+"""Coordinates above this multiple of the size of a transformed curve lose digits, so the curve is checked."""
 
 _AHEAD_SHARE = 1e-6
 """If all sides of the control polygon advance by more than this fraction of the chord, the speed is never zero."""

@@ -210,7 +210,7 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Ends of the panels on which a Gauss rule of 16 points is exact except for rounding, as parameters."""
+        """Parameters at the ends of panels. In each panel, a Gauss rule of 16 points has only rounding errors."""
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:

@@ -382,7 +382,7 @@ class PanelFunction:
         return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return values (n, ...) at coordinates x (n,) of panels (n,)."""
+        """Return values (n, ...) at coordinates x (n,) in the panels with numbers `panel` (n,)."""
         coefficients = self.coefficients[panel].swapaxes(0, 1)
         places = x.reshape(x.size, *[1] * (coefficients.ndim - 2))
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
@@ -392,7 +392,7 @@ class PanelFunction:
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return derivatives (n, ...) by the panel coordinate at coordinates x (n,) of panels (n,)."""
+        """Return derivatives d/dx (n, ...) at coordinates x (n,) in the panels with numbers `panel` (n,)."""
         return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
@@ -465,7 +465,7 @@ def legendre_basis(x: FloatArray) -> FloatArray:
 
 
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """Multiply a matrix (k, p) with the values or coefficients (N, p, ...) of all panels."""
+    """Return products (N, k, ...) of a matrix (k, p) with values or coefficients (N, p, ...) of each panel."""
     if values.ndim == 2:
         return np.asarray(values @ matrix.T)
     flat = matrix @ values.reshape(*values.shape[:2], -1)

@@ -200,8 +200,8 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
     """Return Bezier pieces (k, n, 2) of the directions from the point p at t, their edges (k + 1,), and p.
 
-    The direction to a point q of the curve is q - p, or p - q before t. The piece that starts at p is divided by
-    its coordinate u, and the piece that ends at p by 1 - u. Then no direction is zero.
+    The direction to a point q of the curve is q - p, or p - q before t. In both pieces that end at p, the factor
+    that is zero at p (u or 1 - u) is divided out.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

@@ -42,7 +42,7 @@ LEAST_S, S_PER_MB = 5, 5
 """CPU time limit for reading a file: a constant in s, plus s per MB. Valid files need a tenth of the limit."""
 
 BUSY = 10
-"""Limit of the elapsed time, as a multiple of the CPU time limit. Other programs may use the processor."""
+"""Limit of the elapsed time, as a multiple of the CPU time limit, because the processor may be busy."""
 
 PR_SET_PDEATHSIG = 1
 """Option of Linux's prctl: the signal that a process gets when its parent ends."""

@@ -77,7 +77,7 @@ class StripResult:
 
     @property
     def near(self) -> NearestRod | None:
-        """Nearest rod, or None if the curve was not allowed to change."""
+        """Rod with the nearest possible curve, or None if the curve was not allowed to change."""
         return self.found if isinstance(self.found, NearestRod) else None
 
     @cached_property
