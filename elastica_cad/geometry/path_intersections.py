@@ -303,6 +303,5 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
-    """Return True if a point on a segment is not one of its ends, within `JOIN`."""
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
     return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)

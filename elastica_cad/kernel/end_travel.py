@@ -119,7 +119,6 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    """Return the unit normals (n, 3) at corners `places` (n, 3): area-weighted means over triangles."""
     a, b, c = (places[corners[:, i]] for i in range(3))
     normals = np.zeros_like(places)
     for i in range(3):
