@@ -38,7 +38,7 @@ class AssemblyPart:
     name : str
         Unique among the parts of the same kind in the assembly.
     solids : tuple of BentSolid, FlatSolid or PrismSolid
-        Bodies of the part. A strip has a body for each sheet, with the plane of the curve as xy plane. Equal
+        Bodies of the part; a strip has a body for each sheet. The curve of a strip is in the xy plane. Equal
         strips share the tuple.
     colors : tuple of (red, green, blue)
         Screen colors of the solids, each component in 0..1; a fourth number is the opacity.
@@ -80,7 +80,7 @@ def require_model(model: object) -> None:
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
-    """Return parts for the strips, in their order, then for the holders. Equal names get a number.
+    """Return the strips and then the holders as parts. A number is added to equal names.
 
     Raises
     ------
@@ -145,7 +145,7 @@ def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
 
 
 FREE, TO_START = note("free"), note("glue to its start (1)")
-"""Instructions for ends without a holder: of an open strip, and for the end of a closed strip."""
+"""Texts for a free end, and for the end of a closed strip, which is glued to its start."""
 
 
 @dataclass(frozen=True)
@@ -161,8 +161,8 @@ class AssemblyStep:
     part : str
         Name of the cut piece.
     ends : (str, str)
-        Holders of end 1 and end 2. A supported end without a holder has the text "hold at (x, y, z)", mm,
-        with the angle to the line between both ends. Other ends are "free", or glued to the start of their strip.
+        Holders of end 1 and end 2. For a supported end without a holder, the text is "hold at (x, y, z)", mm,
+        with the angle of the strip to the line between its ends. Other ends are "free" or glued.
     holders : (tuple of str, tuple of str)
         Short texts for both ends: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
     locks_into : tuple of str
@@ -211,7 +211,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends without a holder, by the index of the strip in the model."""
+    """Return the supported ends without a holder, as a mapping from the index of their strip."""
     places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(
@@ -226,7 +226,7 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
-    """Return the places of each tab by the name of the tab, each with a short text."""
+    """Map the name of each tab to its places in holders, and each place to a short text."""
     places = defaultdict[str, dict[str, str]](dict)
     for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         places[tab][place] = short

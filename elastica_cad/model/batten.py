@@ -37,15 +37,16 @@ DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
-"""Line distance (mm) and characters per line, on A4, of the text below a side view."""
+"""Line spacing (mm) of the text below a side view, and characters per line on A4 paper."""
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
-    """Return columns (n,) of size in mm and inch, strain and safety of a tapered strip at stations (n,), mm.
+    """Return the workshop table of a tapered strip, as a mapping from column names to arrays (n,).
 
-    Stations are measured from the start of the free part; another column has the distance from the tip of the
-    tab. The default stations include the tips of both tabs. Safety is the strain limit of the material
-    divided by the strain, and infinite where the strip is not bent.
+    Each row belongs to a station, measured in mm from the start of the free part. The columns are the
+    station, its distance from the tip of the tab, the size of the strip, the strain and the safety. By default
+    the stations include the tips of both tabs. The safety is the strain limit of the material divided by the
+    strain, and infinite where the strip is not bent.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -83,8 +84,8 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
     """Return the side view of a tapered strip at full size, or the pattern of a strip of glued plies.
 
-    A tick at each station is labelled with its distance from the tip and the size of the batten, mm. The
-    lines below the view state the stock and the supports of the ends.
+    A tick at each station is labelled with two numbers, in mm: the distance from the tip of the tab, and the
+    size of the batten. The lines below the view state the stock and the supports of the ends.
     """
     if strip.layout.stack:
         return LeafStack(strip).drawing
@@ -134,12 +135,12 @@ class BattenSpec:
     length : float
         Length of the batten, mm.
     camber : float
-        Largest depth with pressed ends, as a fraction of the chord (0.1 is 10 %).
+        Largest depth of the bow between the pressed ends, as a fraction of the chord (0.1 is 10 %).
     place : float
         Position of the largest depth along the chord, as a fraction of the chord from the start.
     stock : ThicknessLaw or RoundLaw
-        A strip planed in thickness, or a rod. Its largest size is the size of the stock. Its least size is
-        the limit of planing or turning.
+        Law of a strip planed in thickness, or of a rod. The largest size of the law is the size of the stock.
+        Its least size is the limit of planing or turning.
     label : str
     full : float
         Fraction of the length, at the thick end, that has the full size. The remaining length is tapered.
@@ -197,7 +198,7 @@ class BattenSpec:
         try:
             taper, chord = self._taper()
         except NotConvergedError:
-            if self.lying is not None:  # the message already describes the effect of the weight
+            if self.lying is not None:  # the error may already name the weight as the cause
                 raise
             raise self._place_out_of_reach(0.5 - self.place, self._untapered_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))
@@ -208,7 +209,7 @@ class BattenSpec:
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_for_taper(most, chord)
-        # round towards the middle, because the position must be possible
+        # round the suggested position towards the middle of the chord, so that it is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -230,9 +231,9 @@ class BattenSpec:
         return 1 - 2.4 * self.camber**2
 
     def _place_for_taper(self, taper: float, chord: float) -> float:
-        """Return the position of the largest depth, with the chord adjusted to the requested depth.
+        """Return the position of the largest depth, after adjusting the chord to the requested depth.
 
-        The depth is assumed to be proportional to the square root of length minus chord.
+        Each adjustment assumes a depth proportional to the square root of length minus chord.
         """
         for _ in range(MOST_STEPS):
             depth, place = camber_of(_rod_between_hinges(self, taper, chord, SEARCH_NODES))
@@ -296,9 +297,9 @@ class Batten:
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
-        """Return the largest depth under the weight of the batten and its position, as fractions of the chord.
+        """Return the largest depth and its position, as fractions of the chord, under the batten's weight.
 
-        The chord is level, and has the length that it has without weight.
+        The chord is level and as long as without weight.
         """
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
@@ -318,7 +319,7 @@ class Batten:
         return float(np.hypot(*self.strip.reactions().start_force))
 
     def of_leaves(self, leaves: int) -> LeafedRod:
-        """Return the closest stack of equal glued plies; the lengths of the plies replace the planed taper.
+        """Return the stack of glued plies that is closest to the batten. Plies differ only in length.
 
         Raises
         ------
@@ -332,17 +333,20 @@ class Batten:
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
-        """Return the strip that is glued from these plies."""
+        """Return the strip that is glued from the plies of `leafed`."""
         spec = self.spec
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
-        """Return columns (n,) of size, strain and safety at stations (n,), mm; see `bench_csv`."""
+        """Return the size, strain and safety at `stations` (n,), mm, as a mapping from names to arrays (n,)."""
         return _bench_table(self.strip, stations)
 
 
 def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """Return the rod between hinges, `chord` apart, with the ratio exp(taper) of its size at the end and start."""
+    """Return the bent rod whose size at the end is exp(taper) times the size at the start.
+
+    `chord` is the distance between the hinges as a fraction of the length.
+    """
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
@@ -371,7 +375,7 @@ def _gravity_across(bulging: Literal["up", "down"], side: float = 1.0) -> Gravit
 def camber_of(rod: Rod) -> tuple[float, float]:
     """Return the largest distance from the chord and its position, as fractions of the chord.
 
-    Both are computed from a parabola through three nodes.
+    The result is the vertex of a parabola through three nodes.
     """
     chord = rod.position[-1] - rod.position[0]
     size = float(chord @ chord)
@@ -383,7 +387,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with zero curvature at the hinged ends. The third control points move by micrometres."""
+    """Return the curve with zero curvature at its ends; the third control point from each end is moved."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

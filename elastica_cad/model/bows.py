@@ -24,7 +24,7 @@ from elastica_cad.strip.strip_spec import make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
 ENDS = Supports("pinned", "pinned")
-"""Supports that act like a cord; they also fix the direction of the line between the ends."""
+"""Pinned supports, which act like a cord and also fix the direction of the line between the ends."""
 
 FINE_NODES = 2401
 """Number of nodes of a bow of constant section; the force in its cord is accurate to 2e-7."""
@@ -87,7 +87,7 @@ class Bow:
         return max(largest_deviation(self.drawn, bent), largest_deviation(bent, self.drawn))
 
     def shortened(self, shares: Sequence[float] = SHORTER) -> Travel:
-        """Return the states of the bow for a cord that is shortened by these fractions, which are sorted."""
+        """Return the states of the bow for a cord that is shortened by each fraction of its length in `shares`."""
         rod = self.strip.rod
         for share in numbers(shares, "shares").tolist():
             if not 0 <= share < 1:
@@ -102,9 +102,9 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     """Return the rod or strip that a cord between its ends bends into a given curve.
 
     A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica.
-    The result is the bow that has the end points and length of the curve and bulges to the same side.
-    `deviation` is its distance from the curve. For any other section, widths or diameters are computed that
-    bend exactly into the curve. The curvature of the curve must then be 0 at both ends.
+    The result is then the bow that has the end points and length of the curve and bulges to the same side.
+    `deviation` is its distance from the curve. A varying section gets widths or diameters with which the
+    result bends exactly into the curve. The curvature of the curve must then be 0 at both ends.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
 def rise_of(rod: Rod) -> float:
     """Return the largest distance, mm, of a rod from the line between its ends.
 
-    It is computed from a parabola through three nodes.
+    The result is the vertex of a parabola through three nodes.
     """
     chord = _chord(rod)
     off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / np.hypot(*chord)

@@ -33,7 +33,7 @@ EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
 """Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
-"""Overlap of slotted strips, mm, up to which they only touch."""
+"""Largest overlap, mm, at which slotted strips only touch."""
 
 EDGES_TOUCH_MM = 0.1
 """Largest permitted overlap, mm, of strips that meet edge to edge. Such an overlap can be filed off."""
@@ -41,10 +41,10 @@ EDGES_TOUCH_MM = 0.1
 NEWTON_STEPS = 3
 
 INSCRIBED_SQUARE = np.sqrt(0.5)
-"""Ratio of an inscribed square, which replaces a round rod, to the diameter of the circle."""
+"""Side of the inscribed square that replaces a round section, divided by the diameter."""
 
 SLOT_EXTENSION = 4.0
-"""Extension of a slot beyond the edge of its strip, in slot widths; the sides of a slot differ in length."""
+"""Length by which a slot is extended beyond the edge of its strip, in slot widths."""
 
 RIM_MM = 0.002
 """Largest distance, mm, between a slot and the polygon that represents it."""
@@ -87,9 +87,9 @@ class Body:
 
     @classmethod
     def of(cls, placed: Placed) -> "Body":
-        """Return the body of a placed strip. Its thickness is everywhere the least thickness of the strip.
+        """Return the body of a placed strip, with the least thickness of the strip everywhere.
 
-        The circle of a round section is replaced by its inscribed square.
+        A round section is replaced by its inscribed square.
         """
         strip = placed.strip
         ruled = RuledStrip(strip.rod.curve, placed.frame, strip.width)
@@ -187,7 +187,7 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 def _deeper_overlap(
     first: Body, second: Body, slot_distance: float, least: float, *, is_flush: bool
 ) -> Collision | None:
-    """Return the deepest overlap of the samples of either strip with the other strip."""
+    """Return the deepest sample of either strip inside the other, or None if no depth exceeds `least`, mm."""
     in_second, in_first = (
         _deepest_sample(a, b, slot_distance, least, is_flush=is_flush)
         for a, b in ((first, second), (second, first))
@@ -200,9 +200,10 @@ def _deeper_overlap(
 def _deepest_sample(
     a: Body, b: Body, slot_distance: float, least: float, *, is_flush: bool
 ) -> Collision | None:
-    """Return the point of strip `a` that is deepest inside strip `b`, or None if no depth exceeds `least`, mm.
+    """Return the sample of strip `a` that is deepest inside strip `b`, or None if no depth exceeds `least`, mm.
 
-    Tested points are slightly below both faces of `a`, or on the middle surface of flush strips.
+    Samples are slightly below both faces of `a`. If the strips are flush (side by side), samples are on its
+    middle surface.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
@@ -273,11 +274,11 @@ class _Overlap:
 def missing_slots(
     placed: Sequence[Placed], joints: Iterable[Joint] = (), *, brief: bool = False
 ) -> tuple[str, ...]:
-    """Return one sentence for each pair of strips that overlap outside slots; tabs are ignored.
+    """Return a sentence for each pair of strips that overlap outside slots. Tabs are ignored.
 
-    With `brief`, only the first sentence is returned, with the number of other pairs. A sentence names the
-    first crossing of strips that cross, and the deepest overlap of strips side by side. For strips with a
-    joint in `joints` it names the deepest overlap beside their slots.
+    The sentence names the first crossing of the strips or, if they are side by side, their deepest overlap.
+    For strips with a joint in `joints`, the sentence names their deepest overlap beside the slots. With
+    `brief`, only the first sentence is returned, with the number of other pairs.
 
     Examples
     --------
@@ -322,9 +323,9 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
 
 
 def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
-    """Return, for each slotted pair, the distance (mm) from the slots beyond which overlaps count.
+    """Return, for each slotted pair of strips, the least distance (mm) from slots at which overlaps are reported.
 
-    Slots with `fit="paper"` are too narrow, so overlaps where an exact slot would be do not count.
+    Slots with `fit="paper"` are too narrow, so overlaps within the width of an exact slot are ignored.
     """
     distances: dict[tuple[int, int], float] = {}
     for joint in joints:
@@ -350,7 +351,7 @@ def _crossing_without_slot(
 
 
 def _without_touching_edges(width: Profile) -> Profile:
-    """Return the width without the overlap that is permitted at edges."""
+    """Return the width, reduced at each edge by the permitted overlap."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 

@@ -1,10 +1,16 @@
 """Crossings in space of two bent strips, taken as ruled surfaces.
 
-The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of
-u, v: <n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b): the level
-set 0 of the height difference along n. Both strips are divided into stretches of monotone height; each pair
-of stretches has one branch of the level set. The other components of the equation give v and u. If the
-rulings are parallel, the two plane curves cross at points, through each of which a common ruling passes.
+Notation: strip a has the plane curve gamma_a, with arc length s_a, and rulings in the direction z_a. Its points
+are gamma_a(s_a) + v z_a. The points of strip b are gamma_b(s_b) + u z_b.
+
+The strips meet where gamma_a + v z_a = gamma_b + u z_b. Let n = z_a x z_b, and call the component of a point
+along n its height. Where the strips meet, both curves have the same height:
+<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The pairs (s_a, s_b) that satisfy this equation are the level set, which
+consists of curves called branches. Each strip is divided into stretches with monotone height. A stretch of strip
+a and a stretch of strip b have at most one branch in common. The other components of the first equation give v
+and u.
+
+If the rulings are parallel, n is zero. A common ruling then passes through each crossing of the plane curves.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -28,7 +34,7 @@ STATIONS = 400
 """Least number of samples along a strip; interpolation between them is accurate to 1e-5 mm."""
 
 _CACHED_SPLINES = 128  # largest number of curves whose tables are cached
-_ROUNDING = 1e-12  # allowance for rounding errors, so that strips of zero width can meet
+_ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
 
 InPlane = tuple[FloatArray, FloatArray]
 """Points and unit tangents (n, 2 each) of a strip's curve, in the plane of the curve."""
@@ -99,7 +105,8 @@ class RuledStrip:
 def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None = None) -> BoolArray:
     """Return a matrix (n, n) that is False for each pair of strips whose bounding boxes do not overlap.
 
-    The boxes, extended by `extensions` (n,) mm, are compared in the frames of both strips.
+    Each box is first extended on all sides by `extensions` (n,), mm. Two boxes are compared along the axes of
+    both strips.
     """
     extensions = np.zeros(len(strips)) if extensions is None else extensions
     axes, origins, boxes = (
@@ -175,20 +182,20 @@ def _bracketed_zeros(
 
 
 PARALLEL_RAD = 2e-8
-"""Largest angle, rad, between rulings that count as parallel: over 1 m, their distance changes by 20 nm."""
+"""Largest angle, rad, at which rulings count as parallel. Their distance then changes by 20 nm over 1 m."""
 
 HEIGHT_ERROR = 1e-13
-"""Newton's method ends if both heights differ by less than this fraction of the length of the longer strip."""
+"""Largest difference of the heights after Newton's method, as a fraction of the length of the longer strip."""
 
 MOST_NEWTON_STEPS = 30
 
 SAME_HEIGHT = 1e-9
-"""Nodes whose heights differ by less than this fraction of the length of the longer strip are merged."""
+"""Difference of heights below which nodes are merged, as a fraction of the length of the longer strip."""
 
 LEVEL_SLOPE = 1e-12
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Squared slope of the heights below which surfaces count as touching and Newton steps are limited."""
+"""Least divisor of a Newton step. It limits the step where surfaces touch, because both heights have slope 0."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,7 +271,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of two curves along the direction n, and points of equal height."""
+    """Heights of the curves of two strips, and common points of the strips."""
 
     a: RuledStrip
     b: RuledStrip
@@ -286,7 +293,7 @@ class _Heights:
 
     @cached_property
     def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
-        """Derivatives of the height along x and y of the frame, and height of its origin, for each strip."""
+        """For each strip, derivatives of the height along x and y of its frame, and height of the origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -296,20 +303,20 @@ class _Heights:
     def common(
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
-        """Return the points gamma_a + v z_a = gamma_b + u z_b at arc lengths of equal height."""
+        """Return the common points of both strips at arc lengths where their curves have equal heights."""
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = self._ruling_matrix @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
     @cached_property
     def _ruling_matrix(self) -> FloatArray:
-        """Matrix (2, 3) whose product with gamma_b - gamma_a is (v, u)."""
+        """Matrix (2, 3) that maps the vector gamma_b - gamma_a to (v, u)."""
         return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Connected part of the level set, approximated by nodes (s_a, s_b). The parameter q counts the nodes."""
+    """Branch of the level set, given by nodes (s_a, s_b). The parameter q has the value k at node k."""
 
     heights: _Heights
     s_a: FloatArray
@@ -338,11 +345,11 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points of two surfaces. Its only special points between two nodes are crossings of edges."""
+"""Curve along which two surfaces intersect. Between two nodes, the curve may still cross edges of the strips."""
 
 
 def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the level set as polylines (s_a, s_b) of maximal length."""
+    """Return the branches of the level set as polylines (s_a, s_b)."""
     first = _monotone_stretches(heights, heights.a)
     second = _monotone_stretches(heights, heights.b)
     pieces: list[tuple[FloatArray, FloatArray]] = []
@@ -366,7 +373,7 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield the branches for a strip of constant height; the arc length on the other strip is then constant."""
+    """Yield the branch for a strip of constant height. The arc length on the other strip is constant."""
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
@@ -374,7 +381,7 @@ def _branches_of_constant_height(
 
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the stretches (arc lengths, heights) between the extremes of the height."""
+    """Return the stretches of a strip between extremes of its height, each as arc lengths and heights."""
     s = strip.stations
     height, slope = heights.along(strip, s)
     if np.abs(slope).max() < LEVEL_SLOPE:
@@ -404,10 +411,11 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 def _extreme_at_end(
     k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
 ) -> tuple[str, int, int] | None:
-    """Return the extreme of the height that ends a piece at `bound`, or None if the level set ends there.
+    """Return the extreme at which a piece of the level set ends, or None if the heights of both strips are extreme.
 
-    The extreme is given by its strip ("a" or "b"), the stretch that begins there, and the stretch of the
-    other strip.
+    The piece is in stretch k of strip a, with heights c_a, and in stretch m of strip b, with heights c_b. It
+    ends at the height `bound`. The result is the strip that has the extreme ("a" or "b"), the number of the
+    stretch that begins there, and the number of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
@@ -432,7 +440,7 @@ def _joined(
     unused = set(range(len(pieces)))
 
     def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Return the pieces of the chain beyond the extreme `key` of piece i, in order."""
+        """Return, in order, the pieces that continue piece i beyond its extreme `key`."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in unused]
@@ -489,13 +497,13 @@ class CrossingPoints:
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """Line along which two strips cross. It has its true length in both flat patterns.
+    """Line along which two strips cross. It is equally long in space and in both flat patterns.
 
     Attributes
     ----------
     strips : pair of RuledStrip
     start, end : float
-        First and last parameter on the intersection curve.
+        Values of the intersection curve's parameter q at both ends of the crossing.
     """
 
     strips: tuple[RuledStrip, RuledStrip]
@@ -504,7 +512,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing, or outside this range."""
+        """Return the points at parameters x (n,): from 0 to 1 on the crossing, other values on its extension."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
@@ -520,7 +528,7 @@ class Crossing:
 
     @cached_property
     def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
-        """Parameters x (n,) of all nodes, from 0 to 1, the lengths up to the nodes (mm), and the points."""
+        """Samples of the crossing: parameters x (n,) from 0 to 1, lengths (n,) from the start, mm, and points."""
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
         points = self.at(x)
@@ -545,7 +553,7 @@ class Crossing:
         return float(middle)
 
     def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
-        """Return at least 6 parameters x (n,) from `start` to `end`, at most about `pitch` mm apart."""
+        """Return the parameters x (n,) of 6 to 65 points from `start` to `end`, if possible `pitch` mm apart."""
         x, along, _ = self.course
         if min(start, end) < 0 or max(start, end) > 1:
             x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)
@@ -556,15 +564,15 @@ class Crossing:
 
     @cached_property
     def width_beyond(self) -> FloatArray:
-        """Width, mm, of each strip (row) beyond the start and the end (columns) of the crossing."""
+        """Distance, mm, of both ends of the crossing (columns) from the nearer edge of each strip (rows)."""
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 
     def beyond(self, which: int, end: int) -> float | None:
-        """Return the parameter x at which the crossing, extended at `end`, reaches a long edge of a strip.
+        """Return the parameter x at which the extended crossing reaches a long edge of strip `which` (0 or 1).
 
-        `end` is 0 for the start of the crossing and 1 for its end, and `which` selects the strip, 0 or 1.
-        Return None if the strip ends before its long edge is reached.
+        The crossing is extended beyond its start (`end` 0) or its end (`end` 1). Return None if the strip ends
+        before its long edge is reached.
         """
         if self.width_beyond[which, end] < ON_EDGE_MM:
             return float(end)
@@ -616,10 +624,10 @@ def _edge_crossings(
     sides: IntArray,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Return the parameter in each of n intervals at which the intersection curve crosses an edge.
+    """Return parameters q (n,) at which the intersection curve crosses an edge, one in each interval.
 
-    `sides` (n,) are columns of `margins`, `between` the ends of the intervals, and `values` the margins
-    there.
+    `between` has the start and the end of each interval. `sides` (n,) selects the edge by its column of
+    `margins`, and `values` has these margins at both ends of the intervals.
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)

@@ -1,4 +1,4 @@
-"""Cut list with all pieces, printed blocks, and the sheets and rods to buy, as CSV and as a printed table."""
+"""Cut list of pieces, printed blocks, and the sheets and rods to buy, as CSV and as a printed table."""
 
 import csv
 import io
@@ -21,7 +21,7 @@ CSV_COLUMNS = {
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
     "height_mm": "{0.thickness:.2f}",
 }  # fmt: skip
-"""Columns of the list in a file, with the format of each value."""
+"""Columns of the CSV file, with the format of each value."""
 
 TABLE_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
@@ -39,20 +39,20 @@ BLOCK_COLUMNS = {
 """Columns of the printed table of blocks, with the format of each value."""
 
 ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
-"""Columns that are empty for printed blocks, whose mass depends on the printer, and for cut pieces."""
+"""Columns left empty for printed blocks (the mass depends on the printer), and columns left empty for pieces."""
 
 PRINTED = "printed"
-"""Text that replaces the sheet in rows of printed blocks."""
+"""Text for printed blocks in the column of the sheet."""
 
 
 @dataclass(frozen=True)
 class CutListRow:
-    """Row of the cut list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
+    """Row of the cut list. Lengths are in mm, masses in g; `cut_length` and `mass` are those of a single piece.
 
-    `grain` is the direction of `length` relative to the grain, empty without grain. `like` is the name of the
-    first piece with the same shape (possibly turned or flipped) and other engraving. `color` is the colour of
-    the piece in pictures and STEP files, as "#rrggbb". For a printed block, `thickness` is the height;
-    `cut_length` and `mass` are 0.
+    `grain` is the direction of `length` relative to the grain, or "" for material without grain. `like` is the
+    name of the first piece with the same shape (possibly turned or flipped) but another engraving. `color` is
+    the colour of the piece in pictures and STEP files, as "#rrggbb". For a printed block, `thickness` is the
+    height, and `cut_length` and `mass` are 0.
     """
 
     part: str
@@ -148,7 +148,7 @@ class CutList:
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
-        """Return the list with new file names by part name; other parts keep their file names."""
+        """Return the list with other file names. `files` maps names of parts to names of files."""
         require_record(files, Mapping, "the names of files", "a mapping from part to file")
         cut, printed = (
             tuple(replace(row, file=files.get(row.part, row.file)) for row in rows)
@@ -185,7 +185,6 @@ def _texts(
 
 
 def _is_sawn_cut(column: str, row: CutListRow) -> bool:
-    """Return True for the cut length of a rod, which is only sawn to length."""
     return column == "cut mm" and not row.cut_length
 
 
@@ -194,14 +193,14 @@ def _without_formula(text: str) -> str:
 
 
 def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | None = None) -> CutList:
-    """Return the cut list of pieces, and of printed blocks, in their order.
+    """Return the cut list of pieces and printed blocks, in the given order.
 
     Parameters
     ----------
     pieces : iterable of Piece or EndFixture
     files : mapping, optional
-        Mapping from the name of a piece or block to its file. The default file names are `file_stem` with .dxf,
-        and the name of the block with .stl.
+        Mapping from the name of a piece or block to its file. By default a piece has the file `file_stem` with
+        .dxf, and a block its name with .stl.
     """
     rows, pieces = [], several("pieces", pieces, Piece | EndFixture, "Piece")
     blocks = [piece for piece in pieces if isinstance(piece, EndFixture)]
@@ -247,7 +246,7 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
 def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
     """Return the name of an earlier piece with the same shape; otherwise remember this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
-    # for such a piece, the drawing does not determine the shape
+    # the drawing does not show the shape of a planed or turned piece
     if len(outer) != 1 or piece.worked is not None:
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))

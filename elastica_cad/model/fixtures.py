@@ -47,7 +47,7 @@ class PlacedTab:
     length, width, thickness : float
         Size of the tab, mm.
     holes : tuple of Hole
-        Holes of the tab, viewed along y of the frame.
+        Holes of the tab, in the xy plane of the frame.
     name : str
         Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
     t_slot : TSlot or None
@@ -110,7 +110,7 @@ class PlacedTab:
 
 
 def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Return the tabs of all strips at these ends, in the order of the strips, named after the strips."""
+    """Return the tabs at these ends of all strips, in the order of the strips and named after the strips."""
     return [
         PlacedTab.of(member.strip, end, member.frame, name=name)
         for member, name in zip(placed, strip_names(placed), strict=True)
@@ -119,7 +119,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Return the tabs of all strips, like `place_tabs`; refuse strips whose ends fit no holder."""
+    """Return the result of `place_tabs`. Refuse strips whose ends fit no holder."""
     require_ends(ends)
     for member, name in zip(require_placed(placed), strip_names(placed), strict=True):
         _require_holdable(member.strip, name)
@@ -151,7 +151,7 @@ A 0.4 mm nozzle prints the width at a height of 4 mm; the depth is then two fine
 """
 
 MOST_EXTENDED_MM = 150.0
-"""Largest height, mm, by which blocks are extended to a floor; few printers make taller blocks."""
+"""Largest height, mm, by which a block is extended down to its floor. Few printers make taller blocks."""
 
 LABEL_MM = 4.0
 """Height of the part number, mm, if the surface is large enough."""
@@ -188,7 +188,8 @@ class EndFixture(EqualByValue):
     engrave : str, optional
         Engraved text; by default the tab's name, empty for no text.
     lean : (float, float)
-        Shift of the pocket to the left of the curve, mm, and its rotation to the left, rad; see `of`.
+        Shift of the pocket to the left of the strip's curve, mm, and rotation of the pocket to the left, rad.
+        `EndFixture.of` computes both.
 
     Examples
     --------
@@ -261,10 +262,10 @@ class EndFixture(EqualByValue):
         engrave: str | None = None,
         **sizes: Any,
     ) -> "EndFixture":
-        """Return the fixture of a strip's "start" or "end"; `frame` is the plane of its curve, by default xy.
+        """Return the fixture for an end of a strip. `frame` is the plane of the strip's curve, by default xy.
 
-        The pocket is shifted and rotated against the load of the strip, so that the tab touches the walls in
-        its designed position.
+        The pocket is shifted and rotated so that the tab, which the load presses against the walls, has its
+        designed position.
         """
         tab = PlacedTab.of(strip, end, frame)
         _require_holdable(strip)
@@ -273,7 +274,7 @@ class EndFixture(EqualByValue):
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """Return the fixture with its pocket shifted and rotated against the load at the end of the strip.
 
-        A loaded tab bends between the walls. It is drawn straight, so it overlaps the walls slightly.
+        The loaded tab bends between the walls. In drawings it is straight and overlaps the walls slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
@@ -337,7 +338,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _profile(self) -> Frame:
-        """Frame of profiles: x points out of the strip, y away from its upper side, and z across it."""
+        """Frame of the side view: x points out of the strip, y away from its upper side, and z across the strip."""
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
@@ -348,7 +349,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors (2,) normal to the floor and along it, and height of the floor, in the frame of profiles."""
+        """Unit vectors (2,) normal to the floor and along the floor, and height of the floor, in `_profile`."""
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -356,7 +357,7 @@ class EndFixture(EqualByValue):
 
     @property
     def lowest(self) -> float:
-        """Height of the lowest corner of the block over the floor, mm, before it is extended to the floor."""
+        """Height, mm, above the floor of the block's lowest corner, before the block is extended to the floor."""
         up, _, height = self._floor_directions
         return float((self._block_corners @ up).min() - height)
 
@@ -367,7 +368,7 @@ class EndFixture(EqualByValue):
 
     @property
     def seat(self) -> TabSeat:
-        """Pocket as a seat of the tab, with its play."""
+        """Walls of the pocket between which the tab can move."""
         pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
         return pocket.moved(*self.lean)
 
@@ -375,7 +376,7 @@ class EndFixture(EqualByValue):
     def solid(self) -> PrismSolid:
         """Block as a union and difference of prisms; the pocket is the first prism that is removed.
 
-        The joint "tab" of the body is at the end of the free part of the strip.
+        The body has a joint with the name "tab" at the end of the free part of the strip.
         """
         up, along, height = self._floor_directions
         core = self._block_corners
@@ -404,7 +405,7 @@ class EndFixture(EqualByValue):
         shift, turn = self.lean
         cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
-        # left of the curve is below the strip, in direction -y of the profile
+        # the left side of the curve is below the strip, in direction -y of the profile
         leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
@@ -475,7 +476,7 @@ def _groove(middle: Segment, width: float) -> Path:
 def end_fixtures(
     placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[StripEnd] = ENDS, **sizes: Any
 ) -> tuple[EndFixture, ...]:
-    """Return blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
+    """Return blocks for these ends of every strip that has tabs. `sizes` are fields of `EndFixture`.
 
     By default, blocks of strips in vertical planes have a horizontal floor below the lowest block. A block
     more than `MOST_EXTENDED_MM` above this floor has a higher floor or, if its tab points upwards, a floor
@@ -499,7 +500,7 @@ def end_fixtures(
 
 
 def _floors(blocks: Sequence[EndFixture]) -> list[Frame | None]:
-    """Return the horizontal floor of each block, or None for a block on a floor perpendicular to its tab."""
+    """Return the floor of each block if it is horizontal, or None if it is perpendicular to the tab."""
     floors: list[Frame | None] = [None] * len(blocks)
     floor = None
     for k in sorted(range(len(blocks)), key=lambda k: blocks[k].lowest_height):
@@ -567,7 +568,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 def _crossed_blocks(
     placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]
 ) -> list[int]:
-    """Return the indices of the blocks that a strip runs through, except the blocks that hold this strip."""
+    """Return the indices of the blocks that a strip runs through, except the blocks that hold it."""
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)

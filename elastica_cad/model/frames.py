@@ -44,17 +44,16 @@ LABEL_MM = 6.0
 MOST_RIBS = 200
 
 STEP_MM = 2.5
-"""Step, mm, on each side of a tongue.
+"""Width, mm, of the step on each side of a tongue.
 
-The tongue is narrower in the inner rail, against which the step rests, so that the step keeps the distance to
-the outer rail.
+A tongue is narrower in the inner rail. The steps rest against this rail and keep its distance from the outer rail.
 """
 
 SIDE_TOLERANCE_MM = 1e-6
 """Rounding error, mm, of the distance between a side of the rib and a point on it."""
 
 PARALLEL_SINE = 0.1
-"""Sine of the angle between rails up to which they count as parallel, with ribs perpendicular to them."""
+"""Largest sine of the angle between rails that count as parallel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +107,7 @@ class SlottedFrame:
     Attributes
     ----------
     rails : tuple of BasePlate
-        One rail (or two) for the tabs at the strips' starts, and the same number for the tabs at their ends.
+        Rails for the tabs at the starts of the strips, and rails for the tabs at their ends; one or two each.
     ribs : tuple of Rib
     """
 
@@ -160,14 +159,14 @@ def slotted_frame(
     depth : float
         Depth of the ribs behind the rails, mm.
     tongue : float
-        Length of the tongues of the ribs in the rails, mm.
+        Length of the ribs' tongues along the slots of the rails, mm.
     play, clearance : float
         Play on each side of tabs and tongues, and addition to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
     gap : float, optional
-        Distance, mm, between two rails that replace each single rail and hold inclined tabs at their angle.
-        Steps of the tongues keep this distance.
+        If given, two rails at this distance, mm, replace each single rail and hold inclined tabs at their
+        angle. Steps of the tongues keep this distance.
     shop : FabricationLimits, optional
         Limits of the workshop, such as the width of bridges between slots, and the largest sheet.
     ignore_limits : bool
@@ -236,7 +235,7 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return the position of a rib with normal `across` (3,) in the middle of the rail's upper face."""
+        """Return where a rib meets the rail in line with the slots. Its normal `across` (3,) is at `station`, mm."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -255,14 +254,14 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """Return the start and end (n, 2), mm, of n slots along the direction `across` (3,)."""
+        """Return the start and end (n, 2), mm, of each slot, measured in the direction `across` (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Point on the upper face of a rail, direction of the rib there, and normal of the face."""
+    """Point where a rib meets the upper face of a rail, direction of the rib there, and normal of the face."""
 
     point: FloatArray
     along: FloatArray
@@ -277,10 +276,7 @@ class _RibPlan:
     seats: tuple[_Seat, ...]
 
     def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
-        """Return the rib behind all rails.
-
-        With two rails at each end, the tongues are narrower in the inner rail.
-        """
+        """Return the rib that joins the rails from behind. A `step` makes its tongues narrower in inner rails."""
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
         rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
@@ -308,7 +304,7 @@ class _RibPlan:
 
 
 class _Corner:
-    """Local coordinates of a rib at a rail: towards the other rail, and behind the face of the rail."""
+    """Coordinates of a rib's corner: distance towards the other rail, and distance behind the face of the rail."""
 
     def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
         self.frame, self.seat = frame, seat
@@ -349,10 +345,10 @@ def _stations_of_ribs(
 def _with_tongue(
     loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
 ) -> FloatArray | None:
-    """Return the anticlockwise loop with an outward tongue, or None if `base` is not on a side.
+    """Return the anticlockwise loop with an outward tongue on a side, or None if `base` is not on a side.
 
-    `base` contains the two ends of the tongue on a side of the loop. `heights` are the distances from this
-    side at which the tongue becomes narrower by `step` on both sides, and at which the tongue ends.
+    `base` (2, 2) has both ends of the tongue on the side. `heights` are two distances from the side. At the
+    first distance the tongue becomes narrower by `step` on both sides; at the second distance it ends.
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
@@ -400,8 +396,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # in `profile`, x is along the tab and y away from its upper side; points p with <n, p> = low are the
-        # back of the plate
+        # in `profile`, x is along the tab and y points away from its upper side; a point p with <n, p> = low is on
+        # the back of the plate
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness

@@ -18,8 +18,8 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
 def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    """Return the seat of a tab between the two walls (n, 2) of a slot, in the plane of the strip's curve."""
-    # use the points of a wall along the tab, or the nearest point if the tab does not reach the wall
+    """Return the seat of a tab between the two walls (n, 2) of a slot, which `slot_walls` returns."""
+    # of a wall, use the points that the tab reaches, or the nearest point if there are none
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
@@ -28,8 +28,9 @@ def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     """Return the number of each slot with a tab, the tab, and the two walls of the slot.
 
-    The walls (2, n, 2) are points in the plane of the curve: distance along the tab, and to its left. Wall 0
-    is between the corners 0 and 1 of the slot.
+    The walls are an array (2, n, 2) of points in the plane of the strip's curve. The coordinates of a point
+    are the distance along the tab, and the distance to the left of the tab. Wall 0 is between the corners 0
+    and 1 of the slot.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
@@ -51,7 +52,10 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
-    """Return a mapping from the position of each tab that has play to its seat. Two plates form a single seat."""
+    """Return the seat of each tab that is not glued, by the `key` of the tab.
+
+    If two plates hold a tab, their slots form a single seat.
+    """
     seats: dict[Key, TabSeat] = {}
     for tab, seat in _seated(holders):
         before = seats.get(tab.key)
@@ -84,7 +88,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
 
 
 def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
-    """Yield the plates and the rails of frames whose tabs are not glued, so that they have play."""
+    """Yield the plates, and the rails of frames, whose tabs are not glued and therefore have play."""
     for holder in holders:
         # recognise frames by their `rails`, because their module imports this module
         for plate in getattr(holder, "rails", (holder,)):
@@ -93,7 +97,9 @@ def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
 
 
 def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tuple[HeldShape, ...]:
-    """Return the shape of each strip as cut and held. Ends without a holder are held as designed.
+    """Return the shape of each strip as cut, with its tabs in the holders.
+
+    Ends without a holder have their designed position and direction.
 
     Raises
     ------
@@ -113,7 +119,7 @@ def hold_each(
 ) -> Iterator[HeldShape | NotConvergedError]:
     """Yield the held shape of each strip, or the error if the strip has no equilibrium.
 
-    Equal cases are computed once.
+    The shape is computed once for strips with equal cuts in equal seats.
     """
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
@@ -134,11 +140,11 @@ def seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabS
 
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""Play, in mm and degrees, below which no play is reported."""
+"""Shift (mm) and rotation (degrees) of a tab below which no play is reported."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """Return a sentence for each holder, with the largest shift and rotation of its tabs."""
+    """Return a sentence for each holder on how far its tabs can shift and rotate."""
     placed, holders, messages = require_placed(placed), require_holders(holders), []
     for name, held in seats_by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
@@ -167,7 +173,7 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 def seats_by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
 ) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
-    """Return a mapping from the name of each holder to its strips, ends and seats."""
+    """Return the held strips, with the held end and its seat, by the name of the holder."""
     seats, groups = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for strip in placed:
         for end in ENDS:

@@ -26,7 +26,7 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 MOST_NEWTON_STEPS = 30
 
 CLOSE_MM = 1e-6
-"""Accuracy, mm, of the points at which faces meet; it equals the accuracy of files."""
+"""Accuracy, mm, of the points at which faces of two strips meet. It equals the accuracy of files."""
 
 
 def _bent_slot_width(
@@ -37,24 +37,24 @@ def _bent_slot_width(
     *,
     thickness: tuple[float, float],
 ) -> FloatArray:
-    """Return the widths (n,), mm, of a slot in strip `ruled` that lets the faces of strip `other` through.
+    """Return the widths (n,), mm, of a slot in strip `ruled` through which the bent strip `other` fits.
 
-    For flat sheets it is `slot_width` without clearance. A sheet of curvature kappa deviates from its tangent
-    by (w / 2)^2 kappa / 2 at the sides of a slot of width w. At the angle phi, this shifts the faces of the
-    other strip by cot(phi) times as much.
+    For flat strips, this width is `slot_width` without clearance. A strip of curvature kappa deviates from its
+    tangent by (w / 2)^2 kappa / 2 at the sides of a slot of width w. If the strips cross at the angle phi, this
+    deviation shifts the faces of the other strip by cot(phi) times as much.
 
     Parameters
     ----------
     ruled, other : RuledStrip
     rows, mates : (n, 2) array
-        Centre line of the slot in both flat patterns, mm.
-    thickness : (own, other)
-        mm.
+        Centre line of the slot in the flat patterns of `ruled` and of `other`, mm.
+    thickness : (float, float)
+        Thickness of `ruled` and of `other`, mm.
 
     Returns
     -------
     (n,) array
-        Widths. They are 0 where the faces do not meet because the strips curve away from each other near a
+        Widths. A width is 0 where the faces do not meet, because the strips curve away from each other near a
         shallow crossing.
     """
     along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
@@ -68,10 +68,10 @@ def _bent_slot_width(
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
-    # unknowns: distance across the slot, and distances along and across the other strip
+    # the unknowns x are the distance across the slot, and the distances along and across strip `other`
     x = np.zeros((len(rows), 3))
     error = np.full(len(rows), np.inf)
-    # limit of the coordinates, which grow without limit if the faces do not meet
+    # bound on the unknowns, which would diverge if the faces do not meet
     farthest = ruled.length + other.length
     for _ in range(MOST_NEWTON_STEPS):
         here = _points_at_height(ruled, rows + x[:, :1] * across, z[:, :1])
@@ -101,7 +101,7 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between strips, rad, for slots: at smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Slots open to the side that is not preferred if this makes them shorter by this fraction of the crossing."""
+"""Saving of slot length, as a fraction of the crossing, above which slots open to the side not preferred."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
@@ -178,8 +178,8 @@ def interlock(
     The crossings of the strips are computed exactly, as intersections of ruled surfaces. The width of a slot
     follows the angle between the strips along the crossing. Each strip is cut from the edge that the crossing
     reaches. If both edges are possible, the slot of the earlier strip opens towards `above`, and the later
-    strip is pushed on from there. Both slots end half way without clearance, so that the strips rest on each
-    other. Tabs are not checked, so keep other strips away from them. A crossing that reaches the end of a
+    strip is pushed on from there. Both slots end in the middle of the crossing, where the strips rest on each
+    other. Tabs are not checked, so keep other strips away from tabs. A crossing that reaches the end of a
     strip instead of an edge is an error.
 
     Parameters
@@ -221,14 +221,14 @@ def interlock(
 
 _joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
 _joined = WeakKeyDictionary()
-"""Cache of the joints of each pair of placed strips with their options."""
+"""Cache of joints and their options for pairs of placed strips."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
 """Cache of slotted strips; an unchanged strip stays the same object and keeps its results."""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """Return the placed strip with more slots, and with the layers of a strip in `drawn` that has the same cut."""
+    """Return the placed strip with more slots. It shares the layers of a strip in `drawn` with the same cut."""
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -292,9 +292,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint moved to an equal pair of strips, with the indices `members`.
+        """Return the joint of a pair of strips, moved to an equal pair with the indices `members`.
 
-        `frames` are the frames of the earlier strip in both pairs.
+        `frames` are the frames of the earlier strip in the first and in the second pair.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)

@@ -1,4 +1,4 @@
-"""Cut list and cutting pattern of a strip of glued plies, with marks for the position of the next ply."""
+"""Cut list and cutting pattern of a strip of glued plies. Marks on a ply show the position of the next ply."""
 
 from dataclasses import dataclass
 

@@ -37,7 +37,7 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 LEAST_SPREAD = 0.2
-"""Least ratio of the spread of slots across a plate to the spread along it, so that the plate does not tip."""
+"""Least spread of the slots of a plate, as a fraction of their largest spread, so that the plate does not tip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +129,7 @@ def stand(
 def _stable_facing_plates(
     placed: Sequence[Placed], sheet: Sheet, options: RingOptions
 ) -> tuple[BasePlate, ...]:
-    """Return two facing plates for strips around them; refuse plates that could tip."""
+    """Return two plates that face each other and are joined by the strips. Refuse plates that could tip."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
@@ -347,7 +347,7 @@ class Model:
         return cut_list((*self.pieces, *more))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
-        """Return the shape of each strip as cut, held by the model's rings and these holders; see `Strip.held`."""
+        """Return the shape of each strip as cut, in the model's rings and in `holders`; see `Strip.held`."""
         return held_shapes(self.placed, (*self.plates, *holders))
 
     def mirrored(
@@ -384,21 +384,21 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a strip is widened in a round, and factor on `LARGEST_LOG_CHANGE` if it needs more.
+"""Largest factor by which a round widens a strip, and factor that is applied to `LARGEST_LOG_CHANGE` instead.
 
-A much wider strip would have wider shoulders beside its tabs.
+The second factor is used if a strip would need a larger widening. Its shoulders beside the tabs would be too wide.
 """
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Usual number of rounds, and largest number if joints are lost."""
+"""Number of rounds after the last round that lost a joint, and largest number of rounds."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
     """Return the interlocked model, with widths that compensate the slots.
 
-    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which is reported
-    and does not change its shape. Instead of a large factor, the slots are compensated less. `held_deviation`
-    is the remaining error of a strip.
+    A strip that becomes too narrow to reach its neighbours is widened by a constant factor. The factor does
+    not change the shape of the strip, and is reported. If a large factor would be necessary, the slots are
+    only partly compensated. `held_deviation` is the remaining error of a strip.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ FIT_TOLERANCE_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
 _TIE_DECIMALS = 6
-"""Decimals, mm, to which sizes are compared, so that rounding errors do not change the order."""
+"""Decimals to which sizes in mm are rounded before sorting, so that rounding errors do not change the order."""
 
 LEAST_GAP_MM = 0.01
 """Least distance, mm, between tool paths; touching loops cannot be offset by the kerf."""
@@ -126,21 +126,21 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to the side of the sheet with which they need fewer sheets, or less of the last sheet.
-    Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width, and
-    `Sheet.grain` sets the direction of pieces with grain.
+    Rows are parallel to one side of the sheet. The side is chosen for which the pieces need fewer sheets or,
+    with equal numbers, less of the last sheet. Pieces without grain may be rotated by 90 degrees. The grain of
+    a sheet is along its width, and `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
     ----------
     pieces : iterable of Piece
         Each piece is placed `count` times.
     sheet_size : (width, height)
-        mm.
+        Size of the sheets, mm.
     margin : float
-        Least distance between pieces, and to the edge of the sheet, mm.
+        Least distance between the tool paths around pieces, and from them to the edge of the sheet, mm.
     kerf : float or None
-        Kerf, mm, by which the written drawings will be compensated (`compensate_kerf`). None is the kerf of
-        each sheet. The margin is the distance between tool paths.
+        Kerf, mm, for which the written drawings will be compensated (`compensate_kerf`). None means the kerf
+        of each sheet.
     name : str
         First part of the names of the drawings, before the material and the number.
 
@@ -171,9 +171,10 @@ def nest_pieces(
 
 
 def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[tuple[Sawn, ...], ...]:
-    """Return the lengths to saw from each rod: longest pieces first, each from the first rod that is long enough.
+    """Return the lengths to saw from each rod.
 
-    A piece that is longer than the stock is joined from whole rods and a shorter length.
+    The longest lengths are sawn first, each from the first rod with enough left. A piece that is longer than a
+    rod is joined from whole rods and a shorter length.
 
     Parameters
     ----------
@@ -210,7 +211,10 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Return the kerf, by default of the sheet: the extra width of the tool path around a piece, mm."""
+    """Return by how much, mm, the tool path around a piece is wider than the piece.
+
+    This is the kerf, or the kerf of the sheet if `kerf` is None.
+    """
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
@@ -260,11 +264,11 @@ def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float],
 
 
 def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]) -> list[_Place]:
-    """Return the places of boxes by decreasing width, each in the row of best fit or in a new row."""
+    """Place boxes in the order of decreasing width, each in the row where it fits best or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
-    rows: list[_Row] = []  # rows with space for the shortest box
+    rows: list[_Row] = []  # only rows with space for the shortest box
     ends: list[float] = []  # end of the last row on each sheet, mm
     places: list[_Place] = []
     for ways in queue:

@@ -14,15 +14,15 @@ from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.refusals import FieldName, Length, note
 
 PAIR_SUFFIXES = ("-outer", "-lower")
-"""Ends of the names of the outer or lower plate of a pair."""
+"""Endings of the name of the second plate of a pair."""
 
 
 @dataclass(frozen=True)
 class PlateHoles:
     """Holes in the middle of a plate or ring.
 
-    The first screw hole is in the direction x of the plate, as is the bridge. Without a bridge, the plate is
-    closed around the hole of a lamp holder.
+    The bridge is along the x axis of the plate, and the first screw hole is on this axis. Without a bridge, a
+    plate with a hole for a lamp holder has no other opening.
 
     Examples
     --------
@@ -81,7 +81,7 @@ class PlateHoles:
     def cut(
         self, center: FloatArray, opening: Path | None, border: float
     ) -> tuple[Path | None, tuple[Path, ...]]:
-        """Return the opening that remains of a round opening, and the loops of the holes."""
+        """Return the round opening, or None if holes or a bridge replace it, and the loops of all holes."""
         round_hole = (self.bulb or 0.0) / 2
         circle = (self.circle or self.bulb_and_border(border)) / 2
         turns = 2 * np.pi * np.arange(self.screws) / max(self.screws, 1)
@@ -101,14 +101,15 @@ class PlateHoles:
         return None, (*holes, *windows)
 
     def bulb_and_border(self, border: float) -> float:
-        """Return the default diameter, mm, of the circle of the screw holes."""
+        """Return the default diameter, mm, of the circle on which the screw holes are."""
         return (self.bulb or 0.0) + self.screw + 2 * border
 
 
 def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
-    """Return both parts of a round opening beside a bar along x with a hub; none if the hub fills the opening.
+    """Return the two parts of a round opening on both sides of a bar along x that has a round hub in its middle.
 
-    `half` is half of the width of the bar, mm; `outer` and `hub` are radii, mm.
+    `outer` and `hub` are the radii of opening and hub, and `half` is half the width of the bar, mm. Return
+    nothing if the hub fills the opening.
     """
     if max(hub, half) + half >= outer:
         return ()
@@ -153,7 +154,7 @@ def hole_name(path: Path) -> str:
 
 
 def refuse_other_ends(holes: PlateHoles | None, names: list[str]) -> None:
-    """Raise InputError if none of the plates is at the end that has the holes."""
+    """Raise InputError if none of the plates with these names has the holes."""
     if holes is None:
         return
     require_record(holes, PlateHoles, "the record of holes", "a PlateHoles")

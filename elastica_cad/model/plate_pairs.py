@@ -1,4 +1,4 @@
-"""Plates in the best plane for tabs: single plates, and pairs of plates that hold inclined tabs at their angle."""
+"""Single plates in the best plane for their tabs, and pairs of plates that hold inclined tabs at their angle."""
 
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -42,13 +42,13 @@ from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
 LEAN_ROUNDS = 6
-"""Largest number of rounds in which slots are moved; three usually suffice."""
+"""Largest number of rounds in which slots are moved. Three rounds usually suffice."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Relative decrease of the distances between the ends of neighbours, above which a strip is reversed."""
+"""Least relative decrease of the distances between ends of neighbours for which a strip is reversed."""
 
 SETTLED_MM = 0.03
-"""Largest movement of slots, mm, in the last round; each round reduces it to a tenth."""
+"""Largest movement of slots, mm, in the last round. The movement decreases tenfold in each round."""
 
 
 def plate_pair(
@@ -62,8 +62,8 @@ def plate_pair(
     """Return two plates, one below the other, whose slots hold inclined tabs at their angle.
 
     In a single slot with vertical walls, an inclined tab can rock. A second slot, `gap` mm below and offset
-    by gap cot(phi), fixes the angle phi of the tab. Slots are moved slightly against the load of their tabs,
-    which shift within their play and bend. Tabs are drawn straight, so they overlap the plates slightly.
+    by gap cot(phi), fixes the angle phi of the tab. A loaded tab bends and shifts within its play, so the slots
+    are moved slightly in the opposite direction. Tabs are drawn straight and overlap the plates slightly.
 
     Parameters
     ----------
@@ -127,7 +127,7 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """Return the plate, and a plate `gap` mm behind it, with slots that are moved against the loads."""
+    """Return the plate and a second plate, `gap` mm behind it. Their slots are moved against the loads of tabs."""
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
     short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
     if short:
@@ -174,10 +174,10 @@ TESTED_WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 def fitting_width(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
 ) -> float | None:
-    """Return the largest tested width of tabs, mm, for which two plates can replace each plate, or None.
+    """Return the largest tested width of tabs, mm, with which two plates can replace each plate, or None.
 
-    All tabs get the given length. With `keep`, the present widths are tested first; the result is then
-    infinite if they fit.
+    All tabs get the given length. With `keep`, the present widths are tested first. If they fit, infinity is
+    returned.
     """
     narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
     for fraction in TESTED_WIDTHS:
@@ -215,9 +215,9 @@ def _require_makeable(strips: Iterable[Strip], options: PlateOptions | None) -> 
 
 
 def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[Plate, ...]:
-    """Return two plates that replace a plate and hold the tabs of `placed`, or () if they cannot be made.
+    """Return two plates that replace plate `first`, or () if they cannot be made.
 
-    The tabs have the positions of the tabs in `first`, but may have another size.
+    They hold the tabs of `placed`, which have the positions of the tabs in `first` but may have another size.
     """
     options = first.options
     if options is None:
@@ -241,8 +241,8 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
     """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
-    The movement compensates play and bending of the tabs, under the load of the strip as cut. Each plate is
-    made again around its moved slots.
+    The movement compensates the play and the bending of tabs under the load of the strips as cut. Then each
+    plate is made again around its moved slots.
     """
     for _ in range(LEAN_ROUNDS):
         leans = _displacements(placed, tab_seats(plates))
@@ -263,7 +263,7 @@ def _around_moved(plate: Plate) -> Plate:
 
 
 def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and rotation that each holder needs, by the position of its tab."""
+    """Return the shift and rotation of the seat that each tab needs, by the `key` of the tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -290,14 +290,14 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]
 
 
 def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
-    """Return a slot whose two walls, (n, 2) each, are moved.
+    """Return the slot with its two walls, (n, 2) each, moved by a shift and rotation.
 
-    `into` and `left` are the directions (2,) along the tab and to its left, projected on the plate.
+    `into` and `left` are the directions (2,) along the tab and to the left of the tab, projected on the plate.
     """
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # a bent tab is inclined at the plate, so its wall moves across and along the tab
+        # a bent tab is inclined where it meets the wall, so the wall moves across and along the tab
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves
@@ -305,7 +305,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease of the range of heights of the tabs, mm, for which the plane may be oblique to the tabs."""
+"""Least decrease, mm, of the differences of tabs' heights above a plate for which the plate may be inclined."""
 
 
 def end_plates(
@@ -332,8 +332,8 @@ def end_plates(
         angle. The name of each second plate ends in -outer.
     **options
         Fields of `RingOptions`. The names are NAME-bottom and NAME-top if the tabs point down and up, else
-        NAME-start and NAME-end, or NAME for a single plate. A plate of the shape "ring" is round, with a
-        round opening, if its slots are around such an opening; otherwise it is the hull of the slots.
+        NAME-start and NAME-end, or NAME for a single plate. With the shape "ring", a plate whose slots leave
+        room for a large enough opening is round. Other plates have the hull of their slots as outline.
 
     Examples
     --------
@@ -390,9 +390,10 @@ def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -
 
 
 def _opposite(ends: FloatArray) -> BoolArray:
-    """Return flags (n,) of strips in the opposite direction to strip 0, from starts and ends (n, 2, 3).
+    """Return flags (n,) that are True for strips drawn in the opposite direction to strip 0.
 
-    Each strip is compared with the nearest strip of known direction; equal ends are near each other.
+    `ends` (n, 2, 3) are the starts and ends of the strips. Each strip is compared with the nearest strip of
+    known direction. Their starts are assumed to be near each other, and so are their ends.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]
@@ -448,7 +449,7 @@ def through_slots(
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """Return the best plane for the tabs.
 
-    It passes through the lowest start of a tab; its z axis points against the tabs.
+    Its z axis points against the tabs, and the plane passes through the lowest start of a tab along z.
     """
     if not tabs:
         raise InputError(

@@ -72,7 +72,8 @@ Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the outline around all slots; "ring" is round, with an opening if the opening is large enough.
+    `shape` is the kind of outline around all slots. "ring" is round with a round opening, if this opening is large
+    enough.
     `shop` contains the limits of the workshop, such as the width of bridges between slots and the largest
     sheet. With `ignore_limits`, a plate beyond these limits is made with warnings.
     """
@@ -129,7 +130,7 @@ class TabSlot:
     Attributes
     ----------
     corners : (4, 2) array
-        Corners in the frame of the plate, anticlockwise, mm. The first side is across the tab.
+        Corners in the frame of the plate, anticlockwise, mm. The first side is parallel to the tab's width.
     name : str
         Name of the tab.
     through : float
@@ -150,7 +151,7 @@ class TabSlot:
 
     @property
     def size(self) -> tuple[float, float]:
-        """Size of the slot, mm: across the tab, and along the thickness of the tab."""
+        """Size of the slot, mm, in the direction of the tab's width and of the tab's thickness."""
         a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
         return float(a), float(b)
 
@@ -202,7 +203,7 @@ class BasePlate:
         return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
 
     def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
-        """Return the plate with its warnings; slots `moved` against a load may have any width."""
+        """Return the plate with its warnings. The widths of slots are not checked if the slots were `moved`."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         require_flag(moved, "moved")
         _refuse_meetings(self.slots, self.name)
@@ -244,7 +245,7 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _engraved_name(self) -> tuple[Text, ...]:
-        """Return the name, engraved between opening and slots; only plates with openings or holes have it."""
+        """Return the engraved name, between the slots and the opening or holes, or nothing for a closed plate."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
@@ -254,7 +255,7 @@ class BasePlate:
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
     def _slot_label(self, slot: TabSlot) -> Text:
-        """Return the name of the tab above the slot, or below the slot if another slot is above."""
+        """Return the engraved name of the tab, above the slot or, if a cut is too near above, below the slot."""
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
@@ -279,7 +280,10 @@ class BasePlate:
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    """Return the distance, mm, of a hole (n, 2) from a text on the line `base` (2, 2); negative for an overlap."""
+    """Return the distance, mm, between a hole and a text, negative for an overlap.
+
+    `loop` (n, 2) is the hole, `base` (2, 2) the base line of the text, and `up` (2,) the height of the text.
+    """
     low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
     points = np.concatenate([low, low + up])
     far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
@@ -333,7 +337,7 @@ def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
 
 
 def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOptions) -> tuple[Fault, ...]:
-    """Return the faults of strips that are wider than their tabs and would run into a base plate."""
+    """Return the faults of strips that would run into a base plate because they are wider than their tabs."""
 
     def depth(tab: PlacedTab) -> float:
         height = float(ground.local(tab.frame.origin)[2])
@@ -352,7 +356,7 @@ def plate_with(
     *,
     moved: bool = False,
 ) -> "Plate":
-    """Return the plate around slots, or the ring about the z axis of `frame`.
+    """Return the plate or the ring (about the z axis of `frame`) that contains the slots.
 
     Errors are those of `BasePlate.checked`.
     """
@@ -384,9 +388,9 @@ def _with_holes(
 def _round_rim_and_opening(
     loops: Sequence[FloatArray], center: FloatArray, border: float
 ) -> tuple[Path, Path | None]:
-    """Return a round rim and a round opening, `border` mm from all slots; a too small opening is None.
+    """Return a round rim and a round opening, `border` mm from all slots. The opening is None if it is too small.
 
-    Each loop holds the four corners of a slot.
+    `loops` are the corners of the slots, (4, 2) each.
     """
     inner, outer = around(loops, center, border)
     opening = Path.circle(center, inner) if inner > LEAST_OPENING_FRACTION * outer else None
@@ -394,9 +398,9 @@ def _round_rim_and_opening(
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii of the circles inside and outside all slots, each given by four corners.
+    """Return the radii of the circles about `center` that are `border` mm inside and outside all slots.
 
-    The circles about `center` are `border` mm away from the slots.
+    `loops` are the corners of the slots, (4, 2) each.
     """
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)
@@ -404,7 +408,10 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab starts on or above the upper face of a plate and ends below it."""
+    """Return True if the tab crosses the upper face of a plate.
+
+    The tab may also start below this face, by less than its thickness.
+    """
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -455,9 +462,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 
 
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
-    """Refuse a hole that meets another cut of the plate or the edge.
+    """Refuse a hole that meets the edge of the plate or another cut.
 
-    `called` are the names of the slots and the opening, `drilled` the names of the holes.
+    `called` are the names, for the message, of the slots and the opening. `drilled` are the names of the holes.
     """
     loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
@@ -470,7 +477,7 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 
 
 def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
-    """Refuse a hole in the area (four corners) where a tab is glued to the plate."""
+    """Refuse a hole in a seat, which is the area (given by four corners) where a tab is glued to the plate."""
     for hole in holes:
         loop = hole.closed_points(FLAT_MM)
         if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):
@@ -510,7 +517,7 @@ def _side_normals(rectangles: FloatArray) -> FloatArray:
 
 
 def _larger_gap(p: FloatArray, q: FloatArray) -> FloatArray:
-    """Return the larger gap between pairs of rectangles with corners (..., 4, 2) along two directions."""
+    """Return, for pairs of rectangles (..., 4, 2), the larger of the gaps along both coordinates."""
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)
 
@@ -527,7 +534,7 @@ GAP_MM = 20.0
 """Default distance between two plates, mm."""
 
 LYING_RAD = np.radians(5.0)
-"""Largest angle, rad, to the ring at which a tab is glued flat on it; glue fills the wedge."""
+"""Largest angle, rad, between ring and tab at which the tab is glued flat to the ring. Glue fills the wedge."""
 
 CLEAR_MM = 0.5
 """Distance, mm, of a name from slots and from the rim."""
@@ -536,7 +543,7 @@ DESCENDER_DEPTH = 1 / 3
 """Depth of letters such as g below the base line, as a fraction of their height."""
 
 SAME_LEVEL_MM = 1.0
-"""Difference of heights, mm, below which neither of two plates is the upper plate."""
+"""Difference of heights, mm, below which two plates count as level, so that neither is the upper plate."""
 
 LEAST_LABEL_MM = 1.5
 """Least height of engraved names, mm; smaller names would not be legible and are omitted."""
@@ -551,7 +558,7 @@ class Ring(BasePlate):
     Attributes
     ----------
     seats : tuple of Path
-        Engraved outlines of tabs on the face. The holes for their bolts are the first `holes`.
+        Engraved outlines of the tabs that are glued to the face. The first `holes` are for the bolts of tabs.
     seated : tuple of str
         Names of the tabs in `seats`.
     """
@@ -626,7 +633,7 @@ def ring_plate(
     sheet : Sheet or its name
         Sheet of the ring.
     middle : float
-        Height of the middle of the model, mm. Flat tabs are between it and their ring.
+        Height of the middle of the model, mm. Flat tabs are on the side of the ring that faces the middle.
     **options
         Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
         ignore_limits.

@@ -38,7 +38,7 @@ WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
 SLOPE_TOLERANCE = 1e-12
-"""Difference between the slopes of two bounds below which they belong to the same plane and do not cross."""
+"""Difference between the slopes of two bounds below which both bounds are the same plane and do not cross."""
 
 END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""
@@ -46,7 +46,10 @@ END_MM = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class _Bound:
-    """Distance a + <b, gamma> along the ruling from a point gamma of a plane curve to a plane."""
+    """Bound on half the width of a strip: the distance from its curve, along the ruling, to a plane.
+
+    The distance is a + <b, gamma> at the point gamma of the curve.
+    """
 
     a: float
     b: FloatArray
@@ -60,9 +63,9 @@ def touching_widths(
 ) -> tuple[Profile, ...]:
     """Return widths with which neighbouring strips meet at the planes that bisect the angles between them.
 
-    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane, which is
-    first moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section 9) have such
-    widths.
+    The bisector planes are first moved towards the curve by the gap. Half the width is then the distance from
+    the curve, along the ruling, to the nearer plane. The Flower Pot and the Shell of the paper (section 9)
+    have such widths.
 
     Parameters
     ----------
@@ -114,7 +117,7 @@ def _bisector_bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the plane midway between both strips, moved by `gap`, in the coordinates of the first strip."""
+    """Return the bound of the first strip at the plane midway between both strips, which is moved by `gap`."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -193,9 +196,9 @@ def revolution(
     ring: float | None = None,
     **options: Any,
 ) -> Model:
-    """Return the model of `revolve` for the meridian with x kappa = a + <b, gamma>.
+    """Return the model of `revolve` for the meridian gamma with x kappa = a + <b, gamma>.
 
-    See `meridian` for its parameters.
+    The meridian has the curvature kappa at the distance x from the axis. See `meridian` for its parameters.
 
     Examples
     --------
@@ -329,7 +332,7 @@ class _Request:
         return placed, (*rings, *spacers), warnings
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
-        """Return straight tabs, narrower than the space between the planes to both neighbours.
+        """Return straight tabs that keep a gap to the tabs of both neighbours.
 
         A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
@@ -346,7 +349,7 @@ class _Request:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # bridges are measured along the sides of the slots, at half the angle between slots
+            # a bridge is measured along the side of a slot, not along the line between neighbouring slots
             gap = (
                 2 * PLAY
                 + BRIDGE_ALLOWANCE

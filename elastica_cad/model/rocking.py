@@ -38,8 +38,8 @@ FEET_MM = 10.0
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return a sentence for each holder in which tabs can rock.
 
-    It names the tab with the largest rotation, the shape of its strip, and a suggestion that was tested with
-    the plates.
+    The sentence names the tab with the largest rotation, the deviation of its strip, and suggestions that were
+    tested with these strips.
     """
     placed, holders, messages = require_placed(placed), require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
@@ -61,7 +61,7 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, degrees, by which a strip can tip towards and away from the other end."""
+    """Return the angles, degrees, by which a strip can tip at one end, towards and away from its other end."""
     here, other = (
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
@@ -132,7 +132,7 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    """Return a text with the gap and tabs with which two plates can replace each plate, or an empty text."""
+    """Return a suggestion, with a gap and the size of tabs, to replace each plate by two plates, or ""."""
     plates = [
         plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
     ]

@@ -33,22 +33,19 @@ BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
 PITCH_MM = 1.0
-"""Distance between points that replace edges, mm. Distances from these points are at most 0.05 mm too large."""
+"""Distance, mm, between points that represent an edge. Distances from the points are at most 0.05 mm too large."""
 
 GRID_MM, GRID_LINES = 2.0, 60
-"""Least distance between places that are tried for a spacer, mm, and number of places across the plate."""
+"""Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
 
 GRID_TURN = np.radians(2.0)
 """Angle between places that are tried around a round plate, rad."""
 
 MOST_MARGIN_MM = 5.0
-"""Distance, mm, from obstacles up to which a larger distance is preferred."""
+"""Distance, mm, from obstacles above which all places for spacers are equally good."""
 
 BORDER_EXTRA_MM = 2.0
-"""Width of a border, mm, in addition to a spacer and the least material at its sides.
-
-It contains the clearance, and the depth of a round rim along a spacer.
-"""
+"""Additional width, mm, of a border with a spacer, for the clearance and because a round rim curves inwards."""
 
 EXCHANGES = 20
 """Largest number of rounds in which spacers are moved apart; five are usually enough."""
@@ -195,14 +192,18 @@ def _free_places(
 def border_with_spacers(sheet: Sheet, shop: FabricationLimits | None, offset: float) -> float:
     """Return the width, mm, of a border between slots and edge in which spacers fit.
 
-    `offset` is the distance, mm, between the slots of a tab in the two plates. Edges have the same offset.
+    `offset` is the distance, mm, between the slots of the same tab in the two plates, seen from above. The
+    edges of the plates have the same offset.
     """
     bridge = limits_or_default(shop).bridge_for(sheet)
     return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM + offset))
 
 
 def _tried_places(plate: BasePlate) -> FloatArray:
-    """Return places (n, 3) as (x, y, angle): radial and tangential in a round plate, else along both axes."""
+    """Return the tried places (n, 3) of spacers: x and y in the plate, mm, and the angle to the x axis, rad.
+
+    Spacers are radial or tangential in a round plate, and parallel to the x or y axis in other plates.
+    """
     low, high = plate.outline.bounds
     step = max(GRID_MM, float((high - low).max()) / GRID_LINES)
     if isinstance(plate, Ring) or plate.opening is not None:
@@ -225,7 +226,7 @@ def _tried_places(plate: BasePlate) -> FloatArray:
 def _obstacles(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float
 ) -> tuple[list[FloatArray], FloatArray, FloatArray]:
-    """Return loops in which no spacer may be, points (n, 2) on cuts, and points of strips and tabs in the gap."""
+    """Return loops that exclude spacers, points (n, 2) on cuts, and points (m, 2) of strips and tabs in the gap."""
     first, second = plates
     loops = [loop.points(PITCH_MM / 10) for plate in plates for loop in plate._inner_loops]
     tabs = []
@@ -271,9 +272,10 @@ def _enclosed(loop: FloatArray, places: FloatArray) -> BoolArray:
 
 
 def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatArray:
-    """Return the distance (n,), mm, of the nearest point from a rectangle of half sizes (2,) at each place.
+    """Return the distance (n,), mm, from a rectangle at each place to the nearest point.
 
-    It is negative if a point is inside the rectangle, and at most `MOST_MARGIN_MM`.
+    `half` (2,) are half the sides of the rectangle. The distance is negative if a point is inside the
+    rectangle, and at most `MOST_MARGIN_MM`.
     """
     margin = np.full(len(places), MOST_MARGIN_MM)
     i, k = near_pairs(places[:, :2], points, float(np.hypot(*(half + MOST_MARGIN_MM))))
@@ -284,7 +286,7 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
 
 
 def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> FloatArray:
-    """Return places at least `apart` mm from each other, first those with a large margin, then outer places."""
+    """Return places at least `apart` mm from each other. Large margins are preferred, then outer places."""
     radius = np.hypot(*(places[:, :2] - places[:, :2].mean(axis=0)).T) if len(places) else margin
     places = places[np.lexsort((-radius, -margin.round(1)))]
     kept = list[FloatArray]()
