@@ -15,7 +15,7 @@ BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"
 WIDTH_PX, TALLEST_PX = 640.0, 420.0
 EDGE_PX = 8.0
 LINE_PX = 1.6
-FIGURES = 5  # decimals of coordinates in pixels
+FIGURES = 5  # significant digits of coordinates in pixels
 
 
 def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:

@@ -18,7 +18,10 @@ Given_contra = TypeVar("Given_contra", contravariant=True)
 if TYPE_CHECKING:
 
     class Takes(Generic[Kept_co, Given_contra]):
-        """Type of a field that stores one type and accepts another, such as `Takes[tuple[Hole, ...], Hole]`."""
+        """Type of a field that stores one type and also accepts another type.
+
+        A field of type `Takes[tuple[Hole, ...], Hole]` stores a tuple of holes, and also accepts a single hole.
+        """
 
         def __get__(self, record: object, owner: Any = None, /) -> Kept_co: ...
 
@@ -27,7 +30,7 @@ if TYPE_CHECKING:
 else:
 
     class Takes:
-        """The stored type, which is all that `Takes` means at run time."""
+        """At run time, `Takes[stored, accepted]` is the stored type."""
 
         def __class_getitem__(cls, kinds):
             return kinds[0]
@@ -38,5 +41,5 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return a dataclass field without a default, for mypy as the value of a field of type `Takes`."""
+    """Return a dataclass field without a default. mypy accepts it for a field of type `Takes`."""
     return field()

@@ -123,7 +123,7 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Return named values as arrays, not broadcast. Raise InputError if their shapes do not match.
+    """Return values as arrays of their own shapes. Raise InputError if the shapes cannot be broadcast together.
 
     Examples
     --------
@@ -184,7 +184,7 @@ def require_path(path: object) -> Path:
 def several(
     name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
 ) -> tuple[Any, ...]:
-    """Return one or several records of a class as a tuple. `cure` explains, in the message, what to pass."""
+    """Return one or several records of a class as a tuple. `cure` is the end of the error message."""
     many = is_series(values) and not isinstance(values, record)
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for item in items:
@@ -194,7 +194,7 @@ def several(
 
 
 _CACHED_KEY = "_value_key"  # attribute of a record in which its key is cached
-# values of most fields have these types, and are their own keys
+# most fields have these types, whose values are their own keys
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 
@@ -256,7 +256,9 @@ MORE_DIGITS = 9
 """
 
 SEEN_APART = 1e-5
-"""Least relative difference that is always visible in six digits. A value closer to its limit meets it.
+"""Least relative difference of two numbers that is always visible in six digits.
+
+A value that exceeds its limit by less is accepted.
 """
 
 

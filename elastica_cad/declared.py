@@ -23,7 +23,7 @@ Record: TypeAlias = Callable[..., Any]
 """A dataclass with declared fields, or a function with declared parameters."""
 
 REQUIRED = MISSING
-"""Marks a field that has no default."""
+"""Marker for a field without a default."""
 
 
 MOST_ELEMENTS = 10_000

@@ -99,7 +99,7 @@ class ElasticaError(Exception):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        # errors cannot be passed to another process; their texts can
+        # store errors as texts, because errors cannot be passed to another process
         values = {
             name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
         }
@@ -107,7 +107,7 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # the message as a str that is also a record, which front ends can translate
+        return self.refusal  # a Refusal is a str, and a record that front ends can translate
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
@@ -130,7 +130,7 @@ class InputError(ElasticaError, ValueError):
 
 
 class UnknownOptionError(InputError, TypeError):
-    """An option does not exist. This is also a `TypeError`, as Python raises for unknown arguments."""
+    """An option does not exist. This error is also a `TypeError`, which Python raises for unknown arguments."""
 
     KIND = "unknown"
 
@@ -307,6 +307,6 @@ def _rounded(value: float, figures: int, *, up: bool) -> float:
         return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)
     steps = value / step
-    # the allowance keeps numbers that are displayed exactly
+    # the allowance of 1e-9 keeps numbers that need no rounding
     whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)
     return float(f"{whole * step:.{figures}g}")

@@ -82,7 +82,7 @@ class Listed(_Worded, tuple[Any, ...]):
 
 
 def both_names(first: str, second: str) -> Listed | str:
-    """Return two names for a message. Equal names mean copies.
+    """Return two names for a message. Equal names are the names of two copies.
 
     Examples
     --------
@@ -363,7 +363,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield the first of messages that differ only in numbers and names, with the number of the others."""
+    """Yield one message for each group of messages that differ only in numbers and names, with their number."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)
@@ -374,9 +374,9 @@ def one_of_each(messages: Iterable[str]) -> Iterator[str]:
 
 
 def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
-    """Join sentences to a message from which front ends can take them apart.
+    """Join sentences to a message that contains them as separate records, which front ends can translate.
 
-    A single sentence is unchanged.
+    A single sentence is returned unchanged.
 
     Examples
     --------

@@ -113,9 +113,9 @@ class Design:
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            As `StripSpec.make` and `Model.interlock`. One error contains the messages of all parts, with
-            their names. Sections that no strip can follow are left out and reported; if no strip remains, the
-            first error is raised.
+            Errors of `StripSpec.make` and `Model.interlock`. A single error contains the messages of all strips,
+            with their names. Sections that no strip can follow are left out and reported. If no strip remains,
+            the error of the first section is raised.
         """
         strips: dict[Any, Strip] = {}
         placed: list[Placed] = []

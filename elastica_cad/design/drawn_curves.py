@@ -60,7 +60,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """Deformation of a curve by corners of its bounding box, or by four points `handles` that move to `to`."""
+    """Deformation that moves corners of a curve's bounding box, or four points `handles` to the points `to`."""
 
     bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
     bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
@@ -198,7 +198,8 @@ class EllipseArc:
                 place=f"{where}: {idle[0]}",
             )
         rise = self.above - center[1]
-        # height above the centre: a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
+        # height above the centre at the parameter v, for half axes a and b:
+        # a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
         tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
         reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
         if not -reach < rise < reach:

@@ -155,8 +155,8 @@ class HolderSpec:
     Attributes
     ----------
     kind : "base", "rings", "frame", "fixtures" or "stand"
-        Kind of holder, in this order: one plate, a plate for each end, two rails with ribs, printed blocks,
-        or the simplest of them.
+        One plate ("base"), a plate for each end ("rings"), two rails with ribs ("frame"), printed blocks
+        ("fixtures"), or the simplest of these holders ("stand").
     sheet : Sheet or None
         Sheet of plates, or None for blocks.
     options : mapping

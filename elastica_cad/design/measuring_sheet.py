@@ -36,10 +36,10 @@ LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 """Letter height, line spacing, and position of the second column of the page, mm."""
 
 LARGEST_READING = 1e6
-"""Largest length (mm) or angle (degrees) in a report or a reading."""
+"""Largest length (mm) or angle (degrees) that a report or a file of measured values may contain."""
 
 ERRORS = ("reading_error", "angle_error")
-"""Names of standard errors in a file of readings: of lengths, mm, and of angles, degrees."""
+"""Keys, in a file of measured values, of the standard errors of lengths (mm) and of angles (degrees)."""
 
 WORDS = {
     "chord": "from end to end of the free part",
@@ -71,7 +71,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
     Returns
     -------
     dict of str to Measuring
-        By the names of the parts of a model; "" is the name in the report of a strip.
+        Quantities of each part of a model, by its name. In the report of a strip, the name is "".
     """
     has_elements = False
     try:
@@ -131,9 +131,9 @@ def _number(value: Any) -> float:
 
 
 def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
-    """Return the measured values in a TOML file, by strip and quantity, and the errors of the readings.
+    """Return the measured values in a TOML file, by strip and quantity, and their standard errors.
 
-    Above all tables are the errors, and values of a strip without a name ("").
+    The keys above all tables are the errors, or values of a strip with the name "".
     """
     text = ""
     try:

@@ -93,7 +93,7 @@ class Rings(_Plates):
 
 @dataclass(frozen=True, kw_only=True)
 class FrameOfPlates(_Plates):
-    """Two rails with ribs between."""
+    """Two rails with ribs between them."""
 
     BESIDE: ClassVar[Record] = slotted_frame
 
@@ -112,7 +112,7 @@ class Fixtures(_Holder):
 HOLDERS: dict[HolderKind, Record] = {
     "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
-"""Record class of each kind of holder, in the order of a kit."""
+"""Record class of each kind of holder, in the order in which a kit makes them."""
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ def _leaves(
     width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
     fewest: Annotated[int, Option("Number of plies that run over the whole length.", least=1)] = 1,
 ) -> LeavesLaw:
-    """Glued plies of the sheet, of different lengths. They require limits or keep."""
+    """Glued plies of the sheet, of different lengths. Such a strip needs the key `limits` or `keep`."""
     return LeavesLaw(sheet, leaves, width, fewest)
 
 
@@ -100,7 +100,7 @@ def _drawn_blank(
 
 
 def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
-    """Return the limits of a strip; if `strain` is True, the strain limit is that of the sheet."""
+    """Return the limits of a strip. If `strain` is True, the strain limit of the sheet is used."""
     limit = None if isinstance(strain, bool) else strain
     return Limits(sheet=sheet if strain else None, strain=limit, **limits)
 
@@ -126,11 +126,11 @@ WRITTEN: dict[Record, Kind] = {
     Supports: kind_of(tuple[EndName, EndName]),
     RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
-"""How records are written in a file, if not as a table of their fields: see `reads`."""
+"""Kind of value by which a record is written in a file, if it is not a table of its fields; see `reads`."""
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind of a value as it is written in a file; for a record, all its written forms."""
+    """Return the kind of a value as it is written in a file. For a family of records, this is any of them."""
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))
@@ -142,10 +142,10 @@ def written(kind: Kind) -> Kind:
 
 
 def fields_of(record: Record) -> tuple[Field, ...]:
-    """Return the fields of a table: those of its class, and those of a second record that the class may name.
+    """Return the fields of a table: the fields of its class, and of a second record that the class may name.
 
-    The class names the second record as `BESIDE`, and fields of it that are excluded as `WITHOUT`. If keys and
-    fields have different names, the function `FIELDS` of the class returns the fields by key.
+    `BESIDE` of the class is the second record, and `WITHOUT` are the names of its fields that are excluded. If
+    keys and fields have different names, the function `FIELDS` of the class returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())
@@ -382,9 +382,10 @@ def title(record: Record) -> str:
 def described(record: Record) -> list[dict[str, Any]]:
     """Return the fields of a table as plain JSON, for forms and editors.
 
-    Each field has name, help, unit, least, most, group, common, required, and a plain default. Its type is
-    `kind`, with `choices`, `size`, `of` (elements or alternatives) or the `fields` of a table. `word` is the
-    value of the key `kind` that selects the table.
+    The description of a field has the keys name, help, unit, least, most, group, common, required, default and
+    `kind`, which is the type of the value. Depending on the kind, it also has `choices`, `size`, `of` (kinds
+    of elements or alternatives), or `table` and `fields`. If the key `kind` of a design selects a table, `word`
+    is the value of this key.
 
     Examples
     --------
@@ -504,7 +505,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the known path that was probably meant: one with the same last name or similar spelling, or ""."""
+    """Return the known path that was probably meant, or "": it has the same last name or a similar spelling."""
     ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)

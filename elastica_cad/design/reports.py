@@ -52,10 +52,10 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
 
 
 def pre_bend_message(strip: Strip) -> str:
-    """Return an instruction for pre-bending the strip, without a full stop; empty for a flat strip.
+    """Return an instruction for pre-bending the strip, without a full stop, or "" for a flat strip.
 
-    The direction is given relative to the final bend. The faces do not define it, because equal pieces may be
-    turned over.
+    The instruction gives the direction relative to the final bend. It does not name a face of the strip, because
+    equal pieces may be turned over.
     """
     rod = strip.rod
     rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
@@ -124,7 +124,8 @@ def report_strip(
     files : dict
         File name for each kind of file (dxf, svg, ...).
     near : NearestRod, optional
-        Nearest rod, to report its deviation from the drawn curve and the limits that prevent a nearer one.
+        Nearest possible rod. The report gives its deviation from the drawn curve, and the limits that cause this
+        deviation.
     stability : Stability, optional
         Stability of the rest shape.
     smoothing : Smoothing, optional
@@ -206,9 +207,9 @@ def report_sideways(verdict: SidewaysStability) -> dict[str, Any]:
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
-    """Return rails, pins, ties and point forces with positions (mm) and forces on the strip (N).
+    """Return rails, pins, ties and point forces, with their positions (mm) and their forces on the strip (N).
 
-    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
+    A tie also has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
     mm, per mm of error in the position of a rail or pin, or in the length of a tie.
     """
     rows = []
@@ -263,7 +264,7 @@ def report_reactions(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base before the backing. A planed or turned strip has its largest thickness."""
+    """Return the layers, the base first. The thickness of a planed or turned strip is its largest thickness."""
     worked = strip.layout.worked_size
     return [
         {
@@ -368,9 +369,9 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """Return the shape of the strip as cut, with its ends held as designed.
+    """Return the shape of the strip as cut, with its ends at their designed positions and angles.
 
-    Return None if no shape near the design is found, or with rails, pins, ties or point forces.
+    Return None if no shape near the design is found, or if the strip has rails, pins, ties or point forces.
     """
     if strip.rod.acting:
         return None
@@ -383,7 +384,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 def report_measuring(strip: Strip) -> dict[str, Any] | None:
     """Return measurable quantities for `elastica compare`.
 
-    Return None for a closed strip, without a rest shape, or with rails, pins, ties or point forces.
+    Return None if the strip is closed, has no rest shape, or has rails, pins, ties or point forces.
     """
     if strip.is_closed or strip.rod.acting:
         return None

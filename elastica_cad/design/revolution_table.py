@@ -25,7 +25,7 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
-"""A meridian passes through its points if it is nearer than this, mm; no cut is as exact."""
+"""Distance, mm, of a meridian from its points below which no deviation is reported. Cuts are less exact."""
 
 
 @dataclass(frozen=True)

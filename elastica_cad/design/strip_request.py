@@ -56,7 +56,7 @@ STIFFNESS_TOLERANCE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class FinishedStrip:
-    """A finished strip: its stiffness, and its request, in which the curve is its rest shape.
+    """A finished strip: its stiffness, and a request whose curve is the rest shape of the strip.
 
     Attributes
     ----------
@@ -91,8 +91,8 @@ class FinishedStrip:
     def changed(self, **fields: Any) -> "FinishedStrip":
         """Return the strip with other values of some fields of its request. Its stiffness is unchanged.
 
-        A new width replaces both widths. A new law replaces widths, style, slots and the shape of tabs; new
-        widths or a new style replace a law. Without gravity, loads are removed.
+        A new width replaces both widths. A new law replaces widths, style, slots and the shapes of tabs. New
+        widths or a new style replace a law. If the gravity is removed, the loads are removed too.
         """
         sheet, law = fields.get("sheet"), self.spec.law
         sized = {"max_width", "min_width", "style"} & set(fields)
@@ -125,7 +125,7 @@ class FinishedStrip:
         # a section law, or the layers of a laminate with weight, determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
-        assert isinstance(rod, Rod)  # without limits, it is not a NearestRod
+        assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
             rod = rod.with_stiffness(self.stiffness)
         scale = self.bending_stiffness
@@ -143,7 +143,7 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            # the stiffness determines all widths, and so the largest
+            # the stiffness determines all widths, and therefore the largest width
             if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
@@ -184,7 +184,7 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
 
 
 def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
-    """Return the loads in the plane of the curve. Point forces are at stations of the rest shape."""
+    """Return the loads in the plane of the curve. Positions of point forces are arc lengths of the rest shape."""
     loads, forces = spec.in_plane.loads, iter(rod.point_forces)
     if isinstance(loads, Weight):
         return loads

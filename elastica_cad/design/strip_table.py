@@ -204,16 +204,16 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
 
 
 TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
-"""Keys with positions of ties and loads, by the list that contains the tie or load."""
+"""Keys that are positions along the curve, in a tie of the list `between` or in a load of the list `loads`."""
 
 PLACE_DIGITS = 6
 
 
 def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
-    """Return the lists `between` and `loads` of a table for a curve that is longer by a factor.
+    """Return the lists `between` and `loads` of a table, changed for a curve that is longer by a factor.
 
-    Positions (mm) of ties and loads are scaled, so that they stay the same fractions of the length. Points,
-    and positions of rails and pins, are unchanged.
+    Positions (mm) of ties and loads along the curve are multiplied by the factor. Points, and positions of
+    rails and pins, are unchanged.
 
     Examples
     --------

@@ -242,7 +242,7 @@ LONGEST_KEY = 60
 OTHER_WORDS = {
     "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
 }  # fmt: skip
-"""Words that users may write instead of a key, though spelled differently, and the correct key."""
+"""Correct key for words that users may write instead and that are spelled quite differently."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -368,7 +368,7 @@ class Table:
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
-        """Add the name of this table or of `key` to errors of the `with` block that state no position."""
+        """In a `with` block, add the name of this table, or of `key`, to errors that state no position."""
         try:
             yield
         except InputError as error:
@@ -458,7 +458,7 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """Return a string. Raise InputError if it is not among `choices`, if any are given."""
+        """Return a string. Raise InputError if `choices` are given and do not contain the string."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(

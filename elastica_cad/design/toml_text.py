@@ -11,7 +11,7 @@ from typing import Any
 def toml_text(table: Mapping[str, Any]) -> str:
     """Return a table as TOML.
 
-    A list of tables becomes [[NAME]], a table inside it [NAME.KEY]; other values are written inline.
+    A list of tables becomes [[NAME]], and a table inside the list becomes [NAME.KEY]. Other values are inline.
 
     Examples
     --------

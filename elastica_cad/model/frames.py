@@ -235,7 +235,7 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return where a rib meets the rail in line with the slots. Its normal `across` (3,) is at `station`, mm."""
+        """Return where a rib meets the rail, in line with the slots. The rib is `station` mm along `across`."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)

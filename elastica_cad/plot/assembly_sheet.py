@@ -39,23 +39,23 @@ from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
 from elastica_cad.words import LANGUAGES, Language, Translated
 
-A4 = np.array([595.0, 842.0])  # points
-MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # points: margin, height of the title, height of a line
+A4 = np.array([595.0, 842.0])  # width and height of a page, points
+MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # margin, heights of title and line, points
 TEXT_POINTS = 8.5
-LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter
-# a separate page for the picture is used if, above text, its scale would be less than this fraction
+LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter, points
+# least scale of a picture above text, as a fraction of its scale on a page without text
 SHARED = 0.55
 FEWEST = 3  # least number of lines of a table at the foot of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its letters, points
-LABEL_OFF = 3.0  # distance between label and point, points
+LABEL_OFF = 3.0  # distance of a label from its position, points
 LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and at the top and bottom, points
-LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # possible places of a label, from tab to holder
-GAP_LETTERS = 2  # letters between columns
+LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # places of a label, as fractions of the line from tab to holder
+GAP_LETTERS = 2  # width of the space between columns, in letters
 # directions to the viewer, and to the right and upwards in the picture
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 # distance that plates and blocks are moved away from the strips, as a fraction of the model's size
 APART = 0.3
-BEHIND = 1.4  # distance of the second plate of a pair from the strips, as a multiple of the first plate's
+BEHIND = 1.4  # ratio of the distances by which the second and the first plate of a pair are moved away
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
 # plates face each other if the cosine between their normals differs from -1 by less than this
 PARALLEL = 1e-6
@@ -83,7 +83,7 @@ NO_CHINESE = (
 
 
 class Table(NamedTuple):
-    """Heading, column heads and rows of a table; sentences are rows of one cell."""
+    """Heading, column heads and rows of a table. A sentence is a row with a single cell."""
 
     title: str
     head: Sequence[str]
@@ -91,7 +91,7 @@ class Table(NamedTuple):
 
 
 class Line(NamedTuple):
-    """Printed line: texts, each with its distance from the left margin in letters."""
+    """Printed line. A cell is a text and its distance, in letters, from the left margin."""
 
     cells: Sequence[tuple[int, str]] = ()
     weight: str = "normal"
@@ -321,7 +321,7 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
         yield note(
             "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
         )
-    # of two plates of a pair, the one next to the strips remains
+    # keep one plate of a pair, the plate next to the strips
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:
         near_plate, opposite = reversed(sides.values())
@@ -347,7 +347,7 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each plate and rib: its middle, and the distance from the previous one's."""
+    """Yield a row for each plate and rib, with its middle and the distance from the middle in the previous row."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
         # the positions of rings are in sentences, and those of spacers follow from their slots
@@ -414,7 +414,7 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _translated(table: Table, words: Wording) -> Table:
-    """Return the table in another language; names of parts and numbers, which are no records, stay."""
+    """Return the table in another language. Only cells that are records are translated, not names or numbers."""
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]
@@ -428,9 +428,9 @@ def _heading(text: str, words: Wording) -> str:
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
-    """Return heading and rows of a table as lines of at most `most` letters.
+    """Return the heading and the rows of a table as lines of at most `most` letters.
 
-    Empty columns are left out, and the longest cells are wrapped.
+    Empty columns are left out. The widest columns are wrapped.
     """
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
     # a wide character takes the place of two letters
@@ -451,7 +451,7 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
     return heads, [line for row in lines for line in row]
 
 
-PAD = "\u2060"  # second place of a wide character while lines are wrapped: an invisible character
+PAD = "\u2060"  # invisible character that follows each wide character while lines are wrapped
 
 
 def _padded(text: str) -> str:
@@ -486,7 +486,7 @@ def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
 class Label(NamedTuple):
     """Text of the picture, drawn at the first of `positions` (k, 3) where it covers no other text.
 
-    `sides` has the side of the text at each position: (1, 0) to the right, (0, 1) above.
+    For each position, `sides` gives the side on which the text is: (1, 0) to the right, (0, 1) above.
     """
 
     text: str
@@ -503,11 +503,11 @@ class View:
     patches, colors : (n, 4, 3) and (n, 3) arrays
         Surfaces of strips and blocks.
     outlines : sequence of (loop (m, 3), point for depth sorting (3,), colour)
-        Outlines and holes of plates.
+        Outlines and holes of plates, each with a point for depth sorting.
     leads : sequence of (2, 3) arrays
         Lines from tabs to their holders.
     elements : sequence of (HeldElement, points (k, 3), tip (3,) or None)
-        Rails, pins, ties and loads with their points; loads also with the tip of their arrow.
+        Rails, pins, ties and loads with their points. Loads also have the tip of an arrow.
     labels : sequence of Label
         Texts, the most important first.
     dimensions : sequence of (line (2, 3), text)
@@ -657,8 +657,9 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
     arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": INK, "lw": 0.6, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", line[0], line[1], arrowprops=arrow)
     turned = abs(way[1]) > abs(way[0])
+    # if a line is too short for its text, the text is beside the line
     if np.hypot(*way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
-        center = center - LABEL_HIGH * np.array([turned, not turned])  # beside a short line
+        center = center - LABEL_HIGH * np.array([turned, not turned])
     axes.text(*center, text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
               rotation=np.degrees(np.arctan2(way[1], way[0])),
               bbox={"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none"})  # fmt: skip

@@ -10,7 +10,7 @@ from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, NUMBERED,
 from elastica_cad.strip.travel import Travel
 
 SAME_CORD_SHARE = 1e-6
-"""If the cord is shortened by less than this fraction of its length, the shape is that of the bow itself."""
+"""Least shortening of the cord, as a fraction of its length, for which another shape is drawn."""
 
 
 def bow(bow: Bow, shorter: Travel) -> Figure:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 PICTURES = (".png", ".pdf")
-"""Ends of the names of files that the second process draws."""
+"""Suffixes of the files that the second process draws."""
 
 
 class DrawingProcess:
@@ -45,7 +45,7 @@ class DrawingProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            # Ctrl-C reaches only this process, which then ends the second one
+            # Ctrl-C reaches only this process, which then ends the second process
             start_new_session=True,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
@@ -60,11 +60,11 @@ class DrawingProcess:
 
     @contextmanager
     def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
-        """Let the second process draw the pictures among files that the `with` block writes.
+        """Let the second process draw the pictures among `files`, which the `with` block writes.
 
-        Yields the files with pictures after other files, so that they are drawn meanwhile. Writing a picture
-        waits for the second process or, if that has ended, draws it in this process. Archives are last,
-        because they contain the other files.
+        Yields the files in the order in which they are written. Pictures follow other files, because they are
+        drawn meanwhile. Archives are last, because they contain the other files. Writing a picture waits for the
+        second process. If this process has ended, the picture is drawn here.
         """
         pictures = [file for file in files if file.name.endswith(PICTURES)]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
@@ -102,7 +102,7 @@ class DrawingProcess:
             OSError,
             ValueError,
             pickle.UnpicklingError,
-        ):  # if the other process has ended, draw in this one
+        ):  # if the second process has ended, draw the picture here
             file.write(path)
         else:
             path.write_bytes(content)
@@ -117,8 +117,8 @@ def in_writing_order(files: "Sequence[File]") -> "list[File]":
 def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
     """Start the second process for a command that draws pictures, and end it after the `with` block.
 
-    Yields None for other commands, without matplotlib, on a single processor, and if the system cannot start
-    a process.
+    Yields None if the command draws no pictures, matplotlib is not installed, there is only one processor, or
+    the system cannot start a process.
     """
     draws = {"strip", "pair", "model"} & {*words} and not {"--no-pictures", "--help", "-h"} & {*words}
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -32,7 +32,7 @@ APART_MM = 1e-7
 """Stations closer together than this, mm, are merged."""
 
 FEWEST, ROUND = 4, 96
-"""Least number of sides of a polygon for a curve, and number of sides for a loop that is one curve."""
+"""Least number of sides that replace an arc or spline, and least number if this curve is a whole loop."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
@@ -74,15 +74,15 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # slabs are between neighbouring values of x; a line crosses consecutive slabs
+    # a slab is the area between neighbouring values of x; a line crosses consecutive slabs
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
-    # in each slab, the lines of closed loops form pairs: below and above the area
+    # in each slab, consecutive lines bound a part of the area from below and from above
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # slabs between the same two lines form a trapezoid, which ends at stations
+    # consecutive slabs between the same two lines are joined to a trapezoid, but not across stations
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
@@ -116,10 +116,9 @@ def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
 
 
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield patches (n, 4, 3) of at most `size` mm and their unshaded colours (n, 3), for each body of the
-    holders.
+    """Yield patches (n, 4, 3), at most `size` mm large, and unshaded colours (n, 3) for each body of the holders.
 
-    Slots with tabs in them are drawn as if they were not cut.
+    Slots are left out, because tabs fill them.
     """
     for holder in single_holders(holders):
         if isinstance(holder, EndFixture):
@@ -159,7 +158,7 @@ def _patches(
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
-    """Yield parts of a trapezoid (2, 3), at most `size` mm high. Its columns are x, lower y and upper y."""
+    """Divide a trapezoid into parts at most `size` mm high. Its two parallel sides are rows x, lower y, upper y."""
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for k, _ in pairwise(range(count + 1)):
@@ -176,11 +175,11 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges as a fraction of the strip width, and its limit as a fraction of the
-model's size."""
+"""Width of the dark line along edges, as a fraction of the strip width, and its largest width, as a fraction of
+the model's size."""
 
 ROUNDED_MM = 6
-"""Decimals of heights above a face, mm. A patch with height 0.0 is on the face."""
+"""Decimals to which heights of patches above a face, mm, are rounded. A patch at height 0.0 is on the face."""
 
 HOLDER_PATCH = 0.02
 """Size of patches of holders as a fraction of the model's size; sorting small patches by depth is enough."""
@@ -203,11 +202,12 @@ def model(
     azimuth: float = -60.0,
     flat: int = 0,
 ) -> Figure:
-    """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
+    """Draw the bent strips of a model in the colours of their sheets. `elevation` and `azimuth` are in degrees.
 
     Strips have their tabs, slots and holes; of a laminate only the base is drawn. `holders` are drawn in
-    addition to the plates of the model, with their holes but without slots. `flat` is the number of different
-    flat parts that are drawn below at a common scale: the first, the last, and some between them.
+    addition to the plates of the model. Plates have their holes but no slots. `flat` is the number of flat
+    parts that are drawn below at a common scale. Only different parts are drawn, among them the first and the
+    last.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
@@ -278,10 +278,10 @@ def _figure(
     flat: tuple[Sequence[EqualStrips], float] | None = None,
     faces: Sequence[Frame] = (),
 ) -> Figure:
-    """Paint patches (n, k, 3) from the farthest to the nearest, and below them flat parts at a common scale.
+    """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts below them at a common scale.
 
-    Patches in front of a plate's face are painted after those behind it. Sorted by depth alone, tabs would
-    have ragged edges in their slots.
+    Patches in front of a plate's face are painted after patches behind the face. If patches were sorted only
+    by depth, tabs would have ragged edges in their slots.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
@@ -371,8 +371,7 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 def rule_strip(
     placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n,
-    3).
+    """Return patches (n, 4, 3) of a strip in space, with tabs, slots, holes and dark rims, and colours (n, 3).
 
     Patches are split where the strip crosses one of the `faces`.
     """

@@ -17,9 +17,9 @@ ARROW = 0.3  # length of the arrow, as a fraction of the displacement between th
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
-    """Draw a two-state part: flat pattern, both rest shapes with the holes of the holder, and force.
+    """Draw a two-state part: its flat pattern, its rest shapes with the holes of the holder, and its force.
 
-    The requested curves `drawn_as` are dashed.
+    The requested curves `drawn_as` are drawn dashed.
     """
     chord = CHORD * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]

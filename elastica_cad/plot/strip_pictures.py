@@ -42,8 +42,7 @@ END_LABEL_INCHES = 0.3
 """Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Displacements between the first two limits are also drawn enlarged, to the third size; all are fractions of
-the length."""
+"""Limits between which a displacement is also drawn enlarged, and its enlarged size, as fractions of the length."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Panel for a drawing with two axes, a title, and a legend below the title."""
@@ -70,10 +69,10 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) 
     ----------
     rod : Rod
     wish : PlaneCurve, optional
-        Requested curve, drawn too if the rod is that of the nearest possible curve.
+        Requested curve. It is drawn too if the rod has the nearest possible curve.
     design : Rod, optional
-        Designed shape of a loaded or moved rod, drawn too. A displacement below 1 % of the length is also
-        drawn enlarged. The inflection line and the thrust line are left out.
+        Designed shape of a loaded or moved rod. If it is given, it is drawn too, and the inflection line and the
+        thrust line are left out. A displacement below 1 % of the length is also drawn enlarged.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
     if design is not None:
@@ -121,7 +120,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        Requested curve, drawn too if the strip is that of the nearest possible curve.
+        Requested curve. It is drawn too if the strip has the nearest possible curve.
 
     Returns
     -------
@@ -209,8 +208,8 @@ def _paint_bent(
     for end, tab in zip(ends, tabs, strict=True):
         axes.plot(*tab.T, color=FAINT, linewidth=2.2)
         angle_text = f"{end.tilt:.1f}°" if end.support.angle else end.unheld_text
-        beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # away from a steep tab
-        inward = "left" if end.outward[0] < 0 else "right"  # a long text stays inside the axes
+        beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # move the text away from a steep tab
+        inward = "left" if end.outward[0] < 0 else "right"  # keep a long text inside the axes
         align = inward if end.support.is_free else "center"
         below = {"xytext": (beside, -6), "textcoords": "offset points", "ha": align, "va": "top"}
         axes.annotate(angle_text, tuple(end.position), fontsize=9, color=INK, **below)
@@ -227,7 +226,7 @@ def _paint_bent(
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
     shown += _mark_loads(axes, rod, float(np.max(high - low)))
-    # so that the numbers across a nearly straight curve can be read
+    # enlarge the axes of a nearly straight curve, so that their numbers can be read
     box = box_about(_with_room_below(np.array(shown), ends))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
@@ -306,7 +305,7 @@ def _stations_of(size: Profile) -> list[float]:
     """Return the stations, mm, of labels that do not overlap: widest and narrowest place, ends and quarters."""
     length = size.length
     s = np.linspace(0.0, length, 801)
-    # rounded, so that rounding errors do not choose between places of equal width
+    # round the widths, so that rounding errors do not choose between places of equal width
     w = np.round(size(s), 9)
     candidates = [
         s[int(np.argmax(w))],
@@ -338,9 +337,9 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
 
 def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
-    """Draw the designed shape and, if the displacement is small, an enlarged displacement.
+    """Draw the designed shape. If the displacement is small, draw it enlarged too.
 
-    Return the drawn lines (n, 2).
+    Return the drawn lines, (n, 2) each.
     """
     light = {"color": FAINT, "linewidth": 1.2}
     lines = [design.position]
@@ -454,7 +453,7 @@ def _paint_legend(axes: Axes) -> None:
     )
 
 
-# colours of the first and the last shape, and of shapes after snaps
+# colours of the first and the last shape, and of unstable shapes
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
 # panel with force on the left axis and energy on the right
@@ -465,7 +464,7 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 def travel(moved: Travel) -> Figure:
     """Draw all shapes of a travel, and below them the force along the path and the bending energy.
 
-    A travel of one step has no graph; its shape is drawn with the design.
+    If the travel has a single step, its shape and the designed shape are drawn without a graph.
 
     Dotted lines mark the positions on the path to which `Travel.warnings` refer.
 
@@ -526,6 +525,6 @@ def travel(moved: Travel) -> Figure:
 
 
 def blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
-    """Return `count` colours from the first to the last one."""
+    """Return `count` colours, evenly spaced from the first to the last colour."""
     a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]
