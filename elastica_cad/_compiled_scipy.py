@@ -67,7 +67,7 @@ def _compiled_module(package: str, name: str, needed: str) -> Any | None:
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    # only locate scipy: importing it loads network modules and others
+    # locate scipy without importing it, because its import loads network modules and others
     scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(

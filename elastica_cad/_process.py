@@ -9,7 +9,7 @@ from threading import current_thread, main_thread
 from types import FrameType
 
 PACKAGES = Path(__file__).parents[1]
-"""Folder that contains this package. A new Python process does not search it in a checkout."""
+"""Folder that contains this package. If it is a checkout, a new Python process does not search it."""
 
 
 def python_command(module: str, function: str) -> list[str]:

@@ -193,7 +193,7 @@ def several(
     return items
 
 
-_CACHED_KEY = "_value_key"  # attribute of a record in which its key is cached
+_CACHED_KEY = "_value_key"  # attribute in which a record caches its key
 # most fields have these types, whose values are their own keys
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
@@ -222,7 +222,7 @@ def value_key(value: Any) -> Any:
     if kind in _PLAIN:
         return value
     if isinstance(value, np.ndarray):
-        return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # -0.0 becomes 0.0
+        return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # adding 0.0 turns -0.0 into 0.0
     if _compared_fields(kind) is not None:
         return _record_key(value)
     if isinstance(value, tuple | list):

@@ -41,10 +41,10 @@ def read_curves(
 ) -> CurveList:
     """Read the curves in a file, in mm.
 
-    Splines, arcs and ellipses are read exactly; curves are fitted to polylines and measured points. Pieces
+    Splines, arcs and ellipses are read exactly. Curves are fitted to polylines and measured points. Pieces
     whose ends meet are joined to a curve, except named shapes of an SVG. The ends of a closed curve are
-    equal. Corners that rounded decimals cause are removed; `PlaneCurve.provenance` states how far this moved
-    the curve.
+    equal. Corners that rounded decimals cause are removed. `PlaneCurve.provenance` states how far the curve
+    was moved.
 
     A file may have at most 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and
     5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. A file may have at
@@ -98,7 +98,8 @@ def read_drawing(
 ) -> DrawnFile:
     """Read the curves of a file with their numbers, names and layers. Omitted items are listed.
 
-    Arguments and errors are as in `read_curves`. If a curve is not valid, its attribute `problem` states why.
+    The arguments and errors are those of `read_curves`. If a curve is not valid, its attribute `problem` states
+    why.
 
     Parameters
     ----------
@@ -227,9 +228,9 @@ def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) ->
     """Write a drawing, a strip, or a part with two states. The suffix of `path` selects the format.
 
     The formats are .dxf and .svg, and .step for strips and parts. The .step file of a strip contains the flat
-    and the bent strip. That of a two-state part contains the unloaded part or, with `state` "first" or
-    "second", the part in this state. The options are as in `formats.write_drawing`: kerf, curves, tolerance,
-    version, layers, force. For STEP, the only option is force.
+    and the bent strip. The .step file of a two-state part contains the unloaded part or, with `state` "first"
+    or "second", the part in this state. The options are those of `formats.write_drawing`: kerf, curves,
+    tolerance, version, layers, force. For STEP, the only other option is force.
 
     Raises
     ------

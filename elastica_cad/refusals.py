@@ -105,7 +105,7 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """Range of lengths, shown as one length if both ends look equal."""
+    """Range of lengths, shown as a single length if both ends look equal."""
 
     LAST = "{some} to {last}"
 
@@ -363,7 +363,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield one message for each group of messages that differ only in numbers and names, with their number."""
+    """Yield one message of each group that differ only in numbers and names, with the number of the others."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

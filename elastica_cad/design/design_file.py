@@ -263,7 +263,7 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, or None. Keys at the top of the design are its defaults.
+    """Return the surface of revolution of a design, or None. Keys at the top of the design are defaults.
 
     Strips without holders have no tabs by default.
     """

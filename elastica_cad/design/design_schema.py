@@ -8,7 +8,7 @@ from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import fields_of, help_with_unit, tables_in, title, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
-"""Name of the schema file beside a design file, whose first line names it."""
+"""Name of the schema file, which the first line of a design file in the same folder states."""
 
 Fragment: TypeAlias = dict[str, Any]
 Keys: TypeAlias = dict[str, tuple[Fragment, str]]

@@ -33,7 +33,7 @@ def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
 
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
-    """Make the options of cutting files from the table [cut] of parsed tables. `where` is their file."""
+    """Make the options of cutting files from the table [cut] of parsed tables. `where` is the name of the file."""
     cutting: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
     return cutting
 

@@ -340,7 +340,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""Functions that read records which are not written as a table of their fields."""
+"""Functions that read records that are not written as tables of their fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
@@ -382,10 +382,9 @@ def title(record: Record) -> str:
 def described(record: Record) -> list[dict[str, Any]]:
     """Return the fields of a table as plain JSON, for forms and editors.
 
-    The description of a field has the keys name, help, unit, least, most, group, common, required, default and
-    `kind`, which is the type of the value. Depending on the kind, it also has `choices`, `size`, `of` (kinds
-    of elements or alternatives), or `table` and `fields`. If the key `kind` of a design selects a table, `word`
-    is the value of this key.
+    A field has the keys name, help, unit, least, most, group, common, required, default and `kind`, the type of
+    its value. Some kinds also have `choices`, `size`, `of` (elements or alternatives), or `table` and `fields`.
+    `word` is the value of the design's key `kind` that selects the table.
 
     Examples
     --------

@@ -33,7 +33,7 @@ from elastica_cad.strip.tapered_solids import side_view
 DEFAULT_STATIONS = 21
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Number of decimals in a column of the written table, by the unit in the name of the column."""
+"""Decimals of the columns of the CSV table, by the unit with which the name of the column ends."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
@@ -41,12 +41,12 @@ LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
-    """Return the workshop table of a tapered strip, as a mapping from column names to arrays (n,).
+    """Return the columns (n,) of the workshop table of a tapered strip, by name.
 
-    Each row belongs to a station, measured in mm from the start of the free part. The columns are the
-    station, its distance from the tip of the tab, the size of the strip, the strain and the safety. By default
-    the stations include the tips of both tabs. The safety is the strain limit of the material divided by the
-    strain, and infinite where the strip is not bent.
+    Stations (n,), mm, are measured from the start of the free part. The columns are the station, its distance
+    from the tip of the tab, the size of the strip, the strain and the safety. The default stations include the
+    tips of both tabs. The safety is the strain limit of the material divided by the strain, and infinite
+    where the strip is not bent.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -338,7 +338,7 @@ class Batten:
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
-        """Return the size, strain and safety at `stations` (n,), mm, as a mapping from names to arrays (n,)."""
+        """Return columns (n,) with the size, strain and safety at `stations` (n,), mm, by name."""
         return _bench_table(self.strip, stations)
 
 

@@ -1,8 +1,8 @@
 """Collisions between strips of a model outside their slots, and contact of a strip with itself.
 
 Collisions are detected at sample points. If two bodies overlap, an edge of one body is inside the other, or
-two faces overlap. Edges have many samples. Faces have few, because the depth of an overlap varies little on
-them.
+two faces overlap. Edges have many samples. Faces have few samples, because the depth of an overlap varies
+little over a face.
 """
 
 from collections.abc import Iterable, Sequence
@@ -53,7 +53,7 @@ SELF_PITCH_THICKNESSES = 0.25
 """Distance, in thicknesses, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
-"""Largest number of samples along a strip that may touch itself; on long strips, samples are farther apart."""
+"""Largest number of samples along a strip that may touch itself. Samples of long strips are farther apart."""
 
 Places = tuple[float, float]
 
@@ -127,7 +127,7 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and the nearest stations."""
+        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and the stations near them."""
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
@@ -136,7 +136,7 @@ class Body:
         return i[first], stations[k[first]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the arc lengths (n,), points and tangents of the curve nearest to points (n, 2).
+        """Return arc lengths (n,), points and tangents of the curve where it is nearest to points (n, 2).
 
         The search starts at the arc lengths `s`.
         """
@@ -303,7 +303,7 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
     for i, j in combinations(range(len(placed)), 2):
         pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
         if (i, j) in slotted:
-            # strips with the same cut share their layers
+            # strips with the same cut share their layers, so their `id` identifies the cut
             cut = (id(strip.layers) for strip in strips)
             alike = *cut, slotted[i, j], *place_between(placed[i].frame, placed[j].frame)
             if alike in clear:

@@ -44,7 +44,7 @@ InPlane = tuple[FloatArray, FloatArray]
 class RuledStrip:
     """The surface gamma(s) + v z with |v| <= width(s) / 2.
 
-    The curve gamma is in the plane of `frame`; rulings are along its z.
+    The curve gamma is in the plane of `frame`. The rulings have the direction z of the z axis of `frame`.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ class RuledStrip:
 
     @cached_property
     def box(self) -> FloatArray:
-        """Bounding box of the surface, mm, in its frame: low and high corner (2, 3)."""
+        """Low and high corner (2, 3), mm, of the bounding box of the surface in `frame`."""
         reach = self.width.extremes[1] / 2
         low, high = self.curve.bounds
         return np.array([[*low, -reach], [*high, reach]])
@@ -149,7 +149,7 @@ ZERO = 1e-11
 """Largest absolute value of a function that counts as zero: the rounding error, mm, in a model of 10 m."""
 
 ZERO_STEPS = 80
-"""Largest number of steps of the false position method; usually a few suffice."""
+"""Largest number of steps of the false position method. Usually, a few steps suffice."""
 
 
 def _bracketed_zeros(
@@ -541,7 +541,7 @@ class Crossing:
 
     @cached_property
     def middle(self) -> float:
-        """Parameter x of the middle of the crossing by length."""
+        """Parameter x at half the length of the crossing."""
         x, along, _ = self.course
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
@@ -553,7 +553,7 @@ class Crossing:
         return float(middle)
 
     def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
-        """Return the parameters x (n,) of 6 to 65 points from `start` to `end`, if possible `pitch` mm apart."""
+        """Return parameters x of 6 to 65 points from `start` to `end`, if possible at most `pitch` mm apart."""
         x, along, _ = self.course
         if min(start, end) < 0 or max(start, end) > 1:
             x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)

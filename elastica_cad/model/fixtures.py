@@ -99,7 +99,7 @@ class PlacedTab:
 
     @property
     def tip(self) -> FloatArray:
-        """Middle (3,), mm, of the end of the tab that is away from the strip."""
+        """Middle (3,), mm, of the outer end of the tab."""
         return self.frame.point((self.length, 0.0, 0.0))
 
     @property
@@ -147,7 +147,7 @@ LEAST_WALL_MM = 0.8
 GROOVE_FRACTIONS = 0.16, 0.075
 """Width and depth of engraved strokes as fractions of the height of the letters.
 
-A 0.4 mm nozzle prints the width at a height of 4 mm; the depth is then two fine layers.
+If letters are 4 mm high, a 0.4 mm nozzle can print this width, and the depth is two fine layers.
 """
 
 MOST_EXTENDED_MM = 150.0
@@ -593,7 +593,7 @@ def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """Convex prism: points (n, 3) along its edges, and a point and a normal of each of its k faces."""
+    """Convex prism: points (n, 3) along its edges, and a point and the normal of each face."""
 
     edges: FloatArray
     faces: FloatArray

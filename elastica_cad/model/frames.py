@@ -33,7 +33,7 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 SHOULDER_MM = 5.0
-"""Width, mm, of the shoulder beside the tongue of a rib, which rests against the rail."""
+"""Width, mm, of the shoulders of a rib, which rest against the rail beside the tongue."""
 
 SLOT_SPACING_MM = 3.0
 """Least distance, mm, between slots of ribs and tabs; some sheets need more."""
@@ -50,7 +50,7 @@ A tongue is narrower in the inner rail. The steps rest against this rail and kee
 """
 
 SIDE_TOLERANCE_MM = 1e-6
-"""Rounding error, mm, of the distance between a side of the rib and a point on it."""
+"""Distance, mm, below which a point counts as on a side of the rib."""
 
 PARALLEL_SINE = 0.1
 """Largest sine of the angle between rails that count as parallel."""
@@ -71,7 +71,7 @@ class Rib:
     label : Text
         Engraved name, in the frame.
     warnings : tuple of str
-        Reasons not to cut the rib, if limits were ignored.
+        Faults of the rib, if limits were ignored.
     """
 
     name: str
@@ -373,15 +373,15 @@ FOOT_LABEL_MM = 3.0
 
 
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
-    """Return the plates with glued tabs and their feet (gussets), two per tab, which set the angle of the tabs.
+    """Return the plates with glued tabs, and two feet (gussets) for each tab, which set the angle of the tab.
 
-    A foot is perpendicular to plate and tab: one of its sides is glued to the back of the plate, one to the tab.
-    Feet of equal strips are equal and share a name; different feet with the same name get a number.
+    A foot is perpendicular to plate and tab. One side is glued to the back of the plate, another to the tab.
+    Feet of equal strips are equal and share a name. A number distinguishes different feet with the same name.
 
     Parameters
     ----------
     size : float
-        Length, mm, of the two glued sides of a foot: along the tab, and along the plate beside the slot.
+        Length, mm, of the two glued sides of a foot, along the tab and along the plate beside the slot.
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):

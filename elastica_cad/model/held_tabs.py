@@ -90,7 +90,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
 def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
     """Yield the plates, and the rails of frames, whose tabs are not glued and therefore have play."""
     for holder in holders:
-        # recognise frames by their `rails`, because their module imports this module
+        # recognise frames by their `rails`, because the module of frames imports this module
         for plate in getattr(holder, "rails", (holder,)):
             if isinstance(plate, BasePlate) and not plate.glued:
                 yield plate

@@ -95,10 +95,10 @@ Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
-"""Angle between two strips, rad, below which a warning is added: slots are over 7 sheet thicknesses wide."""
+"""Angle between strips, rad, below which a warning is added, because slots are over 7 sheet thicknesses wide."""
 
 TOUCHING_RAD = np.radians(1.0)
-"""Least angle between strips, rad, for slots: at smaller angles, slots are over 100 sheet thicknesses wide."""
+"""Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
 """Saving of slot length, as a fraction of the crossing, above which slots open to the side not preferred."""

@@ -152,7 +152,7 @@ def mirror(
     *,
     keep: Annotated[bool, Option("Keep the original strips too.")] = True,
 ) -> tuple[Placed, ...]:
-    """Return the mirror images of strips in the plane through `point` with a normal.
+    """Return the mirror images of strips in the plane through `point` perpendicular to `normal`.
 
     With `keep`, the originals come first.
     """
@@ -174,7 +174,7 @@ def rotate(
 ) -> tuple[Placed, ...]:
     """Return `count` copies of the strips about an axis, `step` rad apart.
 
-    By default, they are distributed over a full turn.
+    By default, the copies are distributed over a full turn.
     """
     _require_count(count, len(placed))
     require_declared(rotate, {"step": step}, "rotation")
@@ -353,7 +353,7 @@ class Model:
     def mirrored(
         self, point: ArrayLike = (0.0, 0.0, 0.0), normal: ArrayLike = (1.0, 0.0, 0.0), *, keep: bool = True
     ) -> "Model":
-        """Return the mirror image in the plane through `point` with this normal.
+        """Return the mirror image in the plane through `point` perpendicular to `normal`.
 
         With `keep`, the originals come first.
         """
@@ -384,9 +384,9 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a round widens a strip, and factor that is applied to `LARGEST_LOG_CHANGE` instead.
+"""Largest widening of a strip in a round, and factor on `LARGEST_LOG_CHANGE` if a strip needs more widening.
 
-The second factor is used if a strip would need a larger widening. Its shoulders beside the tabs would be too wide.
+A much wider strip would have wider shoulders beside its tabs.
 """
 
 ROUNDS, MOST_ROUNDS = 2, 10

@@ -80,7 +80,7 @@ class NestedSheet(Drawing):
 
     @property
     def counts(self) -> dict[str, int]:
-        """Number of each piece on this sheet."""
+        """Number of copies of each piece on this sheet."""
         return dict(Counter(self.pieces))
 
 
@@ -90,7 +90,7 @@ Sawn: TypeAlias = tuple[str, float]
 
 @dataclass(frozen=True)
 class _Box:
-    """Box of a piece with margin: index, sizes along and across the rows, and True if rotated by 90 degrees."""
+    """Index of a piece, size of its box with margin along and across rows, and True if rotated by 90 degrees."""
 
     piece: int
     long: float
@@ -173,8 +173,8 @@ def nest_pieces(
 def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[tuple[Sawn, ...], ...]:
     """Return the lengths to saw from each rod.
 
-    The longest lengths are sawn first, each from the first rod with enough left. A piece that is longer than a
-    rod is joined from whole rods and a shorter length.
+    The longest lengths are sawn first, each from the first rod that is long enough. A piece that is longer
+    than a rod is joined from whole rods and a shorter length.
 
     Parameters
     ----------
@@ -211,17 +211,14 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Return by how much, mm, the tool path around a piece is wider than the piece.
-
-    This is the kerf, or the kerf of the sheet if `kerf` is None.
-    """
+    """Return the kerf, mm, by which the tool path is wider than a piece. None means the kerf of the sheet."""
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """Return all sheets of a material, with rows along the better side of the sheet."""
+    """Return all sheets of a material, with rows along the side that needs less material."""
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)

@@ -263,7 +263,7 @@ def _around_moved(plate: Plate) -> Plate:
 
 
 def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and rotation of the seat that each tab needs, by the `key` of the tab."""
+    """Return the shift and rotation of each seat, by the `key` of its tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -305,7 +305,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease, mm, of the differences of tabs' heights above a plate for which the plate may be inclined."""
+"""Least decrease, mm, of the range of tabs' heights above a plate for which the plate is oblique to its tabs."""
 
 
 def end_plates(

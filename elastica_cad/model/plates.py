@@ -112,7 +112,7 @@ def options_by_name(
 ) -> Options:
     """Return the record of options given by name.
 
-    Refuse unknown names; messages call the object `what`.
+    Refuse unknown names. `what` is the name of the object in messages.
 
     Examples
     --------
@@ -170,7 +170,7 @@ class BasePlate:
     slots : tuple of TabSlot
     name : str
     warnings : tuple of str
-        Reasons not to cut the plate, if limits were ignored.
+        Faults of the plate, if limits were ignored, and a message if a bridge has no effect.
     opening : Path or None
         Closed loop of the opening in the middle, or None if the plate is closed or has a bridge.
     holes : tuple of Path
@@ -234,7 +234,7 @@ class BasePlate:
 
     @cached_property
     def drawing(self) -> Drawing:
-        """Cutting pattern seen from above, with the name of its tab at every slot."""
+        """Cutting pattern seen from above, with the name of the tab at every slot."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
         texts = (*(self._slot_label(slot) for slot in self.slots), *self._engraved_name())
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
@@ -245,7 +245,7 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _engraved_name(self) -> tuple[Text, ...]:
-        """Return the engraved name, between the slots and the opening or holes, or nothing for a closed plate."""
+        """Return the engraved name, which is inside the slots. A plate without opening and holes has no name."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
@@ -558,7 +558,7 @@ class Ring(BasePlate):
     Attributes
     ----------
     seats : tuple of Path
-        Engraved outlines of the tabs that are glued to the face. The first `holes` are for the bolts of tabs.
+        Engraved outlines of the tabs that are glued or bolted to the face. The first `holes` are for the bolts.
     seated : tuple of str
         Names of the tabs in `seats`.
     """
@@ -705,7 +705,7 @@ def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Refuse tabs that extend beyond their sectors of 1 / `count` turns."""
+    """Refuse tabs that extend beyond their sector of the ring. The ring has `count` equal sectors."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)

@@ -349,7 +349,7 @@ class _Request:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # a bridge is measured along the side of a slot, not along the line between neighbouring slots
+            # a bridge is measured along the side of a slot, which is inclined by half the angle between slots
             gap = (
                 2 * PLAY
                 + BRIDGE_ALLOWANCE

@@ -53,7 +53,7 @@ LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # places of a label, as fractions of 
 GAP_LETTERS = 2  # width of the space between columns, in letters
 # directions to the viewer, and to the right and upwards in the picture
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
-# distance that plates and blocks are moved away from the strips, as a fraction of the model's size
+# distance by which plates and blocks are moved away from the strips, as a fraction of the model's size
 APART = 0.3
 BEHIND = 1.4  # ratio of the distances by which the second and the first plate of a pair are moved away
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle

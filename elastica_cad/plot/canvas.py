@@ -139,7 +139,7 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """Return the metadata of a file. They have no time, so that equal pictures give equal files."""
+    """Return the metadata of a file, without a time, so that equal pictures give equal files."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
@@ -182,9 +182,9 @@ def text_in(font: str | None) -> Iterator[None]:
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
-    """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later ones on top.
+    """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later polygons on top.
 
-    Matplotlib would slowly compute the box of every polygon, so the box of all is set here.
+    Matplotlib would slowly compute the box of every polygon, so the box of all polygons is set here.
     """
     from matplotlib.collections import PolyCollection
 

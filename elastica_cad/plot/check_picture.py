@@ -35,7 +35,7 @@ def check(check: EquilibriumCheck) -> Figure:
     """Draw the curve of a check with its curvature comb, inflections, inflection line and faults.
 
     Noisy measured points are dots, and outliers have a ring. Positions are in mm along the curve from its
-    start, as in the reasons.
+    start.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Drawing of pictures in a second process, which imports matplotlib while the command computes.
 
-Importing matplotlib takes as long as computing a strip. Without a second process, or if it ends early,
-pictures are drawn in this process.
+Importing matplotlib takes as long as computing a strip. Without a second process, or if the second process
+ends early, pictures are drawn in the first process.
 """
 
 import os
@@ -64,12 +64,12 @@ class DrawingProcess:
 
         Yields the files in the order in which they are written. Pictures follow other files, because they are
         drawn meanwhile. Archives are last, because they contain the other files. Writing a picture waits for the
-        second process. If this process has ended, the picture is drawn here.
+        second process. If the second process has ended, the first process draws the picture.
         """
         pictures = [file for file in files if file.name.endswith(PICTURES)]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
         request = pickle.dumps((MADE_BY.get(), tasks))
-        # in a thread, because the process reads the request only after importing matplotlib
+        # use a thread, because the second process reads the request only after importing matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
         try:
             yield [

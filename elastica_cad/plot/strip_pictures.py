@@ -157,7 +157,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
     from matplotlib.path import Path as Outline
 
     for layer in strip.layers:
-        # matplotlib fills all but loops directed against the outline
+        # matplotlib fills all loops except those whose direction is opposite to the outline's
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]
@@ -332,7 +332,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     if rod.gravity is not None or rod.acting or size == 0.0:
         return None
     direction = rod.force[0] / size
-    gradient = np.array([direction[1], -direction[0]])  # the vector b of Eq. 3 is R^t lambda
+    gradient = np.array([direction[1], -direction[0]])  # vector b of Eq. 3, the rotated force
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
@@ -502,7 +502,7 @@ def travel(moved: Travel) -> Figure:
     beside = below.twinx()
     beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
-    for axes in (below, beside):  # from 0, so that a nearly constant force looks constant
+    for axes in (below, beside):  # include 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))

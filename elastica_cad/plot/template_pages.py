@@ -197,7 +197,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str
     for item in drawing.strokes:
         points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
-            continue  # lines on other pages would take as long to draw
+            continue  # skip lines on other pages, which would take as long to draw
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)
