@@ -18,10 +18,7 @@ Given_contra = TypeVar("Given_contra", contravariant=True)
 if TYPE_CHECKING:
 
     class Takes(Generic[Kept_co, Given_contra]):
-        """Type of a field that stores one type and also accepts another type.
-
-        A field of type `Takes[tuple[Hole, ...], Hole]` stores a tuple of holes, and also accepts a single hole.
-        """
+        """Type of a field that stores one type and also accepts another, as in `Takes[tuple[Hole, ...], Hole]`."""
 
         def __get__(self, record: object, owner: Any = None, /) -> Kept_co: ...
 

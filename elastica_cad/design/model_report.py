@@ -46,8 +46,8 @@ def report_model(
     files : mapping
         Description of each file, by file name.
     held : mapping
-        Shapes of the strips as cut, with their tabs in the holders, by name. Without these shapes, the report
-        has no quantities to measure.
+        Shapes of the strips as cut, in their holders, by name. Without them, the report has no quantities to
+        measure.
     entries : sequence of StripEntry
         Entries of the strips in the design. The report gives the deviations of the strips from their curves.
     """

@@ -124,8 +124,7 @@ def report_strip(
     files : dict
         File name for each kind of file (dxf, svg, ...).
     near : NearestRod, optional
-        Nearest possible rod. The report gives its deviation from the drawn curve, and the limits that cause this
-        deviation.
+        Nearest possible rod. The report gives its deviation from the drawn curve, and the limits that cause it.
     stability : Stability, optional
         Stability of the rest shape.
     smoothing : Smoothing, optional

@@ -43,10 +43,9 @@ LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
     """Return the columns (n,) of the workshop table of a tapered strip, by name.
 
-    Stations (n,), mm, are measured from the start of the free part. The columns are the station, its distance
-    from the tip of the tab, the size of the strip, the strain and the safety. The default stations include the
-    tips of both tabs. The safety is the strain limit of the material divided by the strain, and infinite
-    where the strip is not bent.
+    The columns are the station (measured from the start of the free part), its distance from the tip of the
+    tab, the size, the strain and the safety. The default stations include the tips of both tabs. The safety is
+    the strain limit of the material divided by the strain, and infinite where the strip is not bent.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -84,8 +83,8 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
     """Return the side view of a tapered strip at full size, or the pattern of a strip of glued plies.
 
-    A tick at each station is labelled with two numbers, in mm: the distance from the tip of the tab, and the
-    size of the batten. The lines below the view state the stock and the supports of the ends.
+    A tick at each station is labelled with its distance from the tip of the tab, and the size of the batten,
+    both in mm. The lines below the view state the stock and the supports of the ends.
     """
     if strip.layout.stack:
         return LeafStack(strip).drawing

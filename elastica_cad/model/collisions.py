@@ -127,7 +127,7 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and the stations near them."""
+        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and nearest stations (n,)."""
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))

@@ -1,14 +1,13 @@
 """Crossings in space of two bent strips, taken as ruled surfaces.
 
-Notation: strip a has the plane curve gamma_a, with arc length s_a, and rulings in the direction z_a. Its points
-are gamma_a(s_a) + v z_a. The points of strip b are gamma_b(s_b) + u z_b.
+Notation: strip a has a plane curve gamma_a with arc length s_a, and rulings in the direction z_a. Its points are
+gamma_a(s_a) + v z_a. The points of strip b are gamma_b(s_b) + u z_b. The height of a point is its component along
+n = z_a x z_b.
 
-The strips meet where gamma_a + v z_a = gamma_b + u z_b. Let n = z_a x z_b, and call the component of a point
-along n its height. Where the strips meet, both curves have the same height:
-<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The pairs (s_a, s_b) that satisfy this equation are the level set, which
-consists of curves called branches. Each strip is divided into stretches with monotone height. A stretch of strip
-a and a stretch of strip b have at most one branch in common. The other components of the first equation give v
-and u.
+Where the strips meet, both curves have equal heights: <n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions
+(s_a, s_b) are the level set, which consists of curves called branches. Each strip is divided into stretches of
+monotone height. A stretch of strip a and a stretch of strip b share at most one branch. The other components of
+gamma_a + v z_a = gamma_b + u z_b give v and u.
 
 If the rulings are parallel, n is zero. A common ruling then passes through each crossing of the plane curves.
 """
@@ -413,9 +412,9 @@ def _extreme_at_end(
 ) -> tuple[str, int, int] | None:
     """Return the extreme at which a piece of the level set ends, or None if the heights of both strips are extreme.
 
-    The piece is in stretch k of strip a, with heights c_a, and in stretch m of strip b, with heights c_b. It
-    ends at the height `bound`. The result is the strip that has the extreme ("a" or "b"), the number of the
-    stretch that begins there, and the number of the other strip's stretch.
+    The piece is in stretch k of strip a (with heights c_a) and in stretch m of strip b (c_b), and ends at the
+    height `bound`. The result is the strip with the extreme ("a" or "b"), the number of its stretch that begins
+    there, and the number of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:

@@ -28,9 +28,8 @@ def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     """Return the number of each slot with a tab, the tab, and the two walls of the slot.
 
-    The walls are an array (2, n, 2) of points in the plane of the strip's curve. The coordinates of a point
-    are the distance along the tab, and the distance to the left of the tab. Wall 0 is between the corners 0
-    and 1 of the slot.
+    The walls (2, n, 2) are points in the plane of the strip's curve. Their coordinates are the distances along
+    the tab and to its left. Wall 0 is between the corners 0 and 1 of the slot.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
@@ -119,7 +118,7 @@ def hold_each(
 ) -> Iterator[HeldShape | NotConvergedError]:
     """Yield the held shape of each strip, or the error if the strip has no equilibrium.
 
-    The shape is computed once for strips with equal cuts in equal seats.
+    Strips with equal cuts in equal seats are computed once.
     """
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()

@@ -126,9 +126,9 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to one side of the sheet. The side is chosen for which the pieces need fewer sheets or,
-    with equal numbers, less of the last sheet. Pieces without grain may be rotated by 90 degrees. The grain of
-    a sheet is along its width, and `Sheet.grain` sets the direction of pieces with grain.
+    Rows are parallel to the side of the sheet for which the pieces need fewer sheets or, if the numbers are
+    equal, less of the last sheet. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is
+    along its width, and `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def nest_pieces(
     sheet_size : (width, height)
         Size of the sheets, mm.
     margin : float
-        Least distance between the tool paths around pieces, and from them to the edge of the sheet, mm.
+        Least distance of tool paths from each other and from the edge of the sheet, mm.
     kerf : float or None
         Kerf, mm, for which the written drawings will be compensated (`compensate_kerf`). None means the kerf
         of each sheet.

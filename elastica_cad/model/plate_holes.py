@@ -106,10 +106,9 @@ class PlateHoles:
 
 
 def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
-    """Return the two parts of a round opening on both sides of a bar along x that has a round hub in its middle.
+    """Return the two parts of a round opening beside a bar along x with a round hub, or () if the hub fills it.
 
-    `outer` and `hub` are the radii of opening and hub, and `half` is half the width of the bar, mm. Return
-    nothing if the hub fills the opening.
+    `outer` and `hub` are the radii of opening and hub, and `half` is half the width of the bar, mm.
     """
     if max(hub, half) + half >= outer:
         return ()

@@ -176,8 +176,7 @@ def fitting_width(
 ) -> float | None:
     """Return the largest tested width of tabs, mm, with which two plates can replace each plate, or None.
 
-    All tabs get the given length. With `keep`, the present widths are tested first. If they fit, infinity is
-    returned.
+    All tabs get the given length. With `keep`, the present widths are tested first, and give infinity.
     """
     narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
     for fraction in TESTED_WIDTHS:
@@ -393,7 +392,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
     """Return flags (n,) that are True for strips drawn in the opposite direction to strip 0.
 
     `ends` (n, 2, 3) are the starts and ends of the strips. Each strip is compared with the nearest strip of
-    known direction. Their starts are assumed to be near each other, and so are their ends.
+    known direction, whose start should be near its start.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]

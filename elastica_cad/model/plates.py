@@ -72,8 +72,7 @@ Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the kind of outline around all slots. "ring" is round with a round opening, if this opening is large
-    enough.
+    `shape` is the outline around all slots. "ring" is round with a round opening, if the opening is large enough.
     `shop` contains the limits of the workshop, such as the width of bridges between slots and the largest
     sheet. With `ignore_limits`, a plate beyond these limits is made with warnings.
     """
@@ -280,10 +279,7 @@ class BasePlate:
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    """Return the distance, mm, between a hole and a text, negative for an overlap.
-
-    `loop` (n, 2) is the hole, `base` (2, 2) the base line of the text, and `up` (2,) the height of the text.
-    """
+    """Return the distance, mm, of a hole from a text with the base line `base` (2, 2); negative for an overlap."""
     low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
     points = np.concatenate([low, low + up])
     far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
@@ -408,10 +404,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab crosses the upper face of a plate.
-
-    The tab may also start below this face, by less than its thickness.
-    """
+    """Return True if the tab starts near or above the upper face of a plate, and ends below this face."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -464,7 +457,7 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
     """Refuse a hole that meets the edge of the plate or another cut.
 
-    `called` are the names, for the message, of the slots and the opening. `drilled` are the names of the holes.
+    `called` are the names of the slots and the opening, and `drilled` the names of the holes.
     """
     loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
@@ -477,7 +470,7 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 
 
 def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
-    """Refuse a hole in a seat, which is the area (given by four corners) where a tab is glued to the plate."""
+    """Refuse a hole in a seat, which is the area (four corners) where a tab is glued to the plate."""
     for hole in holes:
         loop = hole.closed_points(FLAT_MM)
         if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):

@@ -46,10 +46,7 @@ END_MM = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class _Bound:
-    """Bound on half the width of a strip: the distance from its curve, along the ruling, to a plane.
-
-    The distance is a + <b, gamma> at the point gamma of the curve.
-    """
+    """Bound on half the width of a strip: the distance a + <b, gamma> from a curve point gamma to a plane."""
 
     a: float
     b: FloatArray
@@ -198,7 +195,7 @@ def revolution(
 ) -> Model:
     """Return the model of `revolve` for the meridian gamma with x kappa = a + <b, gamma>.
 
-    The meridian has the curvature kappa at the distance x from the axis. See `meridian` for its parameters.
+    Here kappa is the curvature, and x the distance from the axis. See `meridian` for the parameters.
 
     Examples
     --------

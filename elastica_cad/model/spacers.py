@@ -192,8 +192,8 @@ def _free_places(
 def border_with_spacers(sheet: Sheet, shop: FabricationLimits | None, offset: float) -> float:
     """Return the width, mm, of a border between slots and edge in which spacers fit.
 
-    `offset` is the distance, mm, between the slots of the same tab in the two plates, seen from above. The
-    edges of the plates have the same offset.
+    `offset` is the distance, mm, seen from above, between the slots of the same tab in the two plates. Edges
+    have the same offset.
     """
     bridge = limits_or_default(shop).bridge_for(sheet)
     return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM + offset))

@@ -347,7 +347,7 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each plate and rib, with its middle and the distance from the middle in the previous row."""
+    """Yield a row for each plate and rib, with its middle and the distance from the previous middle."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
         # the positions of rings are in sentences, and those of spacers follow from their slots
@@ -414,7 +414,7 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _translated(table: Table, words: Wording) -> Table:
-    """Return the table in another language. Only cells that are records are translated, not names or numbers."""
+    """Return the table in another language. Names and numbers, which are plain texts, are unchanged."""
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]
@@ -503,7 +503,7 @@ class View:
     patches, colors : (n, 4, 3) and (n, 3) arrays
         Surfaces of strips and blocks.
     outlines : sequence of (loop (m, 3), point for depth sorting (3,), colour)
-        Outlines and holes of plates, each with a point for depth sorting.
+        Outlines and holes of plates.
     leads : sequence of (2, 3) arrays
         Lines from tabs to their holders.
     elements : sequence of (HeldElement, points (k, 3), tip (3,) or None)

@@ -62,9 +62,9 @@ class DrawingProcess:
     def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
         """Let the second process draw the pictures among `files`, which the `with` block writes.
 
-        Yields the files in the order in which they are written. Pictures follow other files, because they are
-        drawn meanwhile. Archives are last, because they contain the other files. Writing a picture waits for the
-        second process. If the second process has ended, the first process draws the picture.
+        Yields the files in the order of writing. Pictures follow other files, because they are drawn meanwhile.
+        Archives are last, because they contain the other files. Writing a picture waits for the second process.
+        If the second process has ended, the first process draws the picture.
         """
         pictures = [file for file in files if file.name.endswith(PICTURES)]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]

@@ -69,10 +69,10 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) 
     ----------
     rod : Rod
     wish : PlaneCurve, optional
-        Requested curve. It is drawn too if the rod has the nearest possible curve.
+        Requested curve, if the rod has the nearest possible curve instead.
     design : Rod, optional
-        Designed shape of a loaded or moved rod. If it is given, it is drawn too, and the inflection line and the
-        thrust line are left out. A displacement below 1 % of the length is also drawn enlarged.
+        Designed shape of a loaded or moved rod. A displacement below 1 % of the length is also drawn enlarged.
+        With `design`, the inflection line and the thrust line are left out.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
     if design is not None:
@@ -120,7 +120,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        Requested curve. It is drawn too if the strip has the nearest possible curve.
+        Requested curve, if the strip has the nearest possible curve instead.
 
     Returns
     -------
