@@ -1,7 +1,7 @@
 """Strips that are cut flat and bend into a drawn curve.
 
 "The paper" is C. Hafner and B. Bickel, The Design Space of Plane Elastic Curves, ACM Transactions on Graphics
-40(4), 2021, doi:10.1145/3450626.3459800; elsewhere it is cited by equation and section.
+40(4), 2021, doi:10.1145/3450626.3459800. Docstrings cite its equations and sections.
 
 >>> import elastica_cad as ec
 >>> curve = ec.PlaneCurve.ellipse((0, 0), (200, 100), 0.0, 0.0, 3.14159)

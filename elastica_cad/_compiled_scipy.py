@@ -16,7 +16,7 @@ from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
 
-_ROUNDS = 100  # largest number of steps of Brent's method; a dozen is usual
+_ROUNDS = 100  # largest number of steps of Brent's method, which usually needs a dozen
 
 
 @cache

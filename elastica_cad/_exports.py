@@ -27,7 +27,7 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
     """Return `__getattr__`, `__dir__` and `__all__` of a package, read from the stub beside its
     `__init__.py`.
 
-    Type checkers read the same stub. `import elastica_cad` does not load numpy; using a name loads only the
+    Type checkers read the same stub. `import elastica_cad` does not load numpy. Using a name loads only the
     module that defines it.
     """
     homes: dict[str, str] = {}

@@ -59,7 +59,7 @@ def _escaped(match: re.Match[str]) -> str:
 
 
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
-"""The running command, which files state in a comment; empty in a script."""
+"""The running command, which files state in a comment, or "" in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
 """Words of these characters need no quotes in cmd, the Windows shell."""
@@ -80,7 +80,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
     """
     if not windows:
         return shlex.join(words)
-    # cmd interprets characters such as & outside quotes; `list2cmdline` quotes only words with blanks
+    # cmd interprets characters such as & outside quotes, but `list2cmdline` quotes only words with blanks
     lines = (subprocess.list2cmdline([word]) for word in words)
     return " ".join(word if word[0] == '"' or _PLAIN.fullmatch(word) else f'"{word}"' for word in lines)
 

@@ -17,7 +17,7 @@ MILLIMETRES = {
     "px": MM_PER_INCH / 96,
     "pt": MM_PER_INCH / 72,
 }
-"""Size in mm of each unit in files and options; px is the CSS pixel, and pt is the DTP point."""
+"""Size in mm of each unit in files and options. px is the CSS pixel, and pt is the DTP point."""
 
 
 _WORDS = {

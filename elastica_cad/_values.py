@@ -233,7 +233,7 @@ def value_key(value: Any) -> Any:
 def _record_key(record: Any) -> tuple[Any, ...]:
     """Return the key of a record.
 
-    Frozen records cache it, because many requests may contain the same curve.
+    Frozen records cache the key, because many requests may contain the same curve.
     """
     attributes = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _CACHED_KEY not in attributes:
@@ -274,7 +274,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def and_more(items: Sized, noun: str = "") -> str:
-    """Return a text such as " (and 2 more pairs)" for the items after the first; "" for a single item.
+    """Return a text such as " (and 2 more pairs)" for the items after the first, or "" for a single item.
 
     Examples
     --------

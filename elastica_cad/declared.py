@@ -42,7 +42,7 @@ class Option:
     help : str
         Help for the option, a sentence in English.
     unit : str
-        "mm", "1/mm", "rad", "g" and so on; empty for no unit.
+        "mm", "1/mm", "rad", "g" and so on, or "" for no unit.
     least, most : float or None
         Inclusive bounds of a number. For a text, `most` is the largest number of characters.
     above : float or None
@@ -71,7 +71,7 @@ class Option:
 
     @property
     def bounds(self) -> str:
-        """The bounds in words; empty if there are none."""
+        """The bounds in words, or "" if there are none."""
         templates = {
             "from {bound:g}": self.least,
             "above {bound:g}": self.above,

@@ -35,7 +35,7 @@ CLEARANCE = 0.1
 """Width of a slot minus the thickness of the sheet in it."""
 
 PLAY = 0.3
-"""Clearance on each side of a tab in its slot; small, because tabs may be close to each other."""
+"""Clearance on each side of a tab in its slot. It is small, because tabs may be close to each other."""
 
 BORDER = 8.0
 """Width of material beside slots and seats of a plate."""
@@ -47,4 +47,4 @@ POCKET_CLEARANCE = 0.15
 """Clearance around a tab in its printed pocket."""
 
 NOT_REALIZABLE, BAD_INPUT, INTERRUPTED, OUTPUT_CLOSED = 1, 2, 130, 141
-"""Exit codes of commands. The last two are, as in shells, 128 plus the number of the signal."""
+"""Exit codes of commands. The last two codes are 128 plus the number of the signal, as in shells."""

@@ -217,7 +217,7 @@ def missing_library(use: str, library: str) -> MissingDependencyError:
 
 
 def installed_version(package: str) -> str | None:
-    """Return the version of an installed package, or None; elastica_cad may run from a checkout."""
+    """Return the version of an installed package, or None. elastica_cad may run from a checkout."""
     from importlib.metadata import PackageNotFoundError, version
 
     try:

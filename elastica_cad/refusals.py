@@ -55,7 +55,7 @@ class FieldName(_Worded, str):
 class MaterialWidth(FieldName):
     """Name of the field `max_width` where it limits ligaments or a backing, not the outline of the strip.
 
-    FreeCAD has a separate property for it; files and options do not.
+    FreeCAD has a separate property for this width. Files and options have only `max_width`.
     """
 
     __slots__ = ()
@@ -70,7 +70,7 @@ The command line sets a function that returns options."""
 
 
 class Listed(_Worded, tuple[Any, ...]):
-    """Numbers, lengths or sentences that are listed in a message; at most six are shown.
+    """Numbers, lengths or sentences that are listed in a message. At most six of them are shown.
 
     Examples
     --------
@@ -256,8 +256,8 @@ class Change:
 class Refusal(str):
     """Message of an error, or message about a result: an English sentence with its data.
 
-    Its `str` is the positions and the sentence. Front ends can format it in another language or unit, from
-    the template and the values. No code parses the sentence.
+    The `str` of a message is the positions and the sentence. From the template and the values, front ends can
+    format the message in another language or unit. No code parses the sentence.
 
     Parameters
     ----------
@@ -266,12 +266,12 @@ class Refusal(str):
     text : str
         English template with {name} for each value, or a complete sentence without values.
     values : mapping
-        Values by name; a value may be a Refusal.
+        Values by name. A value may be a Refusal.
     where : mapping
         Positions of the problem by kind: "file", "strip", "field" (one or several fields of the request),
         "at" (mm along the curve).
     changes : sequence of Change
-        Alternative changes that may help; they are not tested.
+        Alternative changes that may help but are not tested.
     severity : "error", "warning" or "note"
 
     Examples
@@ -363,7 +363,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield one message of each group that differ only in numbers and names, with the number of the others."""
+    """Yield the first of all messages that differ only in numbers and names, with the number of the others."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

@@ -32,7 +32,7 @@ class Row:
 
     @property
     def stops(self) -> bool:
-        """True for an error or warning: the user must act before cutting."""
+        """True for an error or warning, on which the user must act before cutting."""
         return self.severity != "note"
 
 
@@ -42,7 +42,7 @@ def warning_row(text: str, label: str = "Warning") -> Row:
 
 
 def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
-    """Return the rows in order: rows on which the user must act, then the others."""
+    """Return the rows on which the user must act, and then the other rows."""
     return tuple(sorted(rows, key=lambda row: not row.stops))
 
 

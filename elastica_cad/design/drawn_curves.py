@@ -97,7 +97,7 @@ class _Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFile(_Curve):
-    """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves.
+    """Table of a curve in a file. `number`, `id` or `layer` selects one of several curves.
 
     In `file`, `id` and `layer`, {i} stands for the number of the strip, as in labels.
     """

@@ -39,7 +39,7 @@ def cutting_keys() -> dict[str, Field]:
 class Cutting:
     """Options of cutting files.
 
-    `kerf` is in mm; None means the kerf of each sheet. If `curves` is None, curves are arcs for a cutting
+    `kerf` is in mm, or None for the kerf of each sheet. If `curves` is None, curves are arcs for a cutting
     service and splines otherwise. If `holding` is None, no bridges hold the parts in the sheet.
     """
 
@@ -164,7 +164,7 @@ class HolderSpec:
     nesting : Nesting
         Stock sheets of the plates.
     strips : tuple of str
-        Labels of the strips; they may contain the wildcards * and ?.
+        Labels of the strips, which may contain the wildcards * and ?.
     where : str
         Name of the request in messages.
     """
@@ -178,7 +178,7 @@ class HolderSpec:
 
     @property
     def name(self) -> str:
-        """Name of the holder; by default its kind."""
+        """Name of the holder, by default its kind."""
         return str(self.options.get("name", self.kind))
 
     def made(

@@ -113,7 +113,7 @@ def compose_section_design(
     name : str
         Name of the model.
     mesh : mapping
-        Keys of the surface: `mesh` is the file; `unit` and `scale` are optional.
+        Keys of the surface: `mesh`, which is the file, and optionally `unit` and `scale`.
     sections : SectionSpec
     strips : mapping
         Keys of all strips: sheet, max_width, limits, etc.

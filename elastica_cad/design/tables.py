@@ -297,7 +297,7 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """Sentences for the first errors and the number of further errors; empty without errors."""
+        """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
         listed: list[str] = []
         for sentence in list(self._texts.values())[:MOST_LISTED]:
             if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
@@ -391,7 +391,7 @@ class Table:
         return self.raw(key) is not None
 
     def number(self, key: str, default: float | None = None) -> float:
-        """Return the value of a key as a number; a formula is computed."""
+        """Return the value of a key as a number. A formula is computed."""
         value = self.raw(key, default)
         if value is None:
             raise InputError("{key} is missing. Add a number or a formula in quotes.", key=self.place(key))

@@ -38,10 +38,10 @@ class AssemblyPart:
     name : str
         Unique among the parts of the same kind in the assembly.
     solids : tuple of BentSolid, FlatSolid or PrismSolid
-        Bodies of the part; a strip has a body for each sheet. The curve of a strip is in the xy plane. Equal
-        strips share the tuple.
+        Bodies of the part. A strip has a body for each sheet, with its curve in the xy plane. Equal strips share
+        the tuple.
     colors : tuple of (red, green, blue)
-        Screen colors of the solids, each component in 0..1; a fourth number is the opacity.
+        Screen colors of the solids, each component in 0..1. A fourth number is the opacity.
     frame : Frame
         Position of the solids in the assembly.
     strip : Strip or None
@@ -113,7 +113,7 @@ def shape_parts(
 
 
 def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
-    """Yield single holders; a slotted frame yields its rails and ribs."""
+    """Yield single holders. The holders in a slotted frame are its rails and ribs."""
     for holder in holders:
         if isinstance(holder, SlottedFrame):
             yield from holder.rails

@@ -69,7 +69,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
 def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
     """Return the table of a tapered strip, or the cut list of a strip of glued plies, as comma-separated text.
 
-    The strain is in percent; the safety is empty where the strip is not bent.
+    The strain is in percent. The safety is empty where the strip is not bent.
     """
     if strip.layout.stack:
         return LeafStack(strip).cut_list.csv
@@ -118,8 +118,8 @@ def _label_lines(strip: Strip) -> list[str]:
 
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
-LARGEST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
-# largest fraction of the length with full size; the remaining length is needed for the taper
+LARGEST_CAMBER = 0.4  # largest camber, as a fraction of the chord, because a deeper batten is a bow
+# largest fraction of the length with full size, because the remaining length is needed for the taper
 LARGEST_FULL_FRACTION = 0.8
 CAMBER_TOLERANCE = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
 MOST_STEPS = 30
@@ -208,7 +208,7 @@ class BattenSpec:
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_for_taper(most, chord)
-        # round the suggested position towards the middle of the chord, so that it is possible
+        # round towards the middle of the chord, so that the suggested position is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -386,7 +386,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with zero curvature at its ends; the third control point from each end is moved."""
+    """Return the curve with zero curvature at its ends, where it moves the third control points."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

@@ -27,7 +27,7 @@ ENDS = Supports("pinned", "pinned")
 """Pinned supports, which act like a cord and also fix the direction of the line between the ends."""
 
 FINE_NODES = 2401
-"""Number of nodes of a bow of constant section; the force in its cord is accurate to 2e-7."""
+"""Number of nodes of a bow of constant section. The relative error of the force in the cord is then 2e-7."""
 
 LEAST_SLACK = 1e-6
 """Least difference between the lengths of bow and cord, as a fraction of the length of the bow."""

@@ -153,7 +153,7 @@ class Body:
         return [cut.points(RIM_MM) for cut in cuts]
 
     def distance_from_slots(self, s: FloatArray, across: FloatArray) -> FloatArray:
-        """Distances (n,), mm, of points of the flat pattern from the nearest slot; negative inside a slot."""
+        """Return distances (n,), mm, of points of the flat pattern from the nearest slot, negative in a slot."""
         away = np.full(s.size, np.inf)
         for rim in self._slot_polygons:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
@@ -249,7 +249,7 @@ class _Overlap:
     beside_slots: Collision | None = None
 
     def message(self, more: str = "") -> str:
-        """Return a sentence on the overlap; `more` is a clause on other pairs of strips."""
+        """Return a sentence on the overlap. `more` is a clause on other pairs of strips."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(

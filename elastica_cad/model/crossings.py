@@ -30,7 +30,7 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
 
 STATIONS = 400
-"""Least number of samples along a strip; interpolation between them is accurate to 1e-5 mm."""
+"""Least number of samples along a strip. Interpolation between samples is accurate to 1e-5 mm."""
 
 _CACHED_SPLINES = 128  # largest number of curves whose tables are cached
 _ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
@@ -145,7 +145,7 @@ def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
 
 
 ZERO = 1e-11
-"""Largest absolute value of a function that counts as zero: the rounding error, mm, in a model of 10 m."""
+"""Largest absolute value of a function that counts as zero. It is the rounding error, mm, in a model of 10 m."""
 
 ZERO_STEPS = 80
 """Largest number of steps of the false position method. Usually, a few steps suffice."""
@@ -471,7 +471,7 @@ ON_EDGE_MM = 1e-8
 """Distance, mm, from an edge below which the end of a crossing counts as on the edge."""
 
 LENGTH_POINTS = 33
-"""Number of points of the polyline that gives the length of a crossing; the error is 0.1 %."""
+"""Number of points of the polyline that gives the length of a crossing with an error of 0.1 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -496,7 +496,7 @@ class CrossingPoints:
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """Line along which two strips cross. It is equally long in space and in both flat patterns.
+    """Line along which two strips cross. The line is equally long in space and in both flat patterns.
 
     Attributes
     ----------
@@ -511,7 +511,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,): from 0 to 1 on the crossing, other values on its extension."""
+        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing and extend beyond it."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves

@@ -47,7 +47,7 @@ PRINTED = "printed"
 
 @dataclass(frozen=True)
 class CutListRow:
-    """Row of the cut list. Lengths are in mm, masses in g; `cut_length` and `mass` are those of a single piece.
+    """Row of the cut list. Lengths are in mm, masses in g. `cut_length` and `mass` are those of a single piece.
 
     `grain` is the direction of `length` relative to the grain, or "" for material without grain. `like` is the
     name of the first piece with the same shape (possibly turned or flipped) but another engraving. `color` is
@@ -121,7 +121,7 @@ class CutList:
 
     @property
     def shapes(self) -> int:
-        """Number of different shapes; engraving is ignored."""
+        """Number of different shapes, without regard to engraving."""
         return sum(not row.like for row in self.rows)
 
     @property
@@ -244,7 +244,7 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
 
 
 def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
-    """Return the name of an earlier piece with the same shape; otherwise remember this piece and return ""."""
+    """Return the name of an earlier piece with the same shape. If there is none, store this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
     # the drawing does not show the shape of a planed or turned piece
     if len(outer) != 1 or piece.worked is not None:

@@ -69,7 +69,7 @@ class PlacedTab:
     def of(
         cls, strip: Strip, end: StripEnd, frame: Frame | None = None, *, name: str | None = None
     ) -> "PlacedTab":
-        """Return the tab at the start or end of a strip; `frame` is the plane of the strip's curve."""
+        """Return the tab at the start or end of a strip. `frame` is the plane of the strip's curve."""
         require_record(strip, Strip, "what a tab is of", "a Strip, as make_strip makes one")
         require_ends([end])
         place = frame_or_plain(frame)
@@ -172,8 +172,8 @@ class EndFixture(EqualByValue):
     tab : PlacedTab
         Tab in the pocket; see `EndFixture.of`.
     floor : Frame, optional
-        Plane under the block, z up; it must be perpendicular to the plane of the strip's curve. The default
-        plane is perpendicular to the tab, behind its tip.
+        Plane under the block, z up, perpendicular to the plane of the strip's curve. The default plane is
+        perpendicular to the tab, behind its tip.
     clearance : float
         Clearance around the tab on every side, mm.
     wall : float
@@ -329,7 +329,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def ground(self) -> Frame:
-        """Plane under the block; its z axis points to the block."""
+        """Plane under the block. The z axis points to the block."""
         if self.floor is not None:
             return self.floor
         tab = self.tab.frame
@@ -374,7 +374,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """Block as a union and difference of prisms; the pocket is the first prism that is removed.
+        """Block as a union and difference of prisms. The pocket is the first prism that is removed.
 
         The body has a joint with the name "tab" at the end of the free part of the strip.
         """
@@ -521,7 +521,7 @@ def _polygon(corners: FloatArray) -> Path:
 
 
 TOUCHING_MM = 0.1
-"""Largest permitted overlap of blocks, mm; it can be filed off."""
+"""Largest permitted overlap of blocks, mm, which can be filed off."""
 
 PITCH_MM = 0.5
 """Distance, mm, between sample points on strips and on edges of blocks that are tested for overlap."""
@@ -618,6 +618,6 @@ class _Prism:
         return np.asarray(points[inside.all(axis=1)])
 
     def depths(self, points: FloatArray) -> FloatArray:
-        """Return the depths (n,), mm, of points (n, 3) below the surface; negative outside."""
+        """Return the depths (n,), mm, of points (n, 3) below the surface, negative for points outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

@@ -36,7 +36,7 @@ SHOULDER_MM = 5.0
 """Width, mm, of the shoulders of a rib, which rest against the rail beside the tongue."""
 
 SLOT_SPACING_MM = 3.0
-"""Least distance, mm, between slots of ribs and tabs; some sheets need more."""
+"""Least distance, mm, between slots of ribs and tabs. Some sheets need a larger distance."""
 
 LABEL_MM = 6.0
 """Height of the name of a rib, mm, if the rib is large enough."""
@@ -107,7 +107,7 @@ class SlottedFrame:
     Attributes
     ----------
     rails : tuple of BasePlate
-        Rails for the tabs at the starts of the strips, and rails for the tabs at their ends; one or two each.
+        One or two rails for the tabs at the starts of the strips, and as many for the tabs at their ends.
     ribs : tuple of Rib
     """
 
@@ -151,7 +151,7 @@ def slotted_frame(
     Parameters
     ----------
     placed : sequence of Placed
-        Strips with tabs at both ends; the tabs of each end must be near a line or a plane.
+        Strips with tabs at both ends. The tabs at each end must be near a line or a plane.
     sheet : Sheet or its name
         Sheet of the rails and ribs.
     ribs : int
@@ -161,7 +161,7 @@ def slotted_frame(
     tongue : float
         Length of the ribs' tongues along the slots of the rails, mm.
     play, clearance : float
-        Play on each side of tabs and tongues, and addition to the width of slots, mm.
+        Clearance on each side of tabs and tongues, and amount added to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
     gap : float, optional
@@ -348,7 +348,7 @@ def _with_tongue(
     """Return the anticlockwise loop with an outward tongue on a side, or None if `base` is not on a side.
 
     `base` (2, 2) has both ends of the tongue on the side. `heights` are two distances from the side. At the
-    first distance the tongue becomes narrower by `step` on both sides; at the second distance it ends.
+    first distance, the tongue becomes narrower by `step` on both sides. At the second distance, it ends.
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
@@ -396,7 +396,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # in `profile`, x is along the tab and y points away from its upper side; a point p with <n, p> = low is on
+        # in `profile`, x is along the tab and y points away from its upper side. A point p with <n, p> = low is on
         # the back of the plate
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])

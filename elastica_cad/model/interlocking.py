@@ -224,7 +224,7 @@ _joined = WeakKeyDictionary()
 """Cache of joints and their options for pairs of placed strips."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
-"""Cache of slotted strips; an unchanged strip stays the same object and keeps its results."""
+"""Cache of slotted strips. An unchanged strip stays the same object and keeps its results."""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:

@@ -75,9 +75,9 @@ def stand(
     sheet : Sheet or its name
         Sheet of plates and frames.
     name : str, optional
-        Name of a plate or a pair of plates; rails, ribs and blocks are named by their kind.
+        Name of a plate or a pair of plates. Rails, ribs and blocks are named by their kind.
     shop : FabricationLimits, optional
-        Limits of the workshop; plates beyond them are rejected.
+        Limits of the workshop. Plates beyond these limits are rejected.
     ignore_limits : bool
         Accept plates beyond these limits.
 
@@ -193,7 +193,7 @@ def repeat(
     count: Annotated[int, Option("Number of copies, including the original.", least=1, most=1000)],
     step: Annotated[ArrayLike, Option("Displacement from each copy to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
-    """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
+    """Return `count` copies of the strips, `step` (3,) mm apart. The first copy is the original."""
     _require_count(count, len(placed))
     d = three(step, "the step of a pattern")
     return tuple(strip.moved(np.eye(3), i * d) for i in range(count) for strip in placed)
@@ -284,7 +284,7 @@ class Model:
 
     @cached_property
     def shape_count(self) -> int:
-        """Number of different shapes of strips; engraving is ignored."""
+        """Number of different shapes of strips, without regard to engraving."""
         return len({part.shape for part in self.parts})
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
@@ -317,7 +317,7 @@ class Model:
         return (*strip_pieces(self.parts), *count_pieces(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
-        """Return printed blocks for both ends of every strip; `sizes` are fields of `EndFixture`."""
+        """Return printed blocks for both ends of every strip. `sizes` are fields of `EndFixture`."""
         return end_fixtures(self.placed, floor=floor, **sizes)
 
     def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
@@ -360,7 +360,7 @@ class Model:
         return self._arranged(mirror(self.placed, point, normal, keep=keep))
 
     def rotated(self, count: int, **options: Any) -> "Model":
-        """Return `count` copies of the strips about an axis; the first copy is the original.
+        """Return `count` copies of the strips about an axis. The first copy is the original.
 
         Options: axis (3,), point (3,) and step, rad. By default the copies fill one full turn about z.
         """
@@ -368,7 +368,7 @@ class Model:
         return self._arranged(rotate(self.placed, count, **options))
 
     def repeated(self, count: int, step: ArrayLike) -> "Model":
-        """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
+        """Return `count` copies of the strips, `step` (3,) mm apart. The first copy is the original."""
         return self._arranged(repeat(self.placed, count, step))
 
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":

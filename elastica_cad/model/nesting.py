@@ -24,7 +24,7 @@ _TIE_DECIMALS = 6
 """Decimals to which sizes in mm are rounded before sorting, so that rounding errors do not change the order."""
 
 LEAST_GAP_MM = 0.01
-"""Least distance, mm, between tool paths; touching loops cannot be offset by the kerf."""
+"""Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class NestedSheet(Drawing):
 
     @property
     def grain(self) -> str:
-        """Sentence on the direction of the grain; empty for sheets without grain."""
+        """Sentence on the direction of the grain, or "" for a sheet without grain."""
         if self.sheet is None or self.sheet.grain == "none":
             return ""
         return note(

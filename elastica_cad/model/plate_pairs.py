@@ -114,7 +114,7 @@ def ring_pair(
     gap : float
         Distance between the rings, mm.
     **options
-        Other options of `ring_plate`; the name of the second ring is NAME-outer.
+        Other options of `ring_plate`. The name of the second ring is NAME-outer.
     """
     require_positive(gap, "the gap between two plates")
     ring_options = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
@@ -317,7 +317,7 @@ def end_plates(
 ) -> tuple[BasePlate, ...]:
     """Return a plate for the tabs at each end of the strips, in the best plane for these tabs.
 
-    The first strip defines start and end; strips drawn in the opposite direction are reversed.
+    The first strip defines start and end. Strips drawn in the opposite direction are reversed.
 
     Parameters
     ----------
@@ -372,7 +372,7 @@ UPRIGHT_COSINE = 0.9
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    """Return the tabs at the start and at the end; strip 0 defines the start."""
+    """Return the tabs at the start and at the end. Strip 0 defines the start."""
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -431,7 +431,7 @@ def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> Ba
 def through_slots(
     tabs: Sequence[PlacedTab], frame: Frame, sheet: Sheet, options: PlateOptions
 ) -> list[TabSlot]:
-    """Return a slot for every tab; refuse a tab that ends before the middle of the plate."""
+    """Return a slot for every tab. Refuse a tab that ends before the middle of the plate."""
     for tab in tabs:
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:

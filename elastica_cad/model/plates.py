@@ -279,7 +279,7 @@ class BasePlate:
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    """Return the distance, mm, of a hole from a text with the base line `base` (2, 2); negative for an overlap."""
+    """Return the distance, mm, of a hole from a text with the base line `base` (2, 2), negative for an overlap."""
     low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
     points = np.concatenate([low, low + up])
     far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
@@ -539,7 +539,7 @@ SAME_LEVEL_MM = 1.0
 """Difference of heights, mm, below which two plates count as level, so that neither is the upper plate."""
 
 LEAST_LABEL_MM = 1.5
-"""Least height of engraved names, mm; smaller names would not be legible and are omitted."""
+"""Least height of engraved names, mm. Smaller names would not be legible and are omitted."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -167,7 +167,7 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
 
 
 MOST_STRIPS = 1000
-"""Largest number of strips; a sphere of 1 m would have strips 3 mm wide."""
+"""Largest number of strips. A sphere of 1 m would then have strips 3 mm wide."""
 
 TAB_END_MM = 2.0
 """Length, mm, by which a tab extends beyond the second of two rings."""

@@ -109,7 +109,7 @@ def _suggestions(
 
 
 def _feet_fit(plates: Sequence[BasePlate]) -> bool:
-    """Return True if feet can be glued to the tabs of the plates; rings have no feet."""
+    """Return True if feet can be glued to the tabs of the plates. Rings have no feet."""
     try:
         add_feet(plates, FEET_MM)
     except InputError:

@@ -48,7 +48,7 @@ BORDER_EXTRA_MM = 2.0
 """Additional width, mm, of a border with a spacer, for the clearance and because a round rim curves inwards."""
 
 EXCHANGES = 20
-"""Largest number of rounds in which spacers are moved apart; five are usually enough."""
+"""Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""
 
 LABEL_MM = 4.0
 """Height of the engraved word on a spacer, mm, if the spacer is large enough."""

@@ -161,7 +161,7 @@ def _pages(
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
     tables += [Table("", (), [(hint,) for hint in hints])] if hints else []
-    # choose the orientation with the larger picture; text is below the picture if it fits
+    # choose the orientation with the larger picture, with the text below the picture if there is space
     layouts = []
     for paper in (A4, A4[::-1]):
         space = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
@@ -616,7 +616,7 @@ class View:
         axes.set_xlim(*(middle[0] + [-size[0] / 2, size[0] / 2]))
         axes.set_ylim(*(middle[1] + [-size[1] / 2, size[1] / 2]))
         depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
-        # paint from far to near; runs of patches are drawn at once, which is much faster
+        # paint from far to near, and draw runs of patches at once, which is much faster
         order = np.argsort(depths, kind="stable")
         whole = order >= len(self.patches)
         for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):

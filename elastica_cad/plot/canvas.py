@@ -171,7 +171,7 @@ def chinese_font() -> str | None:
 
 @contextmanager
 def text_in(font: str | None) -> Iterator[None]:
-    """Write text of new figures in a font; other characters are in matplotlib's default font."""
+    """Write text of new figures in a font. Characters that it lacks are in matplotlib's default font."""
     if font is None:
         yield
         return

@@ -74,7 +74,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # a slab is the area between neighbouring values of x; a line crosses consecutive slabs
+    # a slab is the area between neighbouring values of x, and a line crosses consecutive slabs
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
@@ -182,7 +182,7 @@ ROUNDED_MM = 6
 """Decimals to which heights of patches above a face, mm, are rounded. A patch at height 0.0 is on the face."""
 
 HOLDER_PATCH = 0.02
-"""Size of patches of holders as a fraction of the model's size; sorting small patches by depth is enough."""
+"""Size of patches of holders as a fraction of the model's size. Small patches can be sorted by depth."""
 
 NAME_SPACE = 0.045
 """Space for the name of a flat part as a fraction of the longest part."""
@@ -242,8 +242,8 @@ def bodies(
     Parameters
     ----------
     meshes : sequence of (vertices (n, 3), triangles (m, 3), color)
-        Vertices, mm; triangles as indices of vertices, anticlockwise seen from outside; red, green and blue,
-        from 0 to 1.
+        Vertices, mm. Triangles are three indices of vertices, anticlockwise seen from outside. A color is red,
+        green and blue, from 0 to 1.
     title : str
     elevation, azimuth : float
         Direction of the viewer, degrees.
@@ -330,7 +330,7 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
 
 
 def look_from(elevation: float, azimuth: float) -> FloatArray:
-    """Return the unit vector (3,) from the scene to the eye; angles in degrees."""
+    """Return the unit vector (3,) from the scene to the eye for angles in degrees."""
     e, a = np.radians(
         [require_number(elevation, "elevation", "degrees"), require_number(azimuth, "azimuth", "degrees")]
     )
@@ -338,7 +338,7 @@ def look_from(elevation: float, azimuth: float) -> FloatArray:
 
 
 def screen_of(elevation: float, azimuth: float) -> FloatArray:
-    """Return unit vectors to the right and upwards in the picture, as columns (3, 2); angles in degrees."""
+    """Return unit vectors to the right and upwards in the picture, as columns (3, 2), for angles in degrees."""
     right = np.array([-np.sin(np.radians(azimuth)), np.cos(np.radians(azimuth)), 0.0])
     return np.column_stack([right, np.cross(look_from(elevation, azimuth), right)])
 

@@ -28,7 +28,7 @@ CHORD_MM = 0.01
 CROSS_MM = 4.0  # length of the arms of a registration mark, mm
 RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled the page
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400  # largest number of pages; more are probably a mistake
+MOST_TILES = 400  # largest number of pages, because more pages are probably a mistake
 
 
 def printed_size(paper: str) -> tuple[float, float]:
@@ -48,7 +48,7 @@ class Tiling:
     origins : (k, 2) array
         Lower left corner of each printed tile in the drawing, mm.
     names : tuple of str
-        Names of the tiles. "A1" is the lower left tile; letters count to the right, numbers upwards.
+        Names of the tiles. "A1" is the lower left tile. Letters count to the right, numbers upwards.
     size : (float, float)
         Size of the printed part of a page, mm.
     """
