@@ -118,7 +118,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
 """Records of each family by the value of the key `kind`. The first is the default."""
 
 MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
-"""Functions that make certain records from their tables."""
+"""Functions that make a record from its table, if its class does not accept all values of the table."""
 
 WRITTEN: dict[Record, Kind] = {
     Sheet: Kind("text"),

@@ -153,7 +153,7 @@ EQUATION_KEYS = ("a", "b", "start", "angle", "length")
 """Keys of a meridian that is defined by its equation."""
 
 INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-"""Keys whose defaults are those at the top of the design file."""
+"""Keys whose default values are the values at the top of the design file."""
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:

@@ -120,7 +120,7 @@ class FinishedStrip:
         """Make the strip again, with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
         rod_spec = spec.rod_spec
-        # the stiffness of plies is piecewise constant, unlike that of other rods
+        # the stiffness of plies is piecewise constant, unlike the stiffness of other rods
         laid = isinstance(rod_spec.section, LaidLeaves)
         # a section law, or the layers of a laminate with weight, determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed

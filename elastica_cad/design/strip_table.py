@@ -204,7 +204,7 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
 
 
 TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
-"""Keys that are positions along the curve, in a tie of the list `between` or in a load of the list `loads`."""
+"""Keys of a tie (in the list `between`) and of a load (in `loads`) whose values are positions along the curve."""
 
 PLACE_DIGITS = 6
 

@@ -402,7 +402,7 @@ class Table:
         return self.number(key) if self.has(key) else None
 
     def count(self, key: str, default: int, most: float = MOST_COUNTED) -> int:
-        """Return a whole number from 1 to `most`."""
+        """Return the value of a key as a whole number from 1 to `most`."""
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(
@@ -418,7 +418,7 @@ class Table:
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
-        """Return the `size` numbers in a list, each written as a number or a formula."""
+        """Return the value of a key as `size` numbers, each written as a number or a formula."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
@@ -433,7 +433,7 @@ class Table:
         )
 
     def row(self, key: str) -> tuple[float, ...]:
-        """Return a list of numbers of any length, or an empty tuple if the key is missing."""
+        """Return the value of a key as numbers, or an empty tuple if the key is missing."""
         values = self.raw(key, ())
         if not isinstance(values, Sequence) or isinstance(values, str):
             raise InputError(
@@ -442,7 +442,7 @@ class Table:
         return self.vector(key, len(values), ())
 
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
-        """Return a list of points of `size` coordinates each.
+        """Return the value of a key as points with `size` coordinates each.
 
         If `count` is given, there must be `count` points.
         """
@@ -458,7 +458,7 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """Return a string. Raise InputError if `choices` are given and do not contain the string."""
+        """Return the value of a key as a string. If `choices` are given, they must contain the string."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
@@ -474,7 +474,7 @@ class Table:
         return value
 
     def flag(self, key: str, default: bool = False) -> bool:
-        """Return true or false."""
+        """Return the value of a key, which must be true or false."""
         value = self.raw(key, default)
         if not isinstance(value, bool):
             raise InputError(
@@ -483,11 +483,11 @@ class Table:
         return value
 
     def table(self, key: str) -> "Table":
-        """Return a nested table, or an empty table if it is missing."""
+        """Return the table that is the value of a key, or an empty table if the key is missing."""
         return Table(self.raw(key, {}), self.place(key), self.scope)
 
     def tables(self, key: str) -> "list[Table]":
-        """Return the tables of a list."""
+        """Return the tables in the list that is the value of a key."""
         value = self.raw(key, [])
         if not isinstance(value, list):
             raise InputError(

@@ -386,7 +386,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with zero curvature at its ends, where it moves the third control points."""
+    """Return the curve with zero curvature at its ends, by moving the third control point from each end."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

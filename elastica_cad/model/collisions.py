@@ -104,8 +104,8 @@ class Body:
     def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Return sample points of edges and faces in the flat pattern, `inset` mm inside the outline.
 
-        The result has arc lengths (n,), distances across (n,), and points and tangents (n, 2) of the
-        curve.
+        The result has arc lengths (n,), distances (n,) from the centre line, and points and tangents of the
+        curve, (n, 2) each.
         """
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)

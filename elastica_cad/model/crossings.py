@@ -511,7 +511,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing and extend beyond it."""
+        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing and may be outside."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves

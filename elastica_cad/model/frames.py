@@ -126,7 +126,7 @@ class SlottedFrame:
 
     @property
     def solids(self) -> tuple[tuple[str, FlatSolid], ...]:
-        """Names of the plates, with their bodies in space."""
+        """Bodies of the plates in space, with the names of the plates."""
         return tuple((part.name, part.solid) for part in self.parts)
 
 

@@ -45,7 +45,7 @@ LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved. Three rounds usually suffice."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Least relative decrease of the distances between ends of neighbours for which a strip is reversed."""
+"""Least fraction by which reversing a strip must shorten the distances to the ends of its neighbour."""
 
 SETTLED_MM = 0.03
 """Largest movement of slots, mm, in the last round. The movement decreases tenfold in each round."""
@@ -296,7 +296,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # a bent tab is inclined where it meets the wall, so the wall moves across and along the tab
+        # the slope of the bent tab at the wall changes how far the wall must move
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves
@@ -392,7 +392,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
     """Return flags (n,) that are True for strips drawn in the opposite direction to strip 0.
 
     `ends` (n, 2, 3) are the starts and ends of the strips. Each strip is compared with the nearest strip of
-    known direction, whose start should be near its start.
+    known direction, so that starts are near each other.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]

@@ -410,7 +410,7 @@ def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
 
 
 def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOptions) -> TabSlot:
-    """Return the rectangular slot for the tab through both faces."""
+    """Return the rectangular slot through which the tab passes."""
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(

@@ -47,8 +47,7 @@ TITLE_INCHES, TITLE_LINE_INCHES = 0.1, 0.19
 class Panel(NamedTuple):
     """Height of a drawing on a page and the space around it, inches.
 
-    `above` contains a title and a legend; `below`, `left` and `right` contain the numbers and names of
-    axes.
+    `above` contains a title and a legend. `below`, `left` and `right` contain the numbers and names of axes.
     """
 
     height: float

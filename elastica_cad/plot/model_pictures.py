@@ -204,10 +204,9 @@ def model(
 ) -> Figure:
     """Draw the bent strips of a model in the colours of their sheets. `elevation` and `azimuth` are in degrees.
 
-    Strips have their tabs, slots and holes; of a laminate only the base is drawn. `holders` are drawn in
-    addition to the plates of the model. Plates have their holes but no slots. `flat` is the number of flat
-    parts that are drawn below at a common scale. Only different parts are drawn, among them the first and the
-    last.
+    Strips have their tabs, slots and holes. Of a laminate, only the base is drawn. `holders` are drawn in
+    addition to the plates of the model. Plates have their holes but no slots. `flat` is the number of different
+    flat parts that are drawn below at a common scale, among them the first and the last.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
