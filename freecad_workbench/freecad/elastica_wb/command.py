@@ -116,7 +116,7 @@ def _registered_names() -> list[str]:
 
 
 def register() -> None:
-    """Register the command. Its check mark follows the overlay."""
+    """Register the command for live feedback, with its place in the sketcher's toolbar and menu."""
     if LIVE.name not in Gui.listCommands():
         Gui.addCommand(LIVE.name, LIVE)
     sketches.listeners.append(_show_state)

@@ -45,7 +45,7 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def later_feature_messages(obj: Any) -> list[str]:
-    """Return a warning if a later feature of a body changes the object, because the files do not include it."""
+    """Return a warning if a later feature of a body changes the object. The files omit this change."""
     words = translate(
         "Elastica",
         "The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs "
@@ -155,7 +155,7 @@ def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapp
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """Write an object to a STEP file: a strip as its flat part and its bent part."""
+    """Write an object to a STEP file. A strip is written as its flat part and its bent part."""
     # only the module of the graphical interface writes colours
     exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Undo steps, made by lines of Python so that recorded macros contain them, for every version of FreeCAD.
+"""Undo steps for all versions of FreeCAD, made by lines of Python that recorded macros contain.
 
-Up to FreeCAD 1.1, a transaction belongs to the whole program; from FreeCAD 1.2, to one document.
+Up to FreeCAD 1.1, a transaction belongs to the whole program. From FreeCAD 1.2, it belongs to one document.
 """
 
 from collections.abc import Callable
@@ -15,13 +15,13 @@ from freecad.elastica_wb.recording import record_call
 
 
 def open_step(document: Any, name: str) -> None:
-    """Begin an undo step. The Python line is recorded in macros, which can then also undo."""
+    """Begin an undo step by a Python line that macros record."""
     record_call(document, "openTransaction", name)
 
 
 def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
     """Begin an undo step, and close the open sketch in it."""
-    # first, because FreeCAD would name the step after closing the sketch
+    # open the step first, because FreeCAD would otherwise name the step "close the sketch"
     open_step(document, name)
     close_sketch()
     if not active_step(document):  # FreeCAD 1.2 ends the step when the sketch closes
@@ -32,7 +32,7 @@ def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
     if not _has_steps_of_documents():
-        # otherwise, if nothing changed, FreeCAD would add later changes to the step
+        # a step without changes would stay open, and FreeCAD would add later changes to the step
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 

@@ -28,7 +28,7 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 HAS_STRIP, HAS_PARTS = partial(answers, chosen_strips), partial(answers, chosen_sources)
-"""True if a strip, or objects to be cut, are selected, or if the document has only one candidate."""
+"""Functions that return True if `chosen_strips` or `chosen_sources` finds an object."""
 
 DRAW = (
     Command(

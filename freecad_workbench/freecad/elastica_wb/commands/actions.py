@@ -76,7 +76,7 @@ def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None
 
 
 def check() -> None:
-    """Switch the overlay on if a sketch is open; otherwise open a panel with the full result of the check."""
+    """Start live feedback in an open sketch. Otherwise open a panel with the full result of the check."""
     selected = chosen_curves()
     if edited_sketch() is selected[0][0]:
         observers.switch(edited_sketch(), on=True)
@@ -85,7 +85,7 @@ def check() -> None:
 
 
 def make_nearest() -> None:
-    """Make the nearest curve into which a strip can be bent within limits, and open its panel."""
+    """Make the curve nearest to the selected curve that a strip can take, and open its panel."""
     (source, edges), *further = chosen_curves()
     if further:
         raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(further))
@@ -139,7 +139,7 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # the next flat part is placed beside the recomputed one
+    record_recompute(strip.Document)  # the next flat part is placed beside this flat part
 
 
 def make_flat_parts() -> None:

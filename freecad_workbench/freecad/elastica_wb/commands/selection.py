@@ -35,7 +35,7 @@ OPEN = ("Edge", "Wire", "Compound")  # types of shapes that may be curves
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     """Return the selected sketches and chains of edges, each with the names of its edges.
 
-    A selected body means its sketch.
+    If a body is selected, its sketch is returned.
     """
     curves: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
@@ -73,7 +73,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _picked() -> dict[Any, list[str]]:
-    """Return the names of picked elements by object. A part shown by a link belongs to the link."""
+    """Return the names of picked elements by object. If a link displays the element, the object is the link."""
     names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
@@ -89,7 +89,7 @@ def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any
 
 
 def _only_sketch_in(body: Any) -> Any:
-    """Return the only sketch of a body that no other feature uses. A sketch without a strip is preferred."""
+    """Return the unused sketch of a body. Without an unused sketch, return the sketch that only strips use."""
     sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
     ours = [sketch for sketch in sketches if all(map(is_ours, users[sketch]))]
@@ -120,7 +120,7 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the chains of picked edges. Edges of a section are separate, because it was split on purpose."""
+    """Return the chains of picked edges. Each edge of a section is a chain, because sections are already split."""
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
@@ -147,7 +147,7 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """Return the only sketch without a strip if nothing is selected, otherwise None."""
+    """Return the only sketch without a strip, or None if an object is selected."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
@@ -164,9 +164,9 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates and copies; without a selection, all of the document.
+    """Return the selected strips, models, plates and copies. Without a selection, use the whole document.
 
-    A container stands for its contents, and a flat part with slots for its model.
+    A selected container selects its contents. A selected flat part with slots selects its model.
     """
     sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
     return sources or _all_sources() or chosen_strips()
@@ -178,12 +178,12 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True for an object to be cut, or a broken link, which an error must report."""
+    """Return True for an object to be cut. Broken links count too, so that an error reports them."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """Return the models and base plates of the document with the strips on the plates, or the only strip."""
+    """Return the models, the base plates and the strips on the plates. Without these, return the only strip."""
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)

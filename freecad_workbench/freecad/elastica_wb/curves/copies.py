@@ -37,10 +37,10 @@ TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
 
 
 def copies(obj: Any) -> Iterator[Standing]:
-    """Yield the original, the placement, and True for a mirror image, for each copy that an object displays.
+    """Yield each copy that an object displays: its original, its placement, and True for a mirror image.
 
-    The placement, in document coordinates, replaces that of the original. A mirror image is mapped from z to
-    -z before it is placed. The pattern of a body is not a copy, because it forms a single solid with its
+    The placement, in document coordinates, replaces the original's placement. A mirror image is mapped from z
+    to -z before it is placed. Patterns in a body yield no copies, because they form a single solid with their
     originals.
 
     Raises
@@ -54,7 +54,7 @@ def copies(obj: Any) -> Iterator[Standing]:
 
 
 def turned_over(place: App.Placement) -> App.Placement:
-    """Return the placement of a placed body's mirror image, which is mapped from z to -z.
+    """Mirror the placement of a body in the plane z = 0.
 
     The shape of the body must also be mapped from z to -z.
     """
@@ -160,7 +160,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     target = obj.Base if is_array else link_target(obj)
     if target is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores shapes, not links
+    if is_array and not hasattr(obj, "LinkTransform"):  # an array without LinkTransform stores shapes
         inner = obj.Placement.inverse()
         return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
     inner_place = target.Placement if obj.LinkTransform else App.Placement()

@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.sketch_curves import edge_called
 
-MEET_MM = 1e-4  # largest gap, mm, between connected edges, as for the edges of a strip
+MEET_MM = 1e-4  # largest gap, mm, between connected edges
 MEANT_MM = 0.5  # ends of curves in a sketch that are closer than this, mm, are probably meant to meet
 SMOOTH_RAD = radians(5.0)  # a turn larger than this, rad, is a corner
 DRAWN_MM = 1e-5  # largest distance, mm, of an edge from the geometry that it shows
@@ -26,10 +26,10 @@ def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
-    """Return the names of the edges of each curve in a sketch, or of each picked curve.
+    """Return the names of the edges of each curve in a sketch, or only of the curves of the edges `picked`.
 
     A single picked edge selects its chain up to the next corners. Several picked edges of a chain form a
-    curve without the other edges. An empty tuple stands for the only curve of the sketch.
+    curve without the other edges of the chain. For a sketch with a single curve, the names are ().
     """
     edges = [(f"Edge{i + 1}", edge) for i, edge in enumerate(Part.getShape(sketch).Edges)]
     whole = _chained(edges, MEANT_MM)

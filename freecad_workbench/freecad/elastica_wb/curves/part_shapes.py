@@ -106,8 +106,9 @@ def _folder() -> str:
 
 
 def is_bounded(box: App.BoundBox) -> bool:
-    """Return True if a bounding box is neither empty nor infinite, as that of a body with FreeCAD 1.1's
-    infinite planes.
+    """Return True if a bounding box is neither empty nor infinite.
+
+    In FreeCAD 1.1, the box of a body with datum planes is infinite.
     """
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
@@ -166,7 +167,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        # `segment` also opens a periodic spline
+        # `segment` also makes a periodic spline open
         spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):

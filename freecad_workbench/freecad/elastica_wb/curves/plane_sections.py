@@ -37,7 +37,7 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-# number of points along a wire of a section; each edge has at least a quarter of them
+# number of points along a wire of a section; each edge has at least a quarter of this number
 SECTION_POINTS = 240
 # number of points along a path; planes are then perpendicular to it within a fraction of a degree
 PATH_POINTS = 400
@@ -120,7 +120,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
 
 
 def is_path(obj: Any) -> bool:
-    """Return True if an object has edges but no faces, as the path of planes must."""
+    """Return True if an object has edges but no faces, so that it can be the path of cutting planes."""
     shape = _shape(obj)
     return bool(shape.Edges) and not shape.Faces
 
@@ -231,7 +231,7 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return vertices, in document coordinates, and triangles of a mesh or a link to a mesh; else None."""
+    """Return vertices (document coordinates) and triangles of a mesh or a linked mesh, otherwise None."""
     source = _mesh_object(obj)
     if source is None:
         return None

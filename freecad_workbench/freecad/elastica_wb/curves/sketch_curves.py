@@ -27,8 +27,10 @@ LINK = "App::Link"
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve, and its plane twice: relative to the container of the feature that follows the curve,
-    and in the document.
+    """A drawn curve, with the placement of its plane.
+
+    `placement` is relative to the container of the feature that follows the curve. `world` is relative to the
+    document.
     """
 
     curve: PlaneCurve
@@ -42,7 +44,7 @@ class DrawnCurve:
 
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
-    """Return the curve of a link (object, names of edges) in the coordinates of `follower`, a feature."""
+    """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`."""
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
@@ -68,7 +70,7 @@ def gap_of(*followers: Any) -> float:
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.0) -> PlaneCurve:
     """Return the only curve of a sketch in sketch coordinates. Gaps of at most `gap` mm are closed.
 
-    `geometry`, if given, replaces that of the sketch.
+    `geometry`, if given, replaces the geometry of the sketch.
     """
     curve, frame = plane_curve(drawn_in(sketch, geometry), gap=gap)
     if abs(frame.z_axis[2] - 1) > 1e-12:
@@ -77,7 +79,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return a line of text on the geometry of a link (object, names of edges); `geometry` replaces it."""
+    """Return a line of text on the curve of a link (object, names of edges), or on `geometry` if given."""
     source, edges = link
     whole = is_sketch(source) and not edges
     curves = drawn_in(source, geometry) if whole else _edges(source, edges)
@@ -118,7 +120,7 @@ def link_target(obj: Any) -> Any:
 def picked(root: Any, path: str) -> tuple[Any, str]:
     """Return the picked object at a path (`Part.Body.Pad.Edge3`), and the name of the picked element.
 
-    An element displayed by a link belongs to the link, because the original is elsewhere.
+    If a link displays the element, the link is returned, because the original has another position.
     """
     along = root.getSubObjectList(path)
     # names such as ;#14:1; change with every edit
@@ -189,14 +191,14 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 def is_outline(shape: Any) -> bool:
     """Return True for a single plane face without holes, such as Draft makes from a closed curve."""
     faces = shape.Faces
-    # FreeCAD's SVG reader scales faces, which makes spline surfaces of planes
+    # FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:
     """Return the placement, in the document, of the container of an object.
 
-    For links, FreeCAD has no such method.
+    FreeCAD has no method that returns this placement for links.
     """
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
@@ -290,7 +292,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 
 def lost_constraints(sketch: Any) -> int:
-    """Return the number of user constraints that would be lost with the drawn geometry."""
+    """Return the number of the user's constraints that would be deleted with the drawn geometry."""
     numbers = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
     return sum(
         bool(numbers & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC

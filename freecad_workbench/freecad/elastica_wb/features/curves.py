@@ -44,7 +44,7 @@ ORANGE = (0.9, 0.4, 0.0)
 
 
 class NearestFeature(Feature):
-    """The curve nearest to a drawn curve into which a strip can be bent within limits."""
+    """The curve nearest to a drawn curve among the curves that a strip can take within limits."""
 
     properties = (*NEAREST, REPORTS)
     sheets: ClassVar = {"Sheet": "SheetData"}

@@ -97,11 +97,11 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate | Rib]) -> None:
-    """Write the play of tabs in their holders, and the warnings of holders, into the results."""
+    """Write the clearance of the tabs in their holders, and the warnings of the holders, into the results."""
     warnings = one_of_each(text for holder in holders for text in holder.warnings)
     put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 
 
 def source_model(sources: list[Any], *, as_displayed: bool = False) -> Model:
-    """Return one model of all strips and models among the sources; `as_displayed` is as in `strips_model`."""
+    """Return one model of all strips and models among the sources. For `as_displayed`, see `strips_model`."""
     return strips_model(not_repeated(sources), name="strips", as_displayed=as_displayed)

@@ -87,7 +87,7 @@ def _strip_with_slots(obj: Any) -> Strip:
 def _free_placement(strip: Any) -> App.Placement:
     """Return a placement in the plane z = 0, in front of the drawn curve and clear of other parts."""
     source = strip.Curve[0] if strip.Curve else None
-    # the largest outline that any style gives
+    # largest width of the outline in all styles
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
         source.recompute()  # the sketch may be outdated, for example after an undo
@@ -96,7 +96,7 @@ def _free_placement(strip: Any) -> App.Placement:
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    # from the back to the front
+    # sort the parts from the back (large y) to the front
     for other in sorted(_other_boxes(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right

@@ -56,14 +56,14 @@ NAMES = {
     "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
     "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
 }  # fmt: skip
-"""Names of properties, by key, that a strip has too. All other names are derived from the keys."""
+"""Names, by key, of properties that strips also have. All other names are derived from the keys."""
 
 FIELDS: dict[str, tuple[str, Field]] = {
     NAMES.get(path) or path.title().replace("_", "").replace(".", ""): (path, field)
     for path, field in paths_of(FlexureKeys).items()
     if path not in ("pad", "limits")
 }
-"""Key and declared field of each property, by its name, such as PadLength."""
+"""Key and declared field by the name of the property, such as PadLength."""
 
 
 class FlexureFeature(Feature):

@@ -90,7 +90,7 @@ class ModelFeature(Feature):
         put(obj, Joints=0, Reports=[str(error)], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
-        """Return the strips, whose own shapes without slots are hidden."""
+        """Return the strips, which are hidden because the model displays them with slots."""
         return [strip for strip in obj.Strips if is_strip(strip)]
 
 
@@ -112,9 +112,7 @@ def shown_model(obj: Any) -> Model:
 
 
 def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
-    """Return the `Model` record of a model feature; if `as_displayed`, it has the strips of the current
-    shapes.
-    """
+    """Return the `Model` record of a model feature. For `as_displayed`, see `strips_model`."""
     other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
         raise InputError("{object} is not a strip. Choose strips for the model.", object=other.Label)
@@ -138,7 +136,7 @@ def overlaps_of(obj: Any) -> list[str]:
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
     """Start the search for intersecting strips of a model. Return None if there is no model.
 
-    It takes about as long as making the model, so it runs in another thread after the recompute.
+    The search takes about as long as making the model, so it runs in another thread after the recompute.
     """
     try:
         return _search_overlaps(model_of(obj))
@@ -179,8 +177,8 @@ def strips_model(
 ) -> Model:
     """Return one model of strips and models in their positions. With `options`, slots are cut.
 
-    Copies, such as links and arrays, are included. With `as_displayed`, strips are those of the current
-    shapes.
+    Copies, such as links and arrays, are included. With `as_displayed`, the strips are those from which the
+    displayed shapes were made.
     """
     if not strips:
         raise InputError("The model has no strips. Choose strips in the property Strips.")

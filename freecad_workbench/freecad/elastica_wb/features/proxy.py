@@ -52,8 +52,7 @@ CONTAINERS = Property(
     result=True,
     hidden=True,
 )
-"""Property with the containers whose moves change the curve relative to the feature. The feature is then
-recomputed."""
+"""Property with the containers that can move the curve relative to the feature. A move recomputes the feature."""
 
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
@@ -70,17 +69,17 @@ REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 """Properties with the objects on which a feature depends."""
 
-# largest difference of equal colour components: FreeCAD stores single precision or 256 steps
+# colour components that differ by less are equal, because FreeCAD rounds them to 256 steps
 SAME_COLOR = 1e-2
 MOST_NAMES = 6  # largest number of names in a line of the report view
 
 
 class Feature(Unsaved):
-    """Proxy of a feature. It has no data; they are in the properties of the document object."""
+    """Proxy of a feature. All data are in the properties of the document object."""
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """Property that stores a sheet's data in the document, by the property that names the sheet."""
+    """Mapping from the property with the name of a sheet to the property with its data."""
     choices: ClassVar[frozenset[str]] = frozenset()
     """Names of the enumeration properties."""
     chosen: str | None = None
@@ -116,7 +115,7 @@ class Feature(Unsaved):
             _show_title(obj, name)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Store the current choice, which is restored if a formula sets an invalid one."""
+        """Store the current choice. If a formula sets an invalid choice, the stored choice is restored."""
         if name in self.choices:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
@@ -189,7 +188,7 @@ class Feature(Unsaved):
         return None
 
     def make(self, obj: Any) -> None:
-        """Compute shape and results from the properties; each kind of feature has its own method."""
+        """Compute shape and results from the properties. Subclasses override this method."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
@@ -208,7 +207,7 @@ class Feature(Unsaved):
 def added(
     document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
 ) -> Any:
-    """Add a feature with these properties to the document, or to the App::Part with all its sources."""
+    """Add a feature with these properties to the document, or to the App::Part that contains all `sources`."""
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -299,7 +298,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and all objects that depend on it other than by the placement of a container."""
+    """Return an object and its dependent objects, without those that depend only on a container's placement."""
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
@@ -371,7 +370,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return the features, among an object and those made from it, whose messages contain a name."""
+    """Return the features whose messages contain a name: the object, or features that depend on it."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 
@@ -384,7 +383,7 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move the sources of a feature, without those that depend on the feature."""
+    """Return the containers that move the sources of a feature, but do not contain it or depend on it."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container

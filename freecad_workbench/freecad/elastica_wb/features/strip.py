@@ -51,7 +51,7 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields of the sketch that suggestions may change; `CHANGEABLE` are those of the strip."""
+"""Fields of the sketch that suggestions may change. `CHANGEABLE` has the fields of the strip."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -165,7 +165,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
     Raises
     ------
     InputError
-        As in `copies`; or a pattern of a body repeats a strip, which fuses the copies.
+        An original is scaled, a link is broken, or a pattern in a body repeats a strip and fuses the copies.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -221,7 +221,7 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 def changeable(obj: Any) -> tuple[str, ...]:
     """Return the fields that suggestions may change.
 
-    They include those of the sketch if the strip follows all its edges.
+    If the strip follows all edges of a sketch, fields of the sketch are included.
     """
     source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
@@ -262,10 +262,10 @@ def shown_strip(obj: Any) -> Strip:
 
 
 def show_held(obj: Any) -> None:
-    """Write into the results how far the strip, as cut and held, is from its curve.
+    """Write into the results how far the strip in its holders deviates from its curve.
 
-    This takes as long as all other results together, so it follows the recompute. It is not computed for
-    strips with rails, pins, ties or point forces.
+    The computation takes as long as all other results together, so it follows the recompute. Strips with
+    rails, pins, ties or point forces have no such result.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return

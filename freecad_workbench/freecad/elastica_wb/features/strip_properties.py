@@ -112,7 +112,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # False in files of earlier versions, whose widths stay the same
+        # False in files of earlier versions, so that their widths do not change
     ),
     Property(
         "Length",
@@ -251,7 +251,7 @@ NEAREST = tuple(
 """Options and results of the nearest curve as a separate feature."""
 
 
-# limits of lengths: a hundred metres, and less than any foil is thick
+# limits of lengths: 100 m, and a length below the thickness of any foil
 LONGEST_MM, THINNEST_MM = 1e5, 1e-3
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
@@ -329,7 +329,7 @@ def _line(table: Mapping[str, Any]) -> str:
 
 
 def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
-    """Move ties and loads to the same fractions of the length of the current curve."""
+    """Scale the positions of ties and loads with the length of the curve."""
     length, before = drawn.curve.length, obj.PlacesLength.Value
     if before == length:
         return
@@ -426,7 +426,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 def sheet_of(obj: Any) -> Sheet:
     """Return the sheet with the measured thickness.
 
-    If this differs from the nominal thickness, it has no range.
+    A thickness other than the nominal thickness has no range.
     """
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
@@ -444,12 +444,12 @@ def _max_width(obj: Any) -> float | None:
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """Return the limits of the workshop: in FreeCAD, the least ligament of a perforated strip."""
+    """Return the limits of the workshop. FreeCAD sets only the least ligament of a perforated strip."""
     return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
-    """Return True to compensate everything, False for nothing, None for the default."""
+    """Return the option `compensate`: True for all effects, False for no effect, None for the default."""
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 

@@ -27,7 +27,7 @@ UNTYPED = ("", "\t", "\r", "\x1b")  # text of keys that type nothing: arrows, Ta
 EXACT, SHOWN = "exactValue", "shownValue"
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
-"""Signal of FreeCAD's quantity box with a number. Python cannot read the quantity of the other signal."""
+"""Signal of FreeCAD's quantity box that sends a number. Python cannot read the signal that sends a quantity."""
 
 
 def field_for(obj: Any, name: str) -> Any:
@@ -72,7 +72,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def put_sheets(box: Any, names: list[str]) -> None:
-    """Fill a combo box with sheets. The title of each kind cannot be chosen."""
+    """Fill a combo box with sheets, grouped under titles that cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
     box.setMinimumContentsLength(SHEET_LETTERS)
@@ -174,15 +174,15 @@ def calm(form: Any) -> None:
 
 @cache
 def _loader() -> Any:
-    """Return the loader of forms. It is kept, because PySide deletes its widgets with it."""
+    """Return the cached loader of forms. PySide deletes the widgets of a deleted loader."""
     return Gui.UiLoader()
 
 
 def quantity_box() -> Any:
     """Return a new FreeCAD input field for quantities.
 
-    PySide sometimes gives a new widget the Python wrapper of a deleted widget at the same address. Such a
-    widget is unusable; it is kept in memory so that the next attempt gets another address.
+    PySide sometimes gives a new widget the unusable Python wrapper of a deleted widget at the same address.
+    Such a widget stays in memory, so that the next attempt gets another address.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")
@@ -200,7 +200,7 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True for an empty box, if being empty has a meaning. Qt would restore the earlier text."""
+    """Return True for an empty box in which an empty text stands for a value. Qt would restore the old text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -212,7 +212,7 @@ def _is_number_box(widget: Any) -> bool:
 def _widen(box: Any) -> None:
     """Remove the limits of a box, because FreeCAD ignores a key that makes the length too large.
 
-    Of "0.15 mm", the box would ignore the first m (0.15 m is too large) and read 0.15 in.
+    In "0.15 mm", the box would ignore the first m, because 0.15 m is too large, and read 0.15 in.
     """
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
@@ -225,7 +225,7 @@ class _InputFilter(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _is_number_box(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # the box takes the point for a separator of thousands, and would read 0.5 mm as 5 mm
+                # the box would read the point as a separator of thousands, and 0.5 mm as 5 mm
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True
@@ -240,13 +240,13 @@ class _InputFilter(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
-            # after the box has read the typed text
+            # wait until the box has read the typed text
             QtCore.QTimer.singleShot(0, lambda: _settle(widget))
         return False
 
 
 def _settle(box: Any) -> None:
-    """Send the signal of a changed box; the box itself sends none if its rounded value is the same."""
+    """Send the signal of a changed box. The box sends no signal if its rounded value is the same."""
     with suppress(RuntimeError):  # the panel may be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)

@@ -32,9 +32,9 @@ def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """Show a progress bar for work of `count` parts, and yield a `Step`. Escape makes it return False.
+    """Show a progress bar for work of `count` parts. The yielded `Step` returns False after the Escape key.
 
-    FreeCAD blocks mouse and keyboard meanwhile. The bar replaces that of a recompute.
+    FreeCAD blocks mouse and keyboard meanwhile. The bar replaces the progress bar of a recompute.
     """
     if not App.GuiUp:
         yield lambda _done: True

@@ -16,13 +16,16 @@ from elastica_cad.declared import Field
 from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
 
-# FreeCAD's flags of properties: a change causes no recompute; the value is not saved
+# FreeCAD's flags for properties that cause no recompute, and for properties that are not saved
 OUTPUT, TRANSIENT = 8, 2
 
 
 @dataclass(frozen=True)
 class Property:
-    """A property of a feature. `default` is a value, or the list of choices; `example` follows the help."""
+    """A property of a feature.
+
+    `default` is a value or the list of choices. `example` is appended to the help.
+    """
 
     kind: str
     name: str
@@ -101,7 +104,7 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Raise InputError for a formula whose value is not a choice; FreeCAD would set the first choice."""
+    """Raise InputError if the value of a formula is not a choice. FreeCAD would set the first choice."""
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
         if name in formulas:
@@ -138,7 +141,7 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
 def _is_choice(value: Any, choices: list[str]) -> bool:
     if isinstance(value, str):
         return value in choices
-    # FreeCAD truncates a number to an index
+    # FreeCAD truncates a number to the index of a choice
     return isinstance(value, (int, float)) and -1 < value < len(choices)
 
 
@@ -161,7 +164,7 @@ def is_misread(obj: Any, name: str) -> bool:
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
     """Restore the choice `chosen`, or set the first choice if `chosen` is not available.
 
-    After a number out of range, FreeCAD 1.0 and 1.1 accept only the list of choices together with a number.
+    After an index out of range, FreeCAD 1.0 and 1.1 accept an index only together with the list of choices.
     """
     choices = obj.getEnumerationsOfProperty(name)
     if choices:

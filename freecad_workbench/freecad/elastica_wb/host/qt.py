@@ -27,13 +27,13 @@ __all__ = [
     "when_free",
 ]
 
-ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # Qt 6 has it in QtGui
-# time, ms, before a recomputing document is checked again; timers run during its progress bar
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # the class is in QtGui since Qt 6
+# interval, ms, between checks whether a recompute has ended
 AGAIN_MS = 20
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
-    """Return a timer, deleted with `parent`, that calls a function once, `wait` ms after each start."""
+    """Return a timer that calls a function once, `wait` ms after each start. Qt deletes it with `parent`."""
     timer = QtCore.QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(wait)
@@ -61,8 +61,8 @@ def is_busy() -> bool:
 def surface_of(view: Any) -> Any | None:
     """Return the widget on which a 3D view is drawn, or None if PySide returns the wrapper of a closed view.
 
-    PySide returns the wrapper, while it is referenced, for a new view at the same address. Therefore
-    reference cycles are collected first.
+    While the wrapper of a closed view is referenced, PySide may return it for a new view at the same address.
+    A garbage collection removes such wrappers.
     """
     for attempt in (1, 2):
         try:
@@ -77,7 +77,7 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """Return the type of an event, or None if PySide passes the wrapper of a deleted widget instead."""
+    """Return the type of an event, or None if PySide passes another object instead."""
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 

@@ -90,10 +90,8 @@ _silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that calls `work` and raises the error that `work` returns, with no Python frame
-    between.
-    """
-    # called with obj, this evaluates obj | worker | thrower
+    """Return a function that raises the error that `work` returns, without a Python frame in the traceback."""
+    # a call with obj evaluates obj | worker | thrower
     return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 

@@ -39,8 +39,7 @@ def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
     PySide in FreeCAD 1.0 with Python 3.13 may give a new widget the Python wrapper of a deleted widget at the
-    same address. A form with such a wrapper is kept, so that its addresses stay occupied, and the file is
-    loaded again.
+    same address. A form with such a wrapper stays in memory, and the file is loaded again at other addresses.
     """
     import FreeCADGui as Gui
 

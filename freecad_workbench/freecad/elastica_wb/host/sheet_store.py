@@ -75,10 +75,10 @@ def sheet_list() -> list[str]:
 
 
 def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
-    """Yield the entries of a list of sheets: for each kind (title, None), then (full name, name) of its
-    sheets.
+    """Yield the entries of a list of sheets, grouped by kind.
 
-    The user's sheets, and sheets stored only in the document, come first.
+    A group begins with (title, None), followed by (full name, name) of each sheet. The user's sheets, and
+    sheets stored only in the document, come first.
     """
     groups: dict[str, list[tuple[str, str]]] = {}
     built_in = built_in_figures().keys() - own_sheets().keys()
@@ -99,7 +99,7 @@ def title_of(name: str) -> str:
 
 
 def default_sheet() -> str:
-    """Return the default sheet of new strips. An unknown sheet of the preferences is reported once."""
+    """Return the default sheet of new strips. If the preferences name an unknown sheet, report it once."""
     name, usual = preferences.get("DefaultSheet"), preferences.DEFAULTS["DefaultSheet"]
     if name in sheet_list():
         return str(name)
@@ -124,7 +124,7 @@ def sheet_called(name: str, saved: str = "") -> Sheet:
     user_sheets = own_sheets()
     if name in user_sheets:
         return user_sheets[name]
-    if name in built_in_figures():  # every recompute comes here, so no files are searched
+    if name in built_in_figures():  # every recompute calls this function, so avoid the slow search of files
         return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)

@@ -70,7 +70,7 @@ class Words(Translated):
     def format_field(self, value: Any, spec: str) -> str:
         """Format a value of a message.
 
-        The key `max_width` has two properties, one of which is MaterialWidth.
+        The key `max_width` has two properties. A value of the type `MaterialWidth` selects the second.
         """
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 

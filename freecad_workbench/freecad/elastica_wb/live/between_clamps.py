@@ -48,7 +48,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # the first tangents are those of a strip that may turn at its ends
+        # the initial tangents are those of a strip with ends that rotate freely
         if self.angles is None and self.found is not None:
             angles = self.found.rod.angle
             self.angles = [float(angles[0]), float(angles[-1])]
@@ -125,7 +125,7 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # in this undo step, because solving moves points
+        record_call(self.sketch, "solve")  # solving moves points, so it belongs to this undo step
         close_step(document)
 
     def _places(self) -> FloatArray:
@@ -170,7 +170,7 @@ def _chosen_number(sketch: Any) -> int | None:
 
 def _is_closed(curve: Any) -> bool:
     if not hasattr(curve, "FirstParameter"):
-        return True  # a point, not a curve
+        return True  # the geometry is a point
     ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
     return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
 
@@ -249,7 +249,7 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # a pressed button must not be deleted
+        # end the tool later, because a pressed button must not be deleted
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))

@@ -28,7 +28,7 @@ TEETH = 161  # teeth of the curvature comb; its rim then looks smooth on a scree
 COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the size of the curve
 # lines of inflections and thrust are longer than the curve by this fraction of its size
 LINE_MARGIN = 0.15
-# inflections closer to a line than this fraction of the length are moved onto it by `check_equilibrium`
+# tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length
 ON_LINE = 1e-4
 
 
@@ -60,9 +60,9 @@ class Picture:
     labels : tuple of ((x, y), mm)
         Positions and arc lengths of the inflections and crossings that the result of the check mentions.
     thrust : tuple of (n, 2) arrays
-        Sides of the thrust line, for a curve with elements or point forces.
+        Sides of the thrust line, for a curve with rails, pins, ties or point forces.
     stations : tuple of ((x, y), str)
-        Positions of rails, pins, ties and point forces; the first position of each has the kind as text.
+        Positions of rails, pins, ties and point forces. The text is the kind, at the first position of each.
     cords : tuple of (2, 2) arrays
         Ties.
     """
@@ -94,7 +94,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    # drawn curve with straight ends
+    # the drawn curve, or the curve after smoothing
     drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)

@@ -140,7 +140,7 @@ def switch(sketch: Any, *, on: bool) -> None:
 
 
 def start_if_wanted(sketch: Any) -> None:
-    """Start the overlay of an open sketch if it is stored as on."""
+    """Start the overlay of an open sketch if the sketch stores that the overlay is on."""
     if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
         from freecad.elastica_wb.live import session
 
@@ -238,9 +238,9 @@ class Changes:
             _module_if_imported("live.session").stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Note what an undo changed, and recompute later, because the next undo may delete the objects.
+        """Record what an undo changed, and recompute later, because the next undo may delete the objects.
 
-        An undo does not restore shapes that were computed after the step was closed.
+        An undo does not restore shapes that were computed after the end of the undo step.
         """
         step = self._changed.pop(document.Name, {})
         self._changed.clear()
@@ -328,7 +328,7 @@ def _call_in_proxy(work: str, *subject: Any) -> None:
 
 
 def _rename_users(obj: Any, old: str) -> None:
-    """Rename features that are named after an object, and the object in messages."""
+    """Rename features that are named after an object, and update the messages that contain its name."""
     module = _module_if_imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
@@ -348,14 +348,14 @@ def _hide_failed(sketch: Any) -> None:
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
     """Return the features whose shape does not match their properties, and their dependent features.
 
-    `half` has the names of objects of which an undo restored only the shape or only the properties.
+    `half` has the names of objects. An undo restored only their shapes, or only their properties.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
     regrouped = any("Group" in names for names in changed.values())
     touched = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, touched)]
-    # restored by an undo, and marked for recompute by FreeCAD
+    # features that an undo restored and that FreeCAD marked for recompute
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()

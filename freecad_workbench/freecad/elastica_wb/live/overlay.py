@@ -116,7 +116,7 @@ class Overlay:
         self._set(width=edges)
 
     def show_nearest(self, *curves: FloatArray) -> None:
-        """Show the nearest possible curve, or the curves of a suggested change, instead of earlier ones."""
+        """Show the nearest possible curve, or the curves of a suggested change. Earlier curves are removed."""
         self._set(nearest=curves)
 
     def shown(self) -> dict[str, int]:

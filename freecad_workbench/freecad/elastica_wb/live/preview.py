@@ -100,9 +100,9 @@ class _Ribbon:
 
 
 REACH_PX = 12  # distance, pixels, within which the mouse grabs a handle
-SIZE_PX = 13  # px
+SIZE_PX = 13  # size of a handle, pixels
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-# the plane is seen edge-on if the sine of the angle between it and the line of sight is smaller than this
+# largest sine of the angle between the line of sight and a plane seen edge-on
 EDGE_ON_SINE = 1e-6
 
 
@@ -262,7 +262,7 @@ class _Mouse(QtCore.QObject):
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)
-        # PySide would reuse the wrapper for the next view
+        # otherwise, PySide would reuse the wrapper for the next view
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:

@@ -70,7 +70,7 @@ LEAST_STEP = (
 MOVES, HALVINGS = (
     3,
     12,
-)  # largest number of moves of a dragged pole back to a possible curve, and of trials of each
+)  # largest number of moves of a dragged pole back to a possible curve, and of trials of a move
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -141,13 +141,13 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # or the user stopped the search
+        except FAILURES as error:  # also if the user stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # in this undo step, because solving moves points
+        record_call(self.sketch, "solve")  # solving moves points, so it belongs to this undo step
         close_step(document)
         self.refresh()
 
@@ -185,7 +185,7 @@ class Session:
         geometry = drawn_in(self.sketch, None)
         is_spline = len(geometry) == 1 and hasattr(
             geometry[0], "getPoles"
-        )  # other curves return to their start
+        )  # curves other than a single spline return to their start
         for _ in range(MOVES if is_spline else 0):
             step = LEAST_STEP * curve.length
             nearer = move_while_possible(poles, curve.control_points, possible, step, HALVINGS)
@@ -200,7 +200,7 @@ class Session:
         return True
 
     def _attach(self) -> None:
-        """Find the Coin node of the drawn points. Some FreeCAD releases replace it when geometry is added."""
+        """Find the Coin node of the drawn points. Some FreeCAD releases replace this node for new geometry."""
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -326,7 +326,7 @@ class Session:
     def _request(self) -> None:
         """Start the search for the nearest curve in another thread. Results for earlier curves are ignored.
 
-        Strips with rails, pins, ties or point forces are not searched, because the search ignores these.
+        Rails, pins, ties and point forces prevent a search, because the search would ignore them.
         """
         if self._asks.between or self._asks.rod_spec.point_forces:
             return

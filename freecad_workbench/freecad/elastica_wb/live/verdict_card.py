@@ -64,11 +64,11 @@ class VerdictCard(QtCore.QObject):
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold, self.keep):
             part.setStyleSheet(STYLE)
-            # without keyboard focus: the sketcher receives keys
+            # no keyboard focus, so that the sketcher receives the keys
             part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
-        # whether a small view folded the card; whether the user unfolded it
+        # True if a small view folded the card, and if the user unfolded the card
         self._shrunk = self._stays_open = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
@@ -107,7 +107,7 @@ class VerdictCard(QtCore.QObject):
         """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # first, because it raises an error if the view was closed
+            self._place()  # comes first, because this call raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
@@ -119,7 +119,7 @@ class VerdictCard(QtCore.QObject):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
-        # PySide would reuse the wrapper for the next view
+        # otherwise, PySide would reuse the wrapper for the next view
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
@@ -129,7 +129,7 @@ class VerdictCard(QtCore.QObject):
         return False
 
     def _looks_elsewhere(self) -> None:
-        """Place the card again after a camera move. The view may close before its camera and this timer."""
+        """Place the card again after a camera move. The view may already be closed."""
         with suppress(RuntimeError):
             self._soon.start()
 
@@ -199,7 +199,7 @@ class VerdictCard(QtCore.QObject):
     def _free_corner(self, part: Any, cards: Sequence[Any]) -> tuple[tuple[int, int], int]:
         """Return the corner (x, y) where the frame hides the fewest points, and their number.
 
-        The current corner is preferred; one with another card is the worst.
+        The current corner is preferred. A corner with another card is chosen last.
         """
         over, size = self._over, self.frame.size()
         start, above = part.left() + GAP_PX, part.top() + GAP_PX

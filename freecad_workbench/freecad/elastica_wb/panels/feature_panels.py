@@ -52,7 +52,7 @@ from elastica_cad.strip.summary import (
 
 
 def strip_rows(obj: Any) -> Sequence[Row]:
-    """Return the rows of the report on the strip of the current shape; none if the curve is lost."""
+    """Return the rows of the report on the displayed strip, or () if the strip cannot be computed."""
     try:
         strip = shown_strip(obj)
     except FAILURES:
@@ -300,7 +300,7 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """Return the force chart: over the travel of the pushed point, or of the moved end if not bistable."""
+    """Return the chart of the force over the travel of the pushed point (bistable parts) or the moved end."""
     travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
     if travel.unit == "mm":
         unit = shown_unit()
@@ -327,7 +327,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
-    """Return the panel of a feature. It also edits `others` of the same kind."""
+    """Return the panel of a feature, which also edits the features `others` of the same kind."""
     if feature_kind(obj) == "Bent":
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[feature_kind(obj)], others)

@@ -26,7 +26,7 @@ class FixturesPanel(Panel):
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        """Open the panel for `sources` or, if all are base plates, for the strips on them."""
+        """Open the panel for `sources`. If all sources are base plates, use the strips on these plates."""
         super().__init__(sources[0].Document, sources)
         strips = [source for obj in sources if is_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(strips))
@@ -41,7 +41,7 @@ class FixturesPanel(Panel):
         if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
-        # the plate is faster, so its errors come before the blocks
+        # make the plate first, because it is faster than the blocks and may raise an error
         if form.plate.isChecked():
             holders.append(recorded(baseplate.create, self.document, self.sources))
             record_value(holders[-1], "Sheet", self.value("sheet"))

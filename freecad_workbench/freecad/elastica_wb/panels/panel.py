@@ -27,7 +27,7 @@ PAUSE_MS = 60  # time, ms, after the last key, before the panel computes its res
 
 
 class Panel:
-    """A task panel. Shortly after the user changes a widget, it calls `changed`."""
+    """A task panel. It calls `changed` shortly after the user changes a widget."""
 
     file = ""
     icon_name = "Elastica"
@@ -176,7 +176,7 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # PySide would reuse the wrappers for new widgets, and signals form reference cycles
+        # signals form reference cycles, and PySide would reuse their wrappers for new widgets
         self.form = None
         gc.collect()
 
@@ -191,7 +191,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # not now: an undo would crash while FreeCAD destroys the document
+            # close the panel later, because an undo would crash while FreeCAD destroys the document
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

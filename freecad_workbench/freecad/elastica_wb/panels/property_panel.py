@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature. Each property has a labelled widget that follows it."""
+"""The panel of a feature. Each property has a labelled widget that shows the current value."""
 
 import gc
 from collections import defaultdict
@@ -68,23 +68,24 @@ class Layout:
     Attributes
     ----------
     title, icon_name, step : str
+        Title of the panel, name of its icon, and name of its undo step.
     groups : mapping
         Names of the properties in each group, by the title of the group.
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        Function, by property, that returns True if the property has an effect and is shown.
+        Function for each property that returns True if the property has an effect and is shown.
     source : str
         Property with a curve that the user can pick again, or "".
     results : callable
-        Function that returns the rows below the message. In details, the name of a property stands for its
-        help.
+        Function that returns the rows below the message. A property name in the details of a row is replaced by
+        the help of the property.
     actions : tuple of (label, callable)
         Labels and functions of buttons that replace the feature and close the panel.
     picture : callable
         Function that returns a pixmap for the space below the rows, or None.
     suggestions : callable
-        Function that returns suggested changes, each shown as a button: text, and new values of properties.
+        Function that returns suggested changes: the text of a button, and new values of properties.
     footnote : callable
         Function that returns the text below all widgets, with slow results.
     """
@@ -106,13 +107,13 @@ class Layout:
 class PropertyPanel(Panel):
     """Panel that edits the properties of a feature, or of several features of a kind.
 
-    A widget writes only its property, and also shows changes made elsewhere. For several features, it shows
-    the value of the first and changes all.
+    A widget also shows changes by the property editor or a formula. For several features, it shows the value of
+    the first feature and changes all features.
     """
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        # several features have different curves and results
+        # show no curve and no results, which differ between features
         if len(self.objects) > 1:
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
@@ -212,7 +213,7 @@ class PropertyPanel(Panel):
         self._record()
 
     def _record(self) -> None:
-        # without changes, read nothing: the objects may be deleted
+        # without changes, read no property, because the objects may be deleted
         for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
@@ -438,7 +439,7 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if on:
             Gui.Selection.clearSelection()
-            # 0 selects the full path, because a part shown by a link belongs to the link
+            # 0 requests full paths, which contain the links that display a part
             Gui.Selection.addObserver(self, 0)
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
@@ -453,7 +454,7 @@ class PropertyPanel(Panel):
 class _ChangeButton(QtWidgets.QPushButton):
     """Button of a suggested change.
 
-    It calls `preview` with its number, or with None when the mouse leaves.
+    The button calls `preview` with its number, or with None when the mouse leaves the button.
     """
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:

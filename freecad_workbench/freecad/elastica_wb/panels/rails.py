@@ -46,9 +46,10 @@ PROPERTIES = ("Between", "Loads")
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of element or load: the number of clicks that place it, and the function that makes it.
+    """A kind of element or load.
 
-    Its arguments are the points (x, y) of the clicks, and their distances along the curve, mm.
+    `clicks` is the number of clicks that place an element. `make` creates the element from the points (x, y) of
+    the clicks and their distances along the curve, mm.
     """
 
     clicks: int
@@ -67,7 +68,7 @@ KINDS = {
 }
 """Kinds of elements and loads.
 
-When the curve changes, rails and pins stay in place; ties and loads keep their fraction of the length.
+When the curve changes, rails and pins stay in place. Ties and loads keep their fraction of the length.
 """
 
 
@@ -132,7 +133,7 @@ class RailsPanel(Panel):
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
         """Use a point of the curve that the user clicks in the view."""
-        # in the tree, or in another document
+        # the click is in the tree, or in another document
         if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))
@@ -206,7 +207,7 @@ class RailsPanel(Panel):
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return the item number of each mark, and the field with its position."""
+        """Return (number of the item, field with the position) for each mark."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:

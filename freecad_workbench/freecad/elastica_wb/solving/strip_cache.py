@@ -82,10 +82,10 @@ def sharpest_bend(
 
 
 MANY_HOLES = 100
-HEADROOM = 1.003  # the curvature limit of a rod is divided by this, because the spline through it curves more
-# largest number of searches, and factor by which each search corrects the excess over the limit
+HEADROOM = 1.003  # divisor of the curvature limit of a rod, because the spline through the rod curves more
+# largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
-AS_DRAWN_MM = 0.05  # a curve meets all limits if the nearest curve within the limits is closer than this, mm
+AS_DRAWN_MM = 0.05  # largest distance, mm, of a curve within limits from its nearest curve
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -135,8 +135,8 @@ def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
 def find_nearest_now(spec: RodSpec) -> NearestRod:
     """Do the work of `find_nearest_to_draw` in this thread, without a progress bar.
 
-    The curvature of the spline differs from that of the rod by some thousandths, so the rod gets stricter
-    limits.
+    The curvature of the spline differs from the rod's curvature by some thousandths. Therefore the limits of
+    the rod are tightened.
     """
     limits = spec.limits
     most = None if limits is None else limits.largest_curvature
@@ -154,9 +154,9 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
     return find_rod(spec)
 
 
-# a curve with few poles differs from its rod, so limits are divided by these factors, one after the other
+# factors by which limits are tightened, because a curve with few poles differs from its rod
 TIGHTER = (1.1, 1.25, 1.5)
-# largest distance of a curve with few poles: multiple of the least distance, or fraction of the length
+# largest deviation with few poles: multiple of the deviation with all poles, or fraction of the length
 FARTHER, NEAR_FRACTION = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
@@ -220,7 +220,7 @@ def judged(rod: Rod) -> Stability | None:
 
 @remembered
 def held_shape(strip: Strip) -> HeldShape | None:
-    """Return the shape of a strip as cut and held, or None if it is too far from the design to compute."""
+    """Return the shape of a strip in its holders, or None if it is too far from the design to compute."""
     try:
         return strip.held()
     except NotConvergedError:
@@ -264,7 +264,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """Return `flat_shape`, with the engraved text as edges on the upper face.
 
-    Tapered strips and stacks of plies have no plane face for a text, so they have none.
+    Tapered strips and stacks of plies have no text, because they have no plane face for a text.
     """
     shape = flat_shape(strip, layer)
     if strip.layout.worked_size is not None or strip.layout.stack is not None:
