@@ -102,7 +102,7 @@ class _StripShape(_Jointed, StripBody):
 
     @property
     def _parts(self) -> list[bd.Compound]:
-        """One part for each of several `Locations`; empty for a single location."""
+        """Parts at several `Locations`; empty for a single location."""
         body: Any = self
         return [part for part in body if isinstance(part, bd.Compound)]
 
@@ -127,7 +127,7 @@ class _StripShape(_Jointed, StripBody):
     def _publish_to_context(self, object_scope: Any) -> None:
         """Publish the body to its builder.
 
-        At several `Locations`, the joints are numbered from the second copy on.
+        At several `Locations`, the joints of each copy after the first have its number in their names.
         """
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)
@@ -209,12 +209,12 @@ class _StripShape(_Jointed, StripBody):
         return image
 
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
-        """Return a plain body, as `Shape.scale` does: a strip of another size has other properties."""
+        """Return a scaled plain body, because a strip of another size has other properties."""
         body: Any = self
         return self._plain(bd.Shape.scale(body, *args, **options))
 
     def transform_geometry(self, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
-        """Return a plain body, as `Shape.transform_geometry` does: a stretched body is not a strip."""
+        """Return a transformed plain body, because a stretched body is not a strip."""
         body: Any = self
         return self._plain(bd.Shape.transform_geometry(body, t_matrix))
 

@@ -183,7 +183,7 @@ class _StripShape(StripBody, _Moved):
         return end_fixture(self, end=end, **sizes)
 
     def scale(self, factor: float) -> cq.Shape:
-        """Return a scaled plain body: a strip of another size has other properties."""
+        """Return a scaled plain body, because a strip of another size has other properties."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)
         plain.label = self.label
         return plain
@@ -327,7 +327,7 @@ class StripSolid(_Ended, cq.Solid):
 class Sheets(cq.Compound):
     """Compound of sheets that boolean operations take as one argument.
 
-    They would take the solids of a plain compound one by one, and also intersect the sheets with each other.
+    Boolean operations would split a plain compound into its solids, and intersect the sheets with each other.
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
@@ -505,7 +505,7 @@ def _shapes_and_plane(path: Drawn) -> tuple[Any, dict[str, Any]]:
 
 
 def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    """Make the strip of drawn shapes. If they are on a Workplane, its plane is that of the curve."""
+    """Make the strip of drawn shapes. The plane of a Workplane is used as the plane of the curve."""
     edges, drawn_on = _shapes_and_plane(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 

@@ -38,7 +38,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # a program that calls `main` draws in its own process; it may have imported matplotlib
+        # if a program calls `main`, its process makes the drawings, because it may have imported matplotlib
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:

@@ -30,7 +30,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
-LEAST_FRACTION = 0.25  # least size, as a fraction of the stock's size, by default
+LEAST_FRACTION = 0.25  # default of the least size, as a fraction of the size of the stock
 MOST_STATIONS = 1000
 
 _STOCK = (

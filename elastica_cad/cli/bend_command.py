@@ -173,7 +173,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     rod = _initial_rod(curve, chosen) if strip is None else strip.rod
     present = Supports() if finished is None else rod.supports
     if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
-        present = Supports("free", "free")  # held ends could not follow the cord
+        present = Supports("free", "free")  # free, because held ends could not follow the cord
     supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
@@ -443,9 +443,7 @@ def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
-    """Yield a warning if the point of a rail is below a straight strip, because its bar is then above the
-    strip.
-    """
+    """Yield a warning if the point of a rail is below a straight strip. The bar is then above the strip."""
     at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
     gravity = shape.gravity
     if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
@@ -534,7 +532,7 @@ def _stability_row(
 def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
     """Return a text for a step.
 
-    If loads or elements change, it is the step's number, because an end may slide.
+    If loads or elements change, the text is the number of the step, because an end may slide.
     """
     if moved is None or change:
         return f"step {step + 1} of {len(shapes)}"

@@ -192,7 +192,7 @@ class _Request:
         report = report_check(verdict)
         if not verdict.undecided:
             report["advice"] = " ".join([*outcome, report["advice"]])
-        # the check reports noise itself
+        # the check already reports noise
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *verdict.details, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable:
@@ -227,7 +227,7 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        from elastica_cad.cli.strip_options import typed_change  # imports all records
+        from elastica_cad.cli.strip_options import typed_change  # slow, because it imports all records
 
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))

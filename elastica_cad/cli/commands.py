@@ -54,7 +54,7 @@ PER_MM = ("natural_curvature",)
 (1/mm)."""
 
 ALIKE = {"name": "label"}
-"""Second name of an option that has different names in different commands, by its first name."""
+"""First and second name of each option that has different names in different commands."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -101,15 +101,13 @@ def _imported(name: str) -> click.Command:
 
 @contextmanager
 def _quiet_pipes(context: click.Context | None = None) -> Iterator[None]:
-    """Print usage errors as rows, and nothing if the program that reads the output ends first, as in
-    `elastica sheets | head -1`.
-    """
+    """Print usage errors as rows. Print nothing if the output is closed, as in `elastica sheets | head -1`."""
     try:
         yield
     except BrokenPipeError:
         raise click.exceptions.Exit(OUTPUT_CLOSED) from None
     except click.UsageError as problem:
-        if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # since click 8.2
+        if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # new in click 8.2
             raise
         raise _UsageRow(as_sentence(_usage_message(problem, context))) from problem
 
@@ -160,7 +158,7 @@ def _spelled(path: str) -> str:
         return typed
     if context.info_name != "strip":
         return path
-    from elastica_cad.cli.strip_options import typed_name  # imports all records
+    from elastica_cad.cli.strip_options import typed_name  # slow, because it imports all records
 
     return typed_name(path) or path
 
@@ -233,7 +231,7 @@ def _usage_message(problem: click.UsageError, context: click.Context | None) -> 
 
 
 def _refuse_extra_words(context: click.Context) -> None:
-    """Raise InputError for words that no argument takes, and name the option that takes a sheet."""
+    """Raise InputError for extra words. For the name of a sheet, the message suggests the option --sheet."""
     if not context.args:
         return
     from elastica_cad.mechanics.sheets import sheet_names
@@ -412,7 +410,7 @@ def _refuse(problem: ElasticaError) -> int:
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
-    undecided = bool(problem.details)  # such a curve may be realizable
+    undecided = bool(problem.details)  # if the check is undecided, the curve may be realizable
     text, option = f"{'' if undecided else begins}{problem}", problem.refusal.where.get("option", "")
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""

@@ -29,8 +29,8 @@ LEAST_DROOP_MM = 10.0
 """Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Two readings contradict each other if they differ by more than this, both in standard deviations and as a
-fraction."""
+"""Largest difference of two readings, in standard deviations and as a fraction. Readings beyond both limits
+contradict each other."""
 
 
 @click.command()
@@ -146,7 +146,7 @@ def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # the name of the sheet does not contain the measured thickness
+    if thickness is not None:  # keep the name, without the measured thickness
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 

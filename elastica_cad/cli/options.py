@@ -21,7 +21,7 @@ _NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """Length in mm: "38", "1.5in", "5/16in", "3.8cm"; the default unit is that of `elastica --units`.
+    """Length in mm: "38", "1.5in", "5/16in", "3.8cm". `elastica --units` sets the default unit.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    from elastica_cad.design.records import written  # imports all records
+    from elastica_cad.design.records import written  # slow, because it imports all records
 
     kinds = written(field.kind).alternatives
     words = tuple(word for alternative in kinds for word in alternative.choices)

@@ -55,7 +55,7 @@ GAP_MM = 20.0
 """Distance, mm, between neighbouring curves in the drawing."""
 
 UPRIGHT = 1e-9
-"""A direction counts as parallel to z if x and y, relative to z, are smaller than this: rounding errors."""
+"""Largest x and y, relative to z, of a direction that is parallel to z apart from rounding errors."""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),

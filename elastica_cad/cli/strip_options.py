@@ -58,11 +58,11 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys of a design file for suggested changes whose field has another name."""
+"""Keys of a design file, by the field of a suggested change, if both have different names."""
 
 
 def _arguments_of(change: Change) -> tuple[str, ...]:
-    if change.field == "between":  # the option has the name of the record, and positions as values
+    if change.field == "between":  # the option is named after the record, and its values are positions
         record: Any = type(change.value)
         places = [
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
@@ -237,7 +237,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table of options merged with that of `--set`. Raise InputError for a key that both set."""
+    """Merge the table of options with the table of `--set`. Raise InputError for a key that both set."""
     for path in twice(table, settings):
         raise InputError(
             "{option} and --set {path} set the same value. Leave out one of them.",

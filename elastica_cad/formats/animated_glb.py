@@ -27,7 +27,7 @@ class MovingMesh:
     color : (red, green, blue)
         sRGB, 0..1.
     points, normals : (frames, n, 3) array
-        mm, z up; unit vectors.
+        Positions, mm, with z upward, and unit normals.
     triangles : (m, 3) array of int
         Corners, anticlockwise from outside.
     """

@@ -34,7 +34,7 @@ from elastica_cad.strip.flat_pattern import on_segment
 EDGE_TOLERANCE_MM = 1e-7  # default tolerance of edges and faces in OpenCASCADE
 VERTEX_TOLERANCE_MM = 1e-6  # largest gap between consecutive edges
 
-# first version that stores the (u, v) coordinates of the ends of edges
+# version 3 is the first that stores the (u, v) coordinates of the ends of edges
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
 _LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
@@ -151,8 +151,9 @@ def _widest_gap(paths: Iterable[Path]) -> float:
 def _placed_in_space(
     paths: Sequence[Path], frame: Frame
 ) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
-    """Return the vertices (k, 3) of plane paths in space, an edge for every segment, and the uses of edges by
-    each path.
+    """Place plane paths in space.
+
+    Return the vertices (k, 3), an edge for every segment, and for each path its edges with their directions.
     """
     corners: list[FloatArray] = []
     edges: list[Edge] = []

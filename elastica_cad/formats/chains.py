@@ -24,33 +24,33 @@ from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
 JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends; many files have three or four decimals
-# larger gaps between ends are not reported as possible joints: in mm, and as a fraction of the smaller curve
+# largest gap reported as a possible joint: in mm, and as a fraction of the smaller curve
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
-# gaps of one unit of the last digit are closed up to this: in mm, and as a fraction of the smaller curve
+# largest gap closed as a rounding error: in mm, and as a fraction of the smaller curve
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
 # a turn of more than 160 degrees means that two curves run side by side, so their ends are not meant to be
 # joined
 _ALONGSIDE = np.cos(np.radians(160.0))
-# centre of a drawn hole: largest distance from the straight piece, as a fraction of the diameter
+# largest distance of the centre of a drawn hole from the straight piece, as a fraction of the diameter
 HOLE_ASIDE = 0.1
 # points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13
-# least turn, degrees, at a corner: of a curve through points, and of a polyline that no smooth curve follows
+# least angle of a corner, degrees: in a curve through points, and in a polyline that no smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 # ends whose directions differ by a smaller angle (1 degree) are tangent
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
 _STRAIGHT_SIDE_TOLERANCES = 20.0  # a polyline side longer than this, in tolerances, is meant to be straight
-# largest error of an end point, in units of the coordinate rounding; rounded angles add to it
+# largest error of an end point, in units of the coordinate rounding, with the error of rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
 _DENSE_KNOTS = 50  # a spline with more inner knots was interpolated through points
 # points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
 _LEAST_ROUGHNESS = 0.2
 _REFINEMENTS = 10  # rounds of the search for the nearest point; each round quarters the interval
-_MOST_ENDS = 50  # ends are not joined where more ends than this, of all layers, meet
-# largest number of ends around a compared end, as a multiple of `_MOST_ENDS`
+_MOST_ENDS = 50  # largest number of ends, of all layers, at a place where ends are joined
+# largest number of neighbours that are compared with an end, as a multiple of `_MOST_ENDS`
 _CROWDED_CELLS = 4
 
-# from each end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+# each joined end, and the end that it touches, as (number of the run, 0 for start or 1 for end)
 _Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
 _Place: TypeAlias = tuple[int, float]  # position in a run: number of the edge, and parameter on it
 
@@ -63,15 +63,13 @@ class JoinedRuns:
     ----------
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
-        A shape, an equally long or longer shape that it overlaps, and the result. A coinciding shape is "left
-        out" if layer and name are equal, otherwise "kept". Shapes that overlap in part are "joined" to their
-        union, or left as they are ("in part") if layers or names differ, or if a third shape meets them at
-        the joint.
+        A shape, an overlapping shape that is not shorter, and the result. A coinciding shape is "left out" if
+        layer and name are equal, otherwise "kept". Shapes that overlap in part are "joined" to their union.
+        They stay unchanged ("in part") if layers or names differ, or if a third shape meets the joint.
     closed : tuple of float
         Widths, mm, of the gaps that were closed because rounding of coordinates in the file explains them.
     widest : float
-        Width, mm, of the widest gap that would be closed: the tolerance, or more if the coordinates are rounded
-        coarsely.
+        Largest width, mm, of a closed gap: the tolerance, or more if the coordinates are rounded coarsely.
     """
 
     chains: list[Run]
@@ -107,7 +105,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Return the largest rounding error, mm, of the ends of n chains (2 n,)."""
+    """Return the largest rounding error, mm, of the start and end of each of n chains (2 n,)."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -117,8 +115,9 @@ def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
 def _joined_runs(
     runs: Sequence[Run], reach: FloatArray, *, corners: bool
 ) -> tuple[list[Run], tuple[float, ...]]:
-    """Return chains of runs, joined where ends are closer than the sum of their `reach` (2 n,), mm, and the
-    widths of the closed gaps.
+    """Join n runs to chains. Return the chains and the widths of the closed gaps.
+
+    Two ends are joined if their distance is less than the sum of their `reach` (2 n,), mm.
     """
     partner = _partners(runs, reach, corners=corners)
     ends = _ends(runs).reshape(len(runs), 2, -1)
@@ -194,7 +193,7 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Return pairs of unjoined ends that nearly meet on a layer: distance (mm), both chain numbers, position.
+    """Return pairs of unjoined ends that nearly meet: distance (mm), numbers of both chains, position.
 
     The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted
     by distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if
@@ -221,8 +220,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Return the runs reached by following the joints from the end `side` (0 start, 1 end) of a run, each
-    with its far end.
+    """Follow the joints from the end `side` (0 start, 1 end) of a run.
+
+    Return the number of each run on the way, with the end at which the way leaves the run.
     """
     used[first] = True
     path: list[tuple[int, int]] = []
@@ -246,7 +246,7 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """Return a mapping from each end (run, side) that touches exactly one other end to that end."""
+    """Return the partner of each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -308,7 +308,7 @@ class _RunIndex:
     def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:
         """Yield the number of each shorter run that touches run j, with two flags.
 
-        The flags are True if both ends are on run j, and if a part may coincide with run j.
+        The first flag is True if both ends are on run j. The second is True if a part may coincide with run j.
         """
         ends, low, high = self.ends, self.lows[j], self.highs[j]
         reach = (dist(low, high) + self.sizes[j]) / 2
@@ -328,9 +328,7 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Return the runs without those that coincide with a longer or an earlier equally long run, and all
-    overlaps.
-    """
+    """Remove runs and parts of runs that overlap longer runs. Return all other runs, and the overlaps."""
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
@@ -374,8 +372,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with an end part of a longer run.
 
-    Each entry is the end of the run (0 or 1), and the end of the longer run: its position on the run, and its
-    point (d,).
+    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of the longer
+    run's end.
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]
@@ -458,10 +456,10 @@ def curve_from_run(
 ) -> PlaneCurve:
     """Make one curve from consecutive edges in the plane.
 
-    A run of straight pieces only is a polyline, and a curve is fitted to its vertices. Arcs and splines are
-    converted exactly. Several true curves are raised to a common degree. Gaps up to `tolerance` mm are closed
-    by moving whole edges, so that tangents do not turn. Corners that rounding of the coordinates explains are
-    removed. `PlaneCurve.breaks` returns the continuity at the joints.
+    If all edges are straight, a curve is fitted to their vertices. Otherwise arcs and splines are converted
+    exactly, and raised to a common degree. Gaps up to `tolerance` mm are closed by moving whole edges, so that
+    tangents do not turn. Corners that rounding of the coordinates explains are removed. `PlaneCurve.breaks`
+    returns the continuity at the joints.
 
     Parameters
     ----------
@@ -507,7 +505,7 @@ def curve_from_run(
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
     """Return the points that a dense spline interpolates, or None if the curvature is smooth.
 
-    The widths of a strip show noise of points, or zero curvature at an end, that cannot be seen in the curve.
+    Noise of the points, or zero curvature at an end, is invisible in the curve but changes the strip widths.
     """
     knots = edge.spans.edges
     inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
@@ -537,8 +535,8 @@ def curve_from_points(
     Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
     two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve
     states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
-    a polyline. With `sides`, the drawing is a polyline: a curve more than `allowed_distance` from its sides
-    is cut at every turn of more than 5 degrees.
+    a polyline. With `sides`, the points are vertices of a drawn polyline. If the curve is more than
+    `allowed_distance` from the polyline, the curve is cut at every turn of more than 5 degrees.
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number: export the file again")
@@ -611,7 +609,7 @@ def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
-    """Return a smooth curve through points. If it is not within `allowed` of the polyline, cut it at corners."""
+    """Return a smooth curve through points, cut at corners if it is farther than `allowed` from the polyline."""
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance)]
     curve, distance = fit_polyline(points, tolerance)
@@ -702,9 +700,9 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
 def _clamped(
     edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the knots and homogeneous control points of a part of an edge, as a clamped spline of a degree.
+    """Return a part of an edge as a clamped spline of degree `degree`: knots and homogeneous control points.
 
-    The degree is at least that of the edge, so interpolation at the Greville abscissae is exact.
+    `degree` is not less than the degree of the edge, so interpolation at the Greville abscissae is exact.
     """
     first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]

@@ -19,10 +19,10 @@ EXACT = "exact"
 """Curve style for CAD programs, in which splines of any degree are unchanged."""
 
 _SPLINE_TOLERANCE_MM = 1e-3
-"""Largest tolerance of approximated splines, mm. A coarser one would hardly make files smaller."""
+"""Largest tolerance of approximated splines, mm. A larger tolerance would hardly make files smaller."""
 
 FINEST_MM = 1e-5
-"""Smallest tolerance of arcs and polylines, mm. A smaller one would only make files larger."""
+"""Smallest tolerance of arcs and polylines, mm. A smaller tolerance would only make files larger."""
 
 
 def check_curve_style(curves: str) -> str:

@@ -29,7 +29,7 @@ _MOST_SAMPLES = 8000
 _SAMPLES_PER_WIDTH = 4  # samples per width of a stroke
 _SEARCH_WIDTHS = 3.0  # largest distance, in stroke widths, at which the opposite side of a stroke is sought
 _WIDTH_VARIATION = 0.05  # largest relative variation of the width along a stroke
-# largest length of the outline that has no opposite side, in stroke widths; it is at the ends of a stroke
+# largest length, in stroke widths, of the outline at the ends of a stroke, where it has no opposite side
 _MOST_END_WIDTHS = 6.0
 
 
@@ -244,9 +244,7 @@ class DrawnCurve:
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
 
     def split_at_corners(self) -> tuple["DrawnCurve", ...]:
-        """Return the pieces between corners; a curve without corners, or an invalid one, is returned
-        unchanged.
-        """
+        """Return the pieces between corners. An invalid curve, or a curve without corners, stays unchanged."""
         cut = () if self.problem else split_at_corners(self.curve)
         if len(cut) < 2:
             return (self,)
@@ -322,8 +320,8 @@ class DrawnFile:
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
         """Return the curve that `which` and `layer` select.
 
-        `how` tells the user, in the error message, how to select a curve. In it, {count} stands for the
-        number of selected curves.
+        `how` is the part of the error message that explains how to select a curve. In `how`, {count} stands for
+        the number of curves in the file.
         """
         curves = self.chosen(which, layer)
         how = how.format(count=len(self.curves))

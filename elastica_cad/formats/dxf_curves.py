@@ -61,7 +61,7 @@ def _dxf_rounding(path: Path) -> float:
         return 0.0
     sections = list(_SECTION.finditer(data))
     numbers: list[str] = []
-    for section in reversed(sections):  # ENTITIES before BLOCKS
+    for section in reversed(sections):  # the section ENTITIES before the section BLOCKS
         begin, end = section.end(), data.find(b"ENDSEC", section.end())
         for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
             numbers.append(match[1].decode("ascii"))
@@ -122,8 +122,7 @@ _OWN_UNIT = b"all lengths in mm"
 """Comment at the top of R12 files that this package writes, because R12 has no $INSUNITS."""
 
 _INCHES_BELOW = 40.0
-"""Without a unit, a drawing with $MEASUREMENT = 0 is in inches if it is smaller than this, in drawing
-units."""
+"""Size, in drawing units, below which a drawing with $MEASUREMENT = 0 and without a unit is in inches."""
 
 _ASSUMED = (
     "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
@@ -304,7 +303,7 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Lower-case names of the layers that are off or frozen (`layers`), and of the frozen ones (`frozen`)."""
+    """Lower-case names of layers that are off or frozen (`layers`), and of frozen layers (`frozen`)."""
 
     layers: frozenset[str]
     frozen: frozenset[str]
@@ -439,7 +438,7 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        # `Edge` raises the error for these weights
+        # `Edge` raises an error for a wrong number of weights
         return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)

@@ -171,7 +171,7 @@ class Edge:
         return float(4 * fine - coarse) / 3
 
     def stations(self, each: int = 17) -> FloatArray:
-        """Return parameters along the edge: `each` for every span, both ends and all knots."""
+        """Return parameters along the edge: `each` in every span, including the ends of the span."""
         edges = self.spans.edges
         places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
         # `np.unique` would load all of numpy.ma

@@ -15,7 +15,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, Point, note
 
-# a drawing may deviate from its plane by this: in mm, and as a fraction of its size
+# largest deviation of a drawing from its plane: in mm, and as a fraction of the size of the drawing
 NOISE_MM, NOISE_SHARE = 0.05, 1e-3
 # least z component of the unit normal of a plane that counts as horizontal
 HORIZONTAL = np.cos(np.radians(1.0))
@@ -211,7 +211,7 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    """Return the plane of the edges, with its z axis on the side that `placed_curve` describes."""
+    """Return the plane of the edges. Its z axis points to the side that `placed_curve` describes."""
     points = np.concatenate([edge.points for edge in run])
     heights = points[:, 2]
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
@@ -230,7 +230,7 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
 
 
 def _total_turn(points: FloatArray, normal: FloatArray) -> float:
-    """Return the total turn, rad, of a polyline (m, 3) about a normal or, if it is 0, the initial turn."""
+    """Return the total turn, rad, of a polyline (m, 3) about a normal. If it is 0, return the first turn."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]

@@ -32,10 +32,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, note
 
 ALONG = ("distance", "station")
-"""Headings of the x column of a table of offsets, which all curves share; the first one found is used."""
+"""Headings of the x column that all curves of a table of offsets share. The first heading found is used."""
 
 NOTHING = ("", "-", "\u2013", "\u2014")
-"""Cells of a table of offsets that leave a curve without a point there."""
+"""Cells of a table of offsets which mean that the curve has no point in this row."""
 
 _MINUS = "\u2212"
 """Typographic minus sign, as in Nordic spreadsheets."""
@@ -66,8 +66,7 @@ _STATED = re.compile(
     (?:\b(?:all|dimensions|measurements|coordinates|values)\s+in\s+|[(\[])([^\W\d_]+)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Pattern for a unit in a remark or title: stated ("Units: inches"), or possibly stated ("all in mm",
-"(inches)")."""
+"""Pattern for a unit in a remark or title: certain ("Units: inches"), or possible ("all in mm", "(inches)")."""
 
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
 _SPACES = re.compile("[ '\u2019]")
@@ -261,7 +260,7 @@ class _Layout:
         units = [
             *units,
             *(unit_name for unit_name in stated if len(names) < 2 or unit_name not in names),
-        ]  # unknown names are names of curves only if there are several
+        ]  # several names that are not units are names of curves
         if count == 1:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
@@ -304,7 +303,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """Return the units of the top row, if it contains nothing else, and the other rows."""
+    """Return the units of the top row, if it contains only units, and the remaining rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -350,8 +349,9 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 
 
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Return the columns with decimal points and without separators of thousands, and a message if they are
-    ambiguous.
+    """Return the columns with decimal points and without separators of thousands.
+
+    Also return a message if the separators are ambiguous, otherwise "".
     """
     columns = _mapped(
         columns,
@@ -365,9 +365,9 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
     """Return the separator of thousands ("" if none), and a message if it was guessed.
 
-    A single separator before three digits may separate thousands or decimals; the other cells decide. If all
-    are ambiguous, a quoted comma in a comma-separated file separates thousands. Another sign is a decimal
-    point, unless the curve would then be smaller than any strip.
+    A single separator before three digits may separate thousands or decimals. The other cells decide. If all
+    cells are ambiguous, a quoted comma in a comma-separated file separates thousands. Any other separator is a
+    decimal point, unless the curve would then be smaller than any strip.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
@@ -413,9 +413,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the first row with two numbers or, without any, with one; by default of the second
-    row.
-    """
+    """Return the index of the first row with two numbers, else with one number, else of the second row."""
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:
@@ -471,7 +469,7 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     return values
 
 
-# points rounded more coarsely than half a millimetre, mm, count as measured by hand with a ruler
+# points with a rounding error of at least this, mm, count as measured with a ruler
 RULER_MM = 0.25
 _DIGITS = 20_000  # largest number of numbers whose decimals are counted
 

@@ -40,7 +40,7 @@ def require_file(path: str | Path) -> Path:
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if os.path.isdir(path):  # raises no error for invalid names
+    if os.path.isdir(path):  # `isdir` raises no error for invalid names
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
         raise InputError("{path} is a device or a pipe, not a file: name a file", path=path)
@@ -156,16 +156,16 @@ MOST_CURVES = 5_000
 MOST_PIECES = 3_000
 """Largest number of pieces of a curve.
 
-It may have four times as many control points or measured points."""
+The limit of control points and of measured points is four times as large."""
 
 MOST_DEGREE = 25
 """Largest degree of a spline."""
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-# programs that write a fixed number of significant digits, not decimals, write at least this many
+# least number of digits of programs that write a fixed number of significant digits
 _LEAST_DIGITS = 6
-# decimals are inferred from large coordinates only if there are at least this many, multiples of 10 excluded
+# least number of large coordinates, without multiples of 10, from which decimals are inferred
 _LEAST_LARGE_NUMBERS = 2
 
 
@@ -204,8 +204,9 @@ def check_size(points: FloatArray, *, in_file: bool = True) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return `count`. Raise InputError if it exceeds `most`; the message names the items, `what`, and advises
-    `instead`.
+    """Return `count`. Raise InputError if it exceeds `most`.
+
+    The message names the counted items, `what`, and gives the instruction `instead`.
     """
     if count > most:
         raise InputError(

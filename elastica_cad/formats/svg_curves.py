@@ -95,7 +95,7 @@ _OF_INKSCAPE = (
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
-    """Return the unit, its source, and the size of a pixel, mm, in files of the program that wrote this file.
+    """Return the unit of the file, and the size of a pixel, mm, in files of the program that wrote the file.
 
     Illustrator and Affinity may omit a size in a physical unit. Inkscape before 0.92 may also omit the
     viewBox.
@@ -201,7 +201,7 @@ class _Shapes:
     unpainted : set of int
         Numbers of shapes without stroke and fill.
     clipped : dict
-        Names of shapes that a clip path or mask may hide in part; a dict without values keeps their order.
+        Names of shapes, as ordered keys, that a clip path or mask may hide in part.
     bad : dict
         Errors of shapes that cannot be read, by number.
     """

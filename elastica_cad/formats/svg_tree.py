@@ -104,10 +104,8 @@ def _apply_styles(root: Element) -> list[str]:
 
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
-    """Yield selectors, declarations, and True if the rule applies on every screen, for each rule of a style
-    sheet.
-    """
-    # for each open block, a result of `_applies_on_screen`
+    """Yield the rules of a style sheet: selectors, declarations, and True if the rule applies on every screen."""
+    # results of `_applies_on_screen` for all open blocks
     holds: list[bool | None] = [_applies_on_screen(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
@@ -354,7 +352,7 @@ def _origin(word: str, whole: float) -> float:
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return width and height of the clone or, if missing, of the nested or the enclosing drawing."""
+    """Return the size of the clone. Missing values are those of the drawing `view`, else of `around`."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -363,7 +361,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the scale and origin that fit the drawing `view` into the box of `shown`, its clone or itself."""
+    """Return the scale and origin that fit the drawing `view` into the box of its clone `shown`."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -386,7 +384,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that fits a drawing as `requested` by its clone instead of its `own` fit."""
+    """Return the transform that replaces the fit `own` of a drawing by the fit `requested` of its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
@@ -455,12 +453,12 @@ _TOKEN = re.compile(
     |(?-i:(LINE|ARC|CIRCLE|ELLIPSE|SPLINE|(LW)?POLYLINE|HELIX)[ _-]?[0-9A-F]*\d[0-9A-F]*)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Ids that programs make: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of libraries. Labels may look
-like these."""
+"""Ids that programs make: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of libraries. A label that a person
+chose may look the same."""
 
 _GZIP_MARK = b"\x1f\x8b"  # first bytes of gzip
 _HEAD = 4096  # bytes that are read at a time to find the first element
-# largest length of an XML entity, characters; expat limits the total length of all
+# largest length of an XML entity, characters; the parser expat limits their total length
 _LONGEST_ENTITY = 1000
 _DEEPEST = 200  # largest depth of nested elements
 # largest number of elements including those of clones; groups and texts count too
@@ -637,7 +635,7 @@ def _read_head(file: BinaryIO) -> str:
 def _check_expanded_count(tree: SvgTree) -> None:
     """Count the shapes including those of clones (<use>), and remove clones that contain themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
-    for element, depth in order:  # grows during the loop, parents before children
+    for element, depth in order:  # the loop adds the children of each element
         if depth > _DEEPEST:
             raise InputError(
                 "has groups nested more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
@@ -683,7 +681,7 @@ def _check_expanded_count(tree: SvgTree) -> None:
 
 
 def _elements_of_clones(root: ElementTree.Element, ids: set[str]) -> dict[str, ElementTree.Element]:
-    """Return the element of each id. If several have the same id, the later ones lose it."""
+    """Return the element of each id. If several elements have the same id, only the first keeps it."""
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")

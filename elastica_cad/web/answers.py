@@ -63,13 +63,13 @@ from elastica_cad.words import Language
 Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
-"""Smallest tolerance, mm, of the last possible position of a dragged point."""
+"""Smallest tolerance, mm, in the search for the last position of a dragged point with a possible strip."""
 
 DIRECTIONS = 2
-"""Largest number of directions that one answer tries in the search for the last possible position."""
+"""Largest number of directions in which one answer tries to move a blocked control point."""
 
 HALVINGS = 2
-"""Largest number of bisection steps of one answer in the search for the last possible position."""
+"""Largest number of bisection steps of one answer in the search for a possible position."""
 
 PLACE_DIGITS = 6
 """Decimals of a position along the curve, mm. With fewer, a rounded end could be beyond the curve."""
@@ -95,13 +95,13 @@ CURVE_KEYS = ("curve", "first", "second")
 CHANGED = "{name} was changed since this page read it"
 
 BENT_STEPS, PRESSED_STEPS = 32, 12
-"""Number of shapes between the flat strip and the design, and of shapes with the ends pressed further together."""
+"""Number of shapes from the flat strip to the design, and from the design to ends pressed closer together."""
 
 NEARLY_FLAT = 0.9999
 """Largest distance of the ends, as a fraction of the length. A straighter strip could bend to either side."""
 
 PRESSED_FRACTION = 0.4
-"""Largest reduction of the distance between the ends, as a fraction of it."""
+"""Largest reduction of the distance between the ends, as a fraction of this distance."""
 
 
 @dataclass(frozen=True)
@@ -246,8 +246,8 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     """Return the strip for the last possible position of a dragged control point.
 
     `request["hold"]` has the indices of the points that move together, their last possible positions `from`,
-    the tolerance `step`, mm, and the first direction `turn` to try. If the points cannot move, the answer has
-    the positions `from`, and the `turn` of the next answer if there are more directions to try.
+    the tolerance `step`, mm, and the number `turn` of the first direction to try. If the points cannot move,
+    the answer has the positions `from`. If more directions are left to try, it has the next `turn`.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
@@ -478,7 +478,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheet_rows(request: Mapping[str, Any]) -> Record:
-    """Try all sheets, or those in `names`. The rod is solved again only if it depends on the sheet."""
+    """Try the sheets that the request names, or all. The rod is solved again only if it depends on the sheet."""
     spec, names, rod, rows = _spec(request), request.get("names"), None, []
     solved = spec.rod_spec
     for sheet in cut_sheets():

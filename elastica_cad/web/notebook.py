@@ -1,4 +1,4 @@
-"""The studio in a notebook: the same page; the kernel of the notebook answers its requests."""
+"""The studio in a notebook. The page is the same, but the kernel of the notebook answers its requests."""
 
 import json
 from collections.abc import Mapping

@@ -23,7 +23,7 @@ OF_MODELS = ("patterns", "interlock", "base", "rings", "frame", "fixtures", "sta
 """Tables of a design that only models need."""
 
 STARTS = ("pavilion", "revolution")
-"""Designs of `elastica new` without other files. The page offers them as templates."""
+"""Designs of `elastica new` that need no other files. The page offers these designs as templates."""
 
 
 def open_design(path: Path) -> Tables:
@@ -48,7 +48,7 @@ def start_designs() -> dict[str, Tables]:
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     """Convert the curves in the tables of a design to splines.
 
-    `path` is the file of the design, and `read_curves` reads the curve files that it names.
+    `path` is the file of the design. `read_curves` reads the curve files that the design names.
     """
     if "pair" in tables:
         spec = pair_of(tables, path, read_curves)

@@ -130,7 +130,7 @@ class Studio:
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            # reports an invalid design in the terminal, before the page opens
+            # report an invalid design in the terminal before the page opens
             open_design(path)
         file = None if path is None else path.name
         self._hello = page_words() | {
@@ -187,7 +187,7 @@ class Studio:
             await send(kind, content if path is None else _save_if_unchanged(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        # a worker reads a request as a line; in JSON, line feeds are only white space
+        # a worker reads a request as one line, and line feeds in JSON are only white space
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))

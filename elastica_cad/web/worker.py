@@ -1,7 +1,7 @@
 """Worker process that answers requests of the page one after another. Each request is a line of JSON.
 
-An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. If it needs too much
-memory, the answer is an error.
+An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. If a computation needs
+too much memory, the answer is an error.
 """
 
 import json

@@ -51,7 +51,7 @@ class Workers:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def request(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
-        """Queue a request in place of a waiting one of the same kind from the same page.
+        """Queue a request. It replaces a waiting request of the same kind from the same page.
 
         Return False if too many other requests from the page are waiting.
         """
