@@ -31,9 +31,9 @@ def main(arguments: list[str] | None = None) -> None:
     if arguments is None:
         if not sys.warnoptions:
             warnings.simplefilter("ignore")  # Python's warnings are for programmers
-        # one thread is faster for small matrices, and gives equal results on every machine
+        # OpenBLAS with one thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # otherwise, garbage collection of imported objects takes a fifth of a command's time
+        # garbage collection of imported objects would take a fifth of a command's time
         gc.set_threshold(200_000, 20, 20)
     try:
         from elastica_cad.plot.drawing_process import drawing_process
@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> None:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # skips the garbage collection at the end of the process
+            gc.freeze()  # skip garbage collection at the end of the process
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)
@@ -62,7 +62,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.ClickException as problem:
         problem.show()
         return problem.exit_code
-    except click.Abort:  # click raises it for Ctrl-C
+    except click.Abort:  # click raises Abort for Ctrl-C
         return INTERRUPTED
     except OSError as problem:
         if problem.filename is not None:  # an error with a file name is not about standard output

@@ -30,7 +30,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
-LEAST_FRACTION = 0.25  # default of the least size, as a fraction of the size of the stock
+LEAST_FRACTION = 0.25  # default least size of a batten, as a fraction of the stock size
 MOST_STATIONS = 1000
 
 _STOCK = (
@@ -206,7 +206,7 @@ def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
         "camber": depth, "camber_place": place,
         "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
         "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
-        # the safety of ends that do not bend is infinite, which JSON cannot write; it becomes null
+        # in JSON, null replaces the infinite safety of ends that do not bend
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
 

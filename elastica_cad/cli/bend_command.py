@@ -173,7 +173,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     rod = _initial_rod(curve, chosen) if strip is None else strip.rod
     present = Supports() if finished is None else rod.supports
     if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
-        present = Supports("free", "free")  # free, because held ends could not follow the cord
+        present = Supports("free", "free")  # the ends are free, because held ends could not follow the cord
     supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
@@ -190,7 +190,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # at travel 0, the force on a straight strip may be anything up to the buckling load
+        # without travel, the force on a straight strip can have any value up to the buckling load
         from_zero = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(
             strip,

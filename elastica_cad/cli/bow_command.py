@@ -122,7 +122,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
         "deviation_mm": result.deviation, "ratio": result.strip.rod.ratio, "max_strain": result.strip.max_strain,
         "strain_limit": result.strip.strain_limit if in_newtons else None,
         "margin": stability(result.strip.rod).margin, "warnings": list(result.strip.warnings) if in_newtons else [],
-        # the safety of a straight rod is infinite, which JSON cannot write; it becomes null
+        # in JSON, null replaces the infinite safety of a straight rod
         "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
     }  # fmt: skip
     written = _write(result, shorter, table, report, requested.name, chosen)

@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 MOST_SHEETS = 3
 """Largest number of sheets that are listed without -v."""
 
-EVEN = 1.005  # widths are reported as constant if their ratio is smaller than this
+EVEN = 1.005  # largest ratio of widths that are reported as constant
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
 
@@ -227,7 +227,7 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        from elastica_cad.cli.strip_options import typed_change  # slow, because it imports all records
+        from elastica_cad.cli.strip_options import typed_change  # slow import of all records
 
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))
@@ -302,7 +302,7 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
         rod = solve_rod(spec)
     except NotRealizable as problem:
         return cast(EquilibriumCheck, problem.check)
-    undecided = str(spec.check.undecided)  # printed with the verdict
+    undecided = str(spec.check.undecided)  # the reason is printed with the verdict
     return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 
 

@@ -107,7 +107,7 @@ def _quiet_pipes(context: click.Context | None = None) -> Iterator[None]:
     except BrokenPipeError:
         raise click.exceptions.Exit(OUTPUT_CLOSED) from None
     except click.UsageError as problem:
-        if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # new in click 8.2
+        if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):
             raise
         raise _UsageRow(as_sentence(_usage_message(problem, context))) from problem
 
@@ -158,7 +158,7 @@ def _spelled(path: str) -> str:
         return typed
     if context.info_name != "strip":
         return path
-    from elastica_cad.cli.strip_options import typed_name  # slow, because it imports all records
+    from elastica_cad.cli.strip_options import typed_name  # slow import of all records
 
     return typed_name(path) or path
 
@@ -289,7 +289,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
-    command.allow_extra_args = True  # `_refuse_extra_words` refuses them with advice
+    command.allow_extra_args = True  # `_refuse_extra_words` refuses extra words with advice
     command.params += [
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
         _output_flag("-v", "--verbose", help="Print every step with its seconds, and all notes."),

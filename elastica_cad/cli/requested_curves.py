@@ -243,7 +243,8 @@ def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]
     names = {}
     for curve in curves:
         alone = counts[_file_word(curve.name).casefold()] == 1
-        handle = curve.id and curve.name.endswith(f" {curve.id}")  # such as SPLINE 2F of a DXF file
+        # the name of an unnamed DXF shape, such as SPLINE 2F, ends with its handle
+        handle = curve.id and curve.name.endswith(f" {curve.id}")
         has_name = not handle and re.match(r"_|[^\W\d]", curve.name) is not None
         text = (curve.name if alone else f"{curve.name}-{curve.number}") if has_name else ""
         names[curve.number] = text, has_name and alone

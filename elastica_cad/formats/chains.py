@@ -23,23 +23,23 @@ from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, kno
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
-JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends; many files have three or four decimals
+JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends, because many files have only three decimals
 # largest gap reported as a possible joint: in mm, and as a fraction of the smaller curve
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
 # largest gap closed as a rounding error: in mm, and as a fraction of the smaller curve
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
-# a turn of more than 160 degrees means that two curves run side by side, so their ends are not meant to be
-# joined
+# ends are not joined where the direction turns by more than 160 degrees, because the curves run side by side
 _ALONGSIDE = np.cos(np.radians(160.0))
-# largest distance of the centre of a drawn hole from the straight piece, as a fraction of the diameter
+# largest distance of the centre of a drawn hole from a straight piece, as a fraction of the diameter
 HOLE_ASIDE = 0.1
 # points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13
 # least angle of a corner, degrees: in a curve through points, and in a polyline that no smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
-# ends whose directions differ by a smaller angle (1 degree) are tangent
+# ends whose directions differ by less than 1 degree are tangent
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
-_STRAIGHT_SIDE_TOLERANCES = 20.0  # a polyline side longer than this, in tolerances, is meant to be straight
+# least length, in tolerances, of a polyline side that is meant to be straight
+_STRAIGHT_SIDE_TOLERANCES = 20.0
 # largest error of an end point, in units of the coordinate rounding, with the error of rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
 _DENSE_KNOTS = 50  # a spline with more inner knots was interpolated through points
@@ -257,7 +257,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # two: the other end and the end itself
+    paired = np.bincount(i, minlength=len(ends)) == 2  # a joined end touches the other end and itself
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)

@@ -110,7 +110,7 @@ Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
 
 SCHEMES: dict[str, dict[str, LayerStyle]] = {
     "elastica": _STANDARD,
-    # as in boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
+    # colours of boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
     "boxes": {
         CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
         CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),

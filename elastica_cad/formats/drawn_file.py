@@ -26,7 +26,7 @@ from elastica_cad.refusals import Length, Listed, Point, note, sentences
 # a closed loop is the outline of a stroke only if its perimeter is at least this many stroke widths
 _LEAST_SLENDERNESS = 12.0
 _MOST_SAMPLES = 8000
-_SAMPLES_PER_WIDTH = 4  # samples per width of a stroke
+_SAMPLES_PER_WIDTH = 4  # number of samples along a stroke for each stroke width
 _SEARCH_WIDTHS = 3.0  # largest distance, in stroke widths, at which the opposite side of a stroke is sought
 _WIDTH_VARIATION = 0.05  # largest relative variation of the width along a stroke
 # largest length, in stroke widths, of the outline at the ends of a stroke, where it has no opposite side
@@ -357,7 +357,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # with no valid curve, reading curve 1 raises its error
+            )  # if no curve is valid, curve 1 raises its error
 
 
 class CurveList(list[PlaneCurve]):

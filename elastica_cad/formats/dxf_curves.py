@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # deeper nesting of blocks is an error or an attack
+DEEPEST_BLOCK = 20  # largest depth of nested blocks; deeper nesting is an error or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
@@ -48,7 +48,7 @@ _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
 _MOST_NUMBERS = 20_000  # largest number of coordinates whose decimals are counted
-_MOST_COUNTED = 10**9  # inserted entities are counted up to this number
+_MOST_COUNTED = 10**9  # largest number of inserted entities that are counted
 
 
 def _dxf_rounding(path: Path) -> float:
@@ -61,7 +61,7 @@ def _dxf_rounding(path: Path) -> float:
         return 0.0
     sections = list(_SECTION.finditer(data))
     numbers: list[str] = []
-    for section in reversed(sections):  # the section ENTITIES before the section BLOCKS
+    for section in reversed(sections):  # read the section ENTITIES before the section BLOCKS
         begin, end = section.end(), data.find(b"ENDSEC", section.end())
         for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
             numbers.append(match[1].decode("ascii"))

@@ -123,8 +123,7 @@ def _through_ezdxf(
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
             if len(entities) > 1:
-                # `document.groups.new` would compare each name with all others: minutes for thousands of
-                # holes
+                # `document.groups.new` is slow, because it compares each name with all others
                 group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
                 groups.add(f"LOOP_{len(groups) + 1}", group)
                 group.set_data(entities)

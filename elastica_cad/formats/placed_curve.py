@@ -80,10 +80,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
 
 JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
 TANGENT = 1e-3  # largest turn, rad, at a joint that counts as smooth
-LEAST_TURN = 1e-6  # a curve with a smaller total turn, rad, has no side to which its plane could face
+LEAST_TURN = 1e-6  # least total turn, rad, of a curve that determines the side of its plane
 # ends closer than this, as a fraction of the extent of all edges, are probably intended to meet
 INTENDED_GAP_FRACTION = 0.05
-JOINED_MM = 0.5  # a larger tolerance is suggested for gaps up to this, mm
+JOINED_MM = 0.5  # largest gap, mm, for which a larger tolerance is suggested
 AS_DRAWN = np.eye(3)
 
 

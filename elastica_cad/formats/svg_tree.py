@@ -244,7 +244,7 @@ PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for uni
 """Sizes, mm, of the units of length other than the pixel."""
 
 _MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
-_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # default font size
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # em and rem are the default font size
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
@@ -457,7 +457,7 @@ _TOKEN = re.compile(
 chose may look the same."""
 
 _GZIP_MARK = b"\x1f\x8b"  # first bytes of gzip
-_HEAD = 4096  # bytes that are read at a time to find the first element
+_HEAD = 4096  # number of bytes that are read at a time to find the first element
 # largest length of an XML entity, characters; the parser expat limits their total length
 _LONGEST_ENTITY = 1000
 _DEEPEST = 200  # largest depth of nested elements
@@ -624,7 +624,7 @@ def _read_head(file: BinaryIO) -> str:
             texts.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
-    # if the file is not XML, the parser of the whole file reports it
+    # the parser of the whole file reports a file that is not XML
     with suppress(ExpatError, LookupError):
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)

@@ -115,7 +115,7 @@ def write_atomically(
                 os.replace(temporary, target)
             except BaseException:
                 file.close()  # Windows cannot remove an open file
-                with suppress(OSError):  # it cannot be removed from a disk that became read-only
+                with suppress(OSError):  # a file cannot be removed from a read-only disk
                     temporary.unlink()
                 raise
     except OSError as error:
@@ -264,7 +264,7 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
-            with suppress(OSError):  # it may be in use, or be removed by another process
+            with suppress(OSError):  # another process may use or remove the folder
                 _remove_stale(old)
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()
@@ -284,7 +284,7 @@ def _remove(home: Path) -> None:
     Its lock file is removed last, so that a later run recognizes the folder after an interruption.
     """
     shutil.rmtree(home / _FILES, ignore_errors=True)
-    with suppress(OSError):  # on Windows, a program may display the folder
+    with suppress(OSError):  # on Windows, a folder that a program displays cannot be removed
         (home / _LOCK).unlink(missing_ok=True)
         home.rmdir()
 

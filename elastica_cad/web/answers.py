@@ -219,7 +219,7 @@ def _check_record(spec: StripSpec, scaled: Record) -> Record:
     curve = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
     record: Record = {"path": path, "kept": scaled}
-    with suppress(InputError):  # the refusal of the strip reports the element
+    with suppress(InputError):  # the error message of the strip reports the element
         check = spec.rod_spec.check
         record |= {"theorem": _theorem(check), "text": str(check)}
     return record

@@ -102,7 +102,7 @@ async def _nobody(_: bytes, __: bytes) -> None:
 async def _start_worker(saved: Path | None) -> asyncio.subprocess.Process:
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
-    # in a separate session, because Ctrl-C must reach only the server, which ends the workers
+    # start workers in a separate session, because Ctrl-C must reach only the server, which ends the workers
     return await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, start_new_session=True)
 
 

@@ -53,10 +53,10 @@ class Command:
         resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
-            resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
+            resources["CmdType"] = "ForEdit"  # during editing, FreeCAD disables commands of other types
         if self.shortcut:
             resources["Accel"] = self.shortcut
-        # not checked at first
+        # the command is not checked at first
         return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:

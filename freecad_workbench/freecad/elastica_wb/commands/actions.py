@@ -139,7 +139,7 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # the next flat part is placed beside this flat part
+    record_recompute(strip.Document)  # recompute, so that the next flat part is placed beside this part
 
 
 def make_flat_parts() -> None:
@@ -218,7 +218,7 @@ def make_nest() -> None:
         close_step(document, abort=True)
         raise
     close_step(document)
-    # the step stays, because the parts may fit on larger sheets
+    # keep the undo step, because the parts may fit on larger sheets
     if "Invalid" in feature.State:
         show_message(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:

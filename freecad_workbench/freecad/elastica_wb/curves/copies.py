@@ -75,7 +75,7 @@ def repeated(obj: Any) -> list[Any]:
     """Return the features that a pattern of a body repeats, or [] for other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
-    # without originals, FreeCAD 1.x repeats the preceding feature
+    # a pattern without originals repeats the preceding feature in FreeCAD 1.x
     return list(obj.Originals or filter(None, [obj.BaseFeature]))
 
 

@@ -167,7 +167,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        # `segment` also makes a periodic spline open
+        # the method `segment` also converts a periodic spline to an open spline
         spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):

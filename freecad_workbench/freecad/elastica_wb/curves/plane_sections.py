@@ -39,7 +39,7 @@ CLOSED = ("left out", "left and right", "above and below")
 
 # number of points along a wire of a section; each edge has at least a quarter of this number
 SECTION_POINTS = 240
-# number of points along a path; planes are then perpendicular to it within a fraction of a degree
+# number of points along a path, so that planes are perpendicular within a fraction of a degree
 PATH_POINTS = 400
 # largest gap, mm, that is closed; OpenCASCADE's sections have gaps of up to 1e-5 mm
 JOIN_MM = 1e-4
@@ -151,7 +151,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        # `BoundBox` contains the poles of splines, so it is too large
+        # `BoundBox` is too large, because it contains the poles of splines
         return _shape(source).optimalBoundingBox(False)
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:

@@ -123,7 +123,7 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
     If a link displays the element, the link is returned, because the original has another position.
     """
     along = root.getSubObjectList(path)
-    # names such as ;#14:1; change with every edit
+    # skip names such as ;#14:1; that change with every edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, obj in enumerate(along):
         if obj.TypeId.startswith(LINK):
@@ -209,9 +209,9 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
     Construction geometry stays.
     """
-    # in a single call, because each deletion renumbers the geometry
+    # delete in a single call, because each deletion renumbers the geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # types of the old spline's poles and knots
+    # types of geometry that shows the poles and knots of the old spline
     points = ("Part::GeomCircle", "Part::GeomPoint")
     remaining = [
         i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)
@@ -234,7 +234,7 @@ def move_poles(sketch: Any, curve: PlaneCurve) -> None:
     circles = [geometry[i] for i in aligned if isinstance(geometry[i], Part.Circle)]
     for k, (x, y) in enumerate(curve.control_points.tolist(), start=1):
         before, pole = geometry[number].getPole(k), App.Vector(x, y, 0)
-        if circles:  # the nearest circle, because FreeCAD 0.20 does not number circles
+        if circles:  # use the nearest circle, because FreeCAD 0.20 does not number circles
             circles.sort(key=lambda circle, place=before: circle.Center.distanceToPoint(place), reverse=True)
             circles.pop().Center = pole
         geometry[number].setPole(k, pole)

@@ -159,7 +159,7 @@ def flexure_of(obj: Any) -> Flexure:
 @remembered
 def _flexure(spec: FlexureSpec) -> Flexure:
     part = spec.make()
-    _ = part.warnings, part.force_text  # slow, so computed in the background
+    _ = part.warnings, part.force_text  # compute slow results in the background
     return part
 
 

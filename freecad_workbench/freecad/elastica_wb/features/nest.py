@@ -20,7 +20,7 @@ from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.refusals import note, sentences
 
 SPACE_MM = 50.0  # distance, mm, of a nest from the objects behind it
-SHEET_GAP_MM = 30.0  # mm between sheets
+SHEET_GAP_MM = 30.0  # distance, mm, between sheets
 
 
 class NestFeature(Feature):

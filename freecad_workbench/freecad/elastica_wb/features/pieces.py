@@ -143,7 +143,7 @@ def _later_labels(obj: Any) -> Iterator[str]:
                 continue
             visited.add(user)
             todo.append(user)
-            # the next strip of a body depends on the previous one, but does not change it
+            # a strip in a body depends on the previous strip, but does not change that strip
             if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
                 yield user.Label
 

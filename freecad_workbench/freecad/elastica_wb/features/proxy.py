@@ -69,7 +69,7 @@ REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 """Properties with the objects on which a feature depends."""
 
-# colour components that differ by less are equal, because FreeCAD rounds them to 256 steps
+# colour components that differ by less count as equal, because FreeCAD rounds colours
 SAME_COLOR = 1e-2
 MOST_NAMES = 6  # largest number of names in a line of the report view
 
@@ -133,7 +133,7 @@ class Feature(Unsaved):
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)
-        # after an invalid formula, the sheet was restored, and `chosen` is None
+        # `chosen` is None if the sheet was restored after an invalid formula
         if numbers_name in obj.PropertiesList and self.chosen is not None:
             with suppress(InputError):  # the next recompute reports the error
                 sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
@@ -161,7 +161,7 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    # the old thickness was the old sheet's nominal thickness, so it follows the sheet
+                    # replace the nominal thickness of the old sheet, but not a measured thickness
                     put(obj, Thickness=new.thickness)
 
     def _store_sheets(self, obj: Any) -> None:

@@ -73,7 +73,7 @@ class StripFeature(Feature):
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
-            obj.Anyway = obj.StrainUse >= 100  # earlier versions did not refuse such a strip
+            obj.Anyway = obj.StrainUse >= 100  # earlier versions accepted a strip beyond its strain limit
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Reset PlacesLength after a change of ties or loads, whose positions now refer to the current curve."""
@@ -145,7 +145,7 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
-    # FreeCAD forbids equal labels, so only a label that the user chose is used
+    # FreeCAD forbids equal labels, so the label of the sketch is used only if the user chose it
     if is_sketch(sketch) and sketch.Label != sketch.Name:
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
@@ -296,7 +296,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
     }
     if not touched & changed:
         return False
-    if "Invalid" in obj.State:  # an undo restores the earlier results, but not the state
+    if "Invalid" in obj.State:  # an undo restores the earlier results, but not the state of the feature
         return True
     try:
         drawn = drawn_curve(obj.Curve, obj)

@@ -112,7 +112,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # False in files of earlier versions, so that their widths do not change
+        # a missing option is False, so that files of earlier versions keep their widths
     ),
     Property(
         "Length",

@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import titled_sheets
 from freecad.elastica_wb.host.words import worded
 
-LARGEST = 1e9  # limit of numbers without a declared limit
+LARGEST = 1e9  # limit of a number box without a declared limit
 WHOLE = 1_000_000
 SHEET_LETTERS = 14  # visible letters of a sheet's name in a narrow panel
 NARROWEST_PX = 105  # least width, pixels, of a box for a length with its unit
@@ -74,7 +74,8 @@ def put_choices(box: Any, choices: list[str]) -> None:
 def put_sheets(box: Any, names: list[str]) -> None:
     """Fill a combo box with sheets, grouped under titles that cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
-    box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
+    # the box must fit into a narrow panel
+    box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(SHEET_LETTERS)
     box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
     for i in range(box.count()):
@@ -247,7 +248,7 @@ class _InputFilter(QtCore.QObject):
 
 def _settle(box: Any) -> None:
     """Send the signal of a changed box. The box sends no signal if its rounded value is the same."""
-    with suppress(RuntimeError):  # the panel may be closed
+    with suppress(RuntimeError):  # the panel may already be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)
         box.setProperty(SHOWN, displayed)

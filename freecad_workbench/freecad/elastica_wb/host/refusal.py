@@ -42,7 +42,7 @@ class _ErrorName(type):
     who = ""
 
     def __str__(cls) -> str:
-        return f" Elastica, {cls.who}"  # FreeCAD prints this name after the caller of the recompute
+        return f" Elastica, {cls.who}"  # FreeCAD prints the class name after the caller of the recompute
 
 
 class RefusalError(ValueError, metaclass=_ErrorName):
@@ -65,7 +65,7 @@ class _Silence:
     """Stops the printing of errors from `begin` until the next recompute of an object or a document."""
 
     def __init__(self) -> None:
-        # observers that print errors; None before they are needed
+        # observers that print errors, or None before their first use
         self._observers: list[str] | None = None
 
     def begin(self) -> None:
@@ -91,7 +91,7 @@ _silence = _Silence()
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
     """Return a function that raises the error that `work` returns, without a Python frame in the traceback."""
-    # a call with obj evaluates obj | worker | thrower
+    # the returned function evaluates `obj | worker | thrower`
     return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 

@@ -48,7 +48,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # the initial tangents are those of a strip with ends that rotate freely
+        # the initial tangents belong to a strip with freely rotating ends
         if self.angles is None and self.found is not None:
             angles = self.found.rod.angle
             self.angles = [float(angles[0]), float(angles[-1])]
@@ -115,7 +115,7 @@ class BetweenClamps:
             self.found = None
             self.card.show_message(str(error), good=False)
         points = np.zeros((0, 2)) if self.found is None else self.found.rod.position
-        order = [2, 0, 1, 3]  # the line through the handles: a tangent, both ends, the other tangent
+        order = [2, 0, 1, 3]  # order of the handles on the line: a tangent, both ends, the other tangent
         self.preview.show(np.zeros((0, 2)), points, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
@@ -125,7 +125,7 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # solving moves points, so it belongs to this undo step
+        record_call(self.sketch, "solve")  # solve in the same undo step, because solving moves points
         close_step(document)
 
     def _places(self) -> FloatArray:
@@ -170,7 +170,7 @@ def _chosen_number(sketch: Any) -> int | None:
 
 def _is_closed(curve: Any) -> bool:
     if not hasattr(curve, "FirstParameter"):
-        return True  # the geometry is a point
+        return True  # a point counts as closed
     ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
     return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
 
@@ -200,7 +200,7 @@ def stop() -> None:
 
 
 WIDE_PX = 300
-PAUSE_MS = 150  # time, ms, after the last key, before the length is used
+PAUSE_MS = 150  # delay, ms, between the last key and the use of the length
 
 
 class LengthCard(QtCore.QObject):

@@ -24,9 +24,9 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-TEETH = 161  # teeth of the curvature comb; its rim then looks smooth on a screen
+TEETH = 161  # number of teeth of the curvature comb, so that its rim looks smooth
 COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the size of the curve
-# lines of inflections and thrust are longer than the curve by this fraction of its size
+# excess length of lines of inflections and thrust, as a fraction of the size of the curve
 LINE_MARGIN = 0.15
 # tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length
 ON_LINE = 1e-4
@@ -94,7 +94,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    # the drawn curve, or the curve after smoothing
+    # after smoothing, show the smoothed curve
     drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)

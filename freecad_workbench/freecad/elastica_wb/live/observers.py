@@ -19,7 +19,7 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-PAUSE_MS = 300  # time, ms, after the last recompute, undo or redo, before slow results are computed
+PAUSE_MS = 300  # delay, ms, of slow results after the last recompute, undo or redo
 SOUGHT_MS = 50  # interval, ms, between checks whether another thread has ended
 
 
@@ -270,7 +270,7 @@ class Changes:
         They may lack their sources, and FreeCAD 0.20 does not recompute them.
         """
         pasted = [obj for obj in self._pasted if lives(obj)]
-        # timers run during an import
+        # timers also run during an import
         if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return

@@ -262,7 +262,7 @@ class _Mouse(QtCore.QObject):
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)
-        # otherwise, PySide would reuse the wrapper for the next view
+        # release the view, because PySide would reuse its wrapper for the next view
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:

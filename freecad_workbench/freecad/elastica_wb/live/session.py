@@ -60,17 +60,18 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # time, ms, without a mouse move, before slower results are computed
+REST_MS = 40  # delay, ms, of slower results after the last mouse move
 NO_POLES = np.zeros((0, 2))
-SEEN = 24  # the card tries not to hide this number of points of a curve
+SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
 LEAST_STEP = (
     1e-3  # smallest move of a pole back to a possible curve, as a fraction of the length of the curve
 )
+# largest number of moves towards the dragged poles, and of bisection steps in a move
 MOVES, HALVINGS = (
     3,
     12,
-)  # largest number of moves of a dragged pole back to a possible curve, and of trials of a move
+)
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -141,13 +142,13 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # also if the user stopped the search
+        except FAILURES as error:  # the user may also have stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # solving moves points, so it belongs to this undo step
+        record_call(self.sketch, "solve")  # solve in the same undo step, because solving moves points
         close_step(document)
         self.refresh()
 
@@ -183,9 +184,8 @@ class Session:
             return False
         start = poles = last.curve.control_points
         geometry = drawn_in(self.sketch, None)
-        is_spline = len(geometry) == 1 and hasattr(
-            geometry[0], "getPoles"
-        )  # curves other than a single spline return to their start
+        # curves other than a single spline return to their initial position
+        is_spline = len(geometry) == 1 and hasattr(geometry[0], "getPoles")
         for _ in range(MOVES if is_spline else 0):
             step = LEAST_STEP * curve.length
             nearer = move_while_possible(poles, curve.control_points, possible, step, HALVINGS)

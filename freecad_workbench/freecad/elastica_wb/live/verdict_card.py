@@ -25,7 +25,7 @@ WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
 # largest width of the card as a fraction of the view, so that the curve is visible beside it
 WIDTH_FRACTION = 0.45
 SMALL = 0.15  # a card that hides points and covers more than this fraction of the view is folded
-LOOKED_MS = 100  # time, ms, after the last move of the camera, before the card is placed again
+LOOKED_MS = 100  # delay, ms, after the last camera move, before the card is placed again
 FOLDED = "CardFolded"
 
 
@@ -68,7 +68,7 @@ class VerdictCard(QtCore.QObject):
             part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
-        # True if a small view folded the card, and if the user unfolded the card
+        # two flags: a small view folded the card, and the user unfolded the card
         self._shrunk = self._stays_open = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
@@ -107,7 +107,7 @@ class VerdictCard(QtCore.QObject):
         """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # comes first, because this call raises an error if the view was closed
+            self._place()  # place the card first, because this call raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
@@ -119,7 +119,7 @@ class VerdictCard(QtCore.QObject):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
-        # otherwise, PySide would reuse the wrapper for the next view
+        # release the view, because PySide would reuse its wrapper for the next view
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:

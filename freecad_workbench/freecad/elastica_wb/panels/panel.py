@@ -23,7 +23,7 @@ from freecad.elastica_wb.undo_steps import active_step, close_step, forget_step,
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
-PAUSE_MS = 60  # time, ms, after the last key, before the panel computes its results
+PAUSE_MS = 60  # delay, ms, between the last key and the computation of the results
 
 
 class Panel:
@@ -53,7 +53,7 @@ class Panel:
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # earlier changes without a step, for example by the console, must not become part of this step
+        # earlier changes without an undo step, such as in the console, must not become part of this step
         if self.step and not (document.HasPendingTransaction and active_step(document)):
             open_step(document, self.step)
 

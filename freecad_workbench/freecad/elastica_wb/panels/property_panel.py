@@ -46,7 +46,7 @@ from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
 
-IDLE_MS = 400  # time, ms, after the last change, before the search for suggestions begins
+IDLE_MS = 400  # delay, ms, between the last change and the search for suggestions
 PEEK_MS = 60  # interval, ms, between checks whether the search has ended
 STYLES = {
     severity: f' style="color: {hex_color(COLORS[verdict])};"'
@@ -57,7 +57,7 @@ STYLES = {
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
 NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
-BUTTON_LETTERS = 32  # letters in a line of a button, so that the panel stays narrow
+BUTTON_LETTERS = 32  # largest number of letters in a line of a button
 MOST_SUGGESTED = 5  # largest number of buttons with suggestions
 
 
@@ -186,7 +186,7 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        # at the bottom, where slow results do not move the widgets
+        # show slow results at the bottom, where they do not move the widgets
         form.footnote = QtWidgets.QLabel()
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
@@ -248,7 +248,7 @@ class PropertyPanel(Panel):
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # the formula's value is newer than the widget's
+            # the value of the formula is newer than the value of the widget
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
@@ -439,7 +439,7 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if on:
             Gui.Selection.clearSelection()
-            # 0 requests full paths, which contain the links that display a part
+            # the argument 0 requests full paths, because a link may display the part
             Gui.Selection.addObserver(self, 0)
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:

@@ -63,7 +63,7 @@ class SheetsPanel(Panel):
         """Return the sheet that the widgets define."""
         # widgets round numbers, so only changed numbers are read
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # a typed number removes the range
+        # a number that the user typed has no range of values
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
         # an empty field, 0, means that the modulus is estimated

@@ -57,7 +57,7 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
     def result_or_error(*arguments: Any) -> Result:
         result = outcome(*arguments)
         if isinstance(result, ElasticaError):
-            raise result.with_traceback(None)  # without the traceback of earlier calls
+            raise result.with_traceback(None)  # remove the traceback of earlier calls
         return result
 
     return result_or_error
@@ -74,7 +74,7 @@ def sharpest_bend(
     s, t = samples.s, samples.t
     most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
     fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    # strip and curve have the same length, so their positions are equal
+    # strip and curve have the same length, so positions along both are equal
     places = np.append(np.interp(fine, t, s), s[-1])
     bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
     best = int(np.argmax(bend))
@@ -85,7 +85,7 @@ MANY_HOLES = 100
 HEADROOM = 1.003  # divisor of the curvature limit of a rod, because the spline through the rod curves more
 # largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
-AS_DRAWN_MM = 0.05  # largest distance, mm, of a curve within limits from its nearest curve
+AS_DRAWN_MM = 0.05  # a curve is within its limits if the nearest curve is closer than this, mm
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -204,7 +204,7 @@ def _is_within_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # slow, so it comes last
+        again = find_rod(spec)  # the search is slow, so it comes last
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
