@@ -271,7 +271,7 @@ class _TravelJoint:
 
     @property
     def _frame(self) -> Frame:
-        """Current plane of the strip. It moves when the body is joined to others."""
+        """Current plane of the strip. The plane moves with the body when the body is joined to others."""
         return self.parent.frame if isinstance(self.parent, _StripShape) else self.travel.frame
 
 
@@ -489,8 +489,8 @@ class BentStrip(_StripPart):
 class EndFixture(_StripShape, bd.BasePartObject):
     """Part object: the block that holds an end of the bent strip, positioned for the `BentStrip` of the same path.
 
-    Its rigid joint "tab" is at the end of the free part, with x out of the strip. Connect it to the joint of
-    this end.
+    Its rigid joint "tab" is at the end of the free part, with x out of the strip. Connect "tab" to the strip's
+    joint of the same end.
 
     Parameters
     ----------

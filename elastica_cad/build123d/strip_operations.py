@@ -79,7 +79,7 @@ def elastic_strip(
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
 ) -> Any:
-    """Operation: make the strip of a curve, by default that of the builder's pending edges.
+    """Operation: make the strip of a curve, by default the curve of the builder's pending edges.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def section_strips(
     half: bool = False,
     **options: Unpack[StripOptions],
 ) -> "bd.ShapeList[BentStrip]":
-    """Return the strips along the section lines of a face or body by planes.
+    """Cut a face or body by planes, and return the strips along the section lines.
 
     Parameters
     ----------

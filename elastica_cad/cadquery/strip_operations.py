@@ -104,7 +104,7 @@ def section_strips(
     half: bool = False,
     **options: Unpack[StripOptions],
 ) -> "list[StripSolid | StripCompound]":
-    """Return the strips along the section lines of a face or body by planes.
+    """Cut a face or body by planes, and return the strips along the section lines.
 
     Parameters
     ----------

@@ -219,7 +219,7 @@ class Slider:
     end : point, or (2,) array_like
         Final position of the end: a point in space, or two numbers in the rib's `frame`, mm.
     angle : float
-        Final direction of the end in this frame, degrees, instead of `end`. It is accumulated along the
+        Final direction of the end in the rib's `frame`, degrees, instead of `end`. It is accumulated along the
         strip, so it may exceed a full turn. Positions on the path are then in degrees.
 
     Attributes
@@ -335,7 +335,7 @@ class Sheets(cq.Compound):
         return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 
     def fuse(self, *toFuse: cq.Shape, **options: Any) -> cq.Compound:
-        """Fuse, as `Compound.fuse` does."""
+        """Fuse the sheets with other shapes or, without other shapes, with each other."""
         fuse = cq.Shape.fuse if toFuse else cq.Compound.fuse
         return fuse(self, *toFuse, **options)
 

@@ -100,7 +100,7 @@ def check(
 
     A strip can take a curve if a straight line meets the curve exactly in its inflections and is not tangent to it
     there. Rails, pins and ties (--rail 200) make more curves possible. Every curve is checked separately. Exit code
-    1 if no strip can take a curve, or if its points do not decide it; 2 if a curve is not open and smooth.
+    1 if no strip can take a curve, or if its points leave this undecided; 2 if a curve is not open and smooth.
     """
     requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
@@ -151,7 +151,7 @@ def check(
 
 @dataclass(frozen=True)
 class _Request:
-    """Options for every curve that is checked. `smooth` is how far smoothing may move the curve, mm."""
+    """Options for every curve that is checked. `smooth` is the largest movement of a curve by smoothing, mm."""
 
     supports: Supports
     natural_curvature: NaturalCurvature

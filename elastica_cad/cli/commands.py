@@ -164,7 +164,7 @@ def _spelled(path: str) -> str:
 
 
 NEAR_OPTION = 0.8
-"""Similarity of an unknown option to an option that is suggested instead of a key for `--set`."""
+"""Least similarity of an unknown option to a known option that is suggested instead of a key for `--set`."""
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 """Options of `elastica` that may also follow the name of a command, and their numbers of values."""

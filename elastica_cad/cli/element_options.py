@@ -25,11 +25,11 @@ RECORDS: dict[str, tuple[type, str]] = {
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 CUTS = ("hole", "notch")
-"""Fields of pins and ties for cuts in the strip. Each has one option for all pins and ties."""
+"""Fields of pins and ties for cuts in the strip. Each field has one option for all pins and ties."""
 
 
 class Place(Length):
-    """Parameter type of a position on a strip: a length along its curve, or a point X,Y near it."""
+    """Parameter type of a position on a strip: a length along its curve, or a point X,Y near the strip."""
 
     name = "place"
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 from elastica_cad.strip.summary import accuracy_row, hold_row, size_row
 
 MOST_SHOWN = 6
-"""Largest number of notes printed without -v. The report contains all."""
+"""Largest number of notes printed without -v. The report contains all notes."""
 
 
 @click.command()

@@ -37,8 +37,8 @@ def new(kind: str, output: Path, force: bool) -> None:
     interlocking strips on a base; revolution: a closed surface of equal strips; sections: strips along the mesh
     bowl.obj.
 
-    It also writes elastica.schema.json, with which TOML editors complete and check keys; schema: this file alone,
-    for existing designs. Begin these with the line #:schema elastica.schema.json
+    It also writes elastica.schema.json, with which TOML editors complete and check keys. The kind schema writes
+    this file alone, for existing designs. Begin these designs with the line #:schema elastica.schema.json
     """
     text = json.dumps(design_schema(), indent=1) + "\n"
     schema = File(SCHEMA_FILE, lambda path: write_text(path, text))

@@ -38,7 +38,7 @@ FILE = click.Path(path_type=Path)
 
 @dataclass(frozen=True)
 class PairKeys:
-    """Options of `elastica pair` that describe its part."""
+    """Options of `elastica pair` that describe the part."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")

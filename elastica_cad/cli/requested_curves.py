@@ -109,6 +109,7 @@ class RequestedCurve:
     path : Path
         File with the curve.
     drawn : DrawnCurve
+        The curve, or a piece of a split curve.
     whole : DrawnCurve
         Curve before it was split at corners; `drawn` if it was not split.
     count : int

@@ -48,7 +48,7 @@ MOST_NAMES = 3
 """Largest number of cutting files that a row on several strips names."""
 
 SUGGESTED_DEVIATION = 3e-4
-"""Corrected widths are suggested above this deviation of the strip, as a fraction of its length."""
+"""Deviation of the strip, as a fraction of its length, above which corrected widths are suggested."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:

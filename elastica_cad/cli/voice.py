@@ -74,7 +74,7 @@ class Voice:
     def refuse(
         self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], list[dict[str, Any]]]
     ) -> None:
-        """Print the error, then suggested changes. Ctrl-C ends the search for them."""
+        """Print the error, then suggested changes. Ctrl-C ends the search for changes."""
         _clear_step()
         cures: list[dict[str, Any]] = []
         say_error(text, problem.details if self.verbose else ())
@@ -197,7 +197,7 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
 
 
 PATIENCE_S = 5.0
-"""Time, s, before the first report of progress, and between later ones."""
+"""Time, s, before the first report of progress, and between later reports."""
 
 
 @contextmanager
@@ -259,10 +259,10 @@ def _simplify(value: Any) -> Any:
 
 
 LOOK_S = 0.2
-"""Time, s, between two looks at the files."""
+"""Interval, s, between checks whether files have changed."""
 
 GONE_LOOKS = 5
-"""Number of looks for which a file may be missing, because programs replace files when they save."""
+"""Number of checks in which a file may be missing, because programs replace files when they save."""
 
 
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:

@@ -83,8 +83,8 @@ def join_runs(
 ) -> JoinedRuns:
     """Join runs of edges wherever exactly two ends are within `tolerance` mm of each other.
 
-    A chain has the direction of its first edge in the file. Ends are not joined where three or more meet,
-    because the path of the strip is ambiguous there, and not across layers. A named shape is not joined to
+    A chain has the direction of its first edge in the file. Ends on different layers are not joined. Where three
+    or more ends meet, none are joined, because the path of the strip is ambiguous. A named shape is not joined to
     other shapes. Of coinciding edges, the longer edge is used. Edges shorter than the tolerance are ignored.
     Finally, chains are joined across gaps of one unit of the last digit in the file.
 

@@ -70,7 +70,7 @@ def write_curves(
     Raises
     ------
     MissingDependencyError
-        DXF without ezdxf.
+        The file is a DXF, and ezdxf is not installed.
 
     Examples
     --------
@@ -137,9 +137,7 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
 
 
 def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
-    """Return the message on how far the copy of a curve in a file differs, and how much that changes the
-    widths.
-    """
+    """Return the message on the distance of a fitted curve from the drawn curve, and on the changed widths."""
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:

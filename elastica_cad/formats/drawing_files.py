@@ -30,7 +30,7 @@ _LETTERS = {2: "Q", 3: "C"}
 _DECIMALS, _EXACT_DECIMALS = 6, 12
 """Decimals of coordinates, mm: in a drawing for a machine, and in a curve that is read again.
 
-A curve needs more, because strip widths depend on the second differences of its coordinates."""
+A curve needs more decimals, because strip widths depend on the second differences of its coordinates."""
 
 
 def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
@@ -207,7 +207,7 @@ def write_drawing(
     Raises
     ------
     MissingDependencyError
-        DXF without ezdxf.
+        The file is a DXF, and ezdxf is not installed.
     """
     if not isinstance(drawing, Drawing):
         raise InputError(

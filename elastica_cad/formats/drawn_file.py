@@ -567,7 +567,7 @@ def _alternative_names(curve: DrawnCurve) -> set[str]:
 
 
 def list_things(counted: Mapping[str, int]) -> str:
-    """Return a list in words, such as "2 text, 1 image"; if there are many kinds, only the first.
+    """Return a list in words, such as "2 text, 1 image"; if there are many kinds, only the first kinds.
 
     Examples
     --------

@@ -212,7 +212,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
 
 
 def _decoded_name(name: str) -> str:
-    """Return a name with bytes that are not UTF-8 decoded as Windows-1252."""
+    """Return a name in which bytes that are not UTF-8 are decoded as Windows-1252."""
     return (
         name.encode("utf-8", "surrogateescape").decode("cp1252", "replace")
         if _UNDECODED.search(name)

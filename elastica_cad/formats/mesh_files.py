@@ -131,7 +131,7 @@ LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
-"""Function `read_surface(path, unit=..., scale=...)`."""
+"""Function that reads a surface: `read_surface(path, unit=..., scale=...)`."""
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:

@@ -199,7 +199,7 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
 
 
 def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the plane. Raise InputError for edges outside it."""
+    """Return the plane. Raise InputError for edges outside the plane."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):

@@ -313,7 +313,7 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
-    """Return the units named in the heading or, if it names none, in titles and remarks."""
+    """Return the units in the heading or, without units in the heading, in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
@@ -427,7 +427,7 @@ def _looks_like_number(cell: str) -> bool:
 
 
 def _in_mm(cell: str, scale: float) -> float:
-    """Return the length, mm, in a cell. Its unit is `scale` mm, except for feet and inches.
+    """Return the length, mm, in a cell. A number without feet and inches has the unit `scale` mm.
 
     Raises
     ------
@@ -486,7 +486,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     for several curves. The heading may also state the unit, as in "x (in)", "y [mm]", "x_mm" or "x in
     inches"; `unit` overrides it. A heading with a column "distance" or "station" starts a table of offsets.
     Every other column is then a curve over that column, named by its heading. Cells may be fractions (3 1/2),
-    feet and inches (3' 4 5/8"), or feet, inches and eighths (3-4-5). Without a unit, they are in inches.
+    feet and inches (3' 4 5/8"), or feet, inches and eighths (3-4-5). Without a unit, such cells are in inches.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     table = PointTable.read(file, unit=unit)

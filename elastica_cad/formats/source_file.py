@@ -231,7 +231,7 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """Return the tolerance, mm, of a file reader for joints and fits, after a check.
+    """Check and return the tolerance, mm, of a file reader for joints and fits.
 
     Parameters
     ----------
@@ -256,9 +256,9 @@ def _shortened(number: int) -> str:
 def half_last_place(numbers: Iterable[str]) -> float:
     """Return half a unit of the last written digit of coordinates: their largest rounding error.
 
-    Some programs write a fixed number of decimals without trailing zeros; then the number with the most
-    decimals determines the result. Others write a fixed number of significant digits; then the largest number
-    determines it, because its rounding is coarsest. Without numbers the result is 0.
+    If a program writes a fixed number of decimals, the number with the most decimals determines the result,
+    because trailing zeros may be missing. If a program writes a fixed number of significant digits, the largest
+    number determines the result, because its rounding is coarsest. Without numbers the result is 0.
 
     Examples
     --------

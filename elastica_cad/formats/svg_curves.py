@@ -43,8 +43,8 @@ def read_svg_drawing(
 
     The y axis points up, so y is minus SVG's y. Bezier curves and arcs are read exactly, with all transforms
     applied. A path of straight lines only is fitted. The size of a user unit follows from width, height and
-    viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point,
-    25.4/72 mm, in files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is
+    viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. In files of Adobe
+    Illustrator it is a point, 25.4/72 mm, and in files of Inkscape before 0.92 it is 25.4/90 mm. The origin is
     the origin of the user units. Text, images, definitions and hidden shapes are only counted.
     """
     tree = svg_tree(file)

@@ -136,7 +136,7 @@ def _applies_on_screen(queries: str) -> bool | None:
 
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
-    """Return the relevant declarations: name, value, and True for !important."""
+    """Return the relevant CSS declarations: name, value, and True for !important."""
     declarations = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")

@@ -63,7 +63,7 @@ from elastica_cad.words import Language
 Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
-"""Smallest tolerance, mm, in the search for the last position of a dragged point with a possible strip."""
+"""Smallest tolerance, mm, of the last position of a dragged point at which a strip is possible."""
 
 DIRECTIONS = 2
 """Largest number of directions in which one answer tries to move a blocked control point."""
@@ -72,10 +72,10 @@ HALVINGS = 2
 """Largest number of bisection steps of one answer in the search for a possible position."""
 
 PLACE_DIGITS = 6
-"""Decimals of a position along the curve, mm. With fewer, a rounded end could be beyond the curve."""
+"""Decimals of a position along the curve, mm. With fewer decimals, a rounded end could be beyond the curve."""
 
 DRAWN_NODES = 160
-"""Largest number of nodes of a strip that are sent. More could not be seen on a screen."""
+"""Largest number of nodes of a strip that are sent. More nodes could not be seen on a screen."""
 
 CHORD_MM = 0.05
 """Largest distance, mm, between the cut outline and the lines on the screen."""
@@ -118,6 +118,7 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
     Parameters
     ----------
     request : mapping
+        Request of the page.
     saved : Path, optional
         The design file of the studio.
     """
@@ -167,7 +168,7 @@ def _design(request: Mapping[str, Any]) -> Design:
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
-    """Return the request for strip number `k` of a design."""
+    """Return the `StripSpec` of strip number `k` of a design."""
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("The design has no strip. Add a strip.")
@@ -205,9 +206,7 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
 
 def _bare_curve(request: Mapping[str, Any]) -> Record:
-    """Return the drawn curve of a strip whose request cannot be read; nothing if the curve cannot be read
-    either.
-    """
+    """Return the drawn curve of a strip with invalid options. If the curve is invalid too, return {}."""
     with suppress(ElasticaError, LookupError, TypeError):
         strip = {"curve": request["design"]["strips"][request.get("strip", 0)]["curve"], "max_width": 10.0}
         return _drawn_points(requested_spec({"schema": 1, "sheet": "birch-plywood-0.8", "strips": [strip]}))

@@ -18,7 +18,7 @@ from elastica_cad.web.answers import CATALOGUES, Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
-"""Largest address space of a worker, bytes. A CAD kernel needs a third."""
+"""Largest address space of a worker, bytes. A CAD kernel needs a third of it."""
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:
@@ -55,6 +55,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     Parameters
     ----------
     line : bytes
+        The request as JSON.
     saved : Path, optional
         The design file of the studio.
     """

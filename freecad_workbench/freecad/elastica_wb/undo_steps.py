@@ -57,7 +57,7 @@ def undo_new_steps(before: dict[str, int]) -> None:
 
 
 def forget_step() -> None:
-    """Close the undo step of a closed document, unless FreeCAD did."""
+    """Close the undo step of a closed document, unless FreeCAD has closed it."""
     if not _has_steps_of_documents():
         App.closeActiveTransaction(True)
 

@@ -85,7 +85,7 @@ def check() -> None:
 
 
 def make_nearest() -> None:
-    """Make the curve nearest to the selected curve that a strip can take, and open its panel."""
+    """Find the strip curve that is nearest to the selected curve, and open its panel."""
     (source, edges), *further = chosen_curves()
     if further:
         raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(further))

@@ -206,7 +206,7 @@ def _may_show(obj: Any) -> bool:
 def chosen_strips(*, least: int = 1) -> list[Any]:
     """Return the selected strips, or the only strip of the document.
 
-    A selected flat part or copy stands for its strip.
+    For a selected flat part or copy, return its strip.
     """
     shapes = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
     strips = [original.Strip if is_flat(original) else original for original in shapes]

@@ -126,7 +126,7 @@ def _placement_of(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object displays, with placements relative to it, or None if it displays none."""
+    """Return the parts that an object displays, with placements relative to the object, or None without parts."""
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _placement_of(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
@@ -170,7 +170,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return the objects in a container and nested containers, with placements relative to the outer one."""
+    """Return the objects in a container and nested containers, with placements relative to the outer container."""
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         place = _placement_of(child)

@@ -54,7 +54,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """Return the plane with the axes that OpenCASCADE would choose. Areas are most accurate with them."""
+    """Return the plane with the axes that OpenCASCADE would choose. Areas are most accurate with these axes."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 

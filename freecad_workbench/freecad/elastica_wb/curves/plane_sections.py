@@ -56,6 +56,7 @@ class Family:
     kind : str
         One of `FAMILIES`.
     count : int
+        Number of planes.
     axis : str
         Normal of parallel planes, or line at which radial half planes end: X, Y or Z.
     through : (3,) sequence, optional

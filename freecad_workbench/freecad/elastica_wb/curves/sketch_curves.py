@@ -20,7 +20,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
-"""Largest number of poles that can be dragged. With more, the solver of FreeCAD 1.1 moves the curve."""
+"""Largest number of poles that can be dragged. With more poles, the solver of FreeCAD 1.1 moves the curve."""
 
 LINK = "App::Link"
 
@@ -112,7 +112,7 @@ def linked(obj: Any) -> Any:
 
 
 def link_target(obj: Any) -> Any:
-    """Return the target of a link, or None for a broken link or another object."""
+    """Return the target of a link, or None for a broken link and for objects that are not links."""
     target = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(target, tuple) else target
 

@@ -95,7 +95,7 @@ class BentFeature(Feature):
 
 
 class SectionFeature(Feature):
-    """Smooth curves along which planes cut bodies, surfaces and meshes. Strips can follow the edges."""
+    """Smooth curves along which planes cut bodies, surfaces and meshes. Strips can follow these curves."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Section", "Bodies, surfaces and meshes that are cut"),
@@ -178,7 +178,7 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
     """Return a rod with displaced (mm) and rotated (degrees) ends.
 
-    The keys of `change` are those of `MOVES`.
+    The keys of `change` are the names in `MOVES`.
     """
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])

@@ -141,7 +141,7 @@ def create(
 
 
 def spec_of(obj: Any) -> FlexureSpec:
-    """Return the request that the properties define."""
+    """Return the `FlexureSpec` that the properties define."""
     first, second = (drawn_curve(link, obj).curve for link in (obj.Curve, obj.SecondCurve))
     table: dict[str, Any] = {}
     for name, (path, field) in FIELDS.items():

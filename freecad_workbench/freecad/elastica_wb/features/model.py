@@ -39,7 +39,7 @@ _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictiona
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""Shape, placement of the container, and model that each proxy shows."""
+"""Shape, placement of the container, and model, for each proxy that displays a model."""
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
@@ -106,7 +106,7 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 
 
 def shown_model(obj: Any) -> Model:
-    """Return the model from which the current shape was made. If it is unknown, compute it."""
+    """Return the model from which the current shape was made. If the model is unknown, compute it."""
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
 

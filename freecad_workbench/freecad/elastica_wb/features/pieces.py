@@ -34,7 +34,7 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Properties of operations of the Part workbench that contain the objects which they change."""
+"""Properties that contain the changed objects, for operations of the Part workbench."""
 
 BODY = "PartDesign::Body"
 
@@ -51,7 +51,7 @@ class Cut:
 
 
 def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
-    """Return instructions for pieces that must be pre-bent, one for all pieces with the same pre-bend."""
+    """Return instructions for pieces that must be pre-bent. Pieces with equal pre-bends share an instruction."""
     return pre_bend_messages((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
 
@@ -92,7 +92,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 def cut_for(obj: Any) -> Any:
     """Return the object that is cut.
 
-    For a flat part, it is the model whose slots the part has, or the strip.
+    For a flat part, return the model whose slots the part has, or the strip.
     """
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 

@@ -238,7 +238,7 @@ def _recolor(obj: Any, before: str) -> None:
 def hide(obj: Any) -> None:
     """Hide a failed feature and its dependent features, because their shapes are outdated.
 
-    Valid features that the hidden ones had replaced become visible again.
+    Valid features that the hidden features had replaced become visible again.
     """
     failed = _with_users(obj)
     ours = [feature for feature in failed if is_ours(feature)]

@@ -185,7 +185,7 @@ def strip_of(obj: Any) -> Strip:
 
 
 def valid_request(obj: Any) -> StripSpec | None:
-    """Return the request, or None if it is not valid. A valid request may be impossible to make."""
+    """Return the `StripSpec`, or None if properties are not valid. The strip may still be impossible."""
     try:
         spec = spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
@@ -196,7 +196,7 @@ def valid_request(obj: Any) -> StripSpec | None:
 def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
     """Return suggested changes that need no search: a text, and new values of properties.
 
-    They apply what a message suggests, join edges that do not meet, or ignore a limit.
+    A change follows the advice of a message, joins edges that do not meet, or ignores a limit.
     """
     changes: list[Change] = []
     spec = None
@@ -228,7 +228,7 @@ def changeable(obj: Any) -> tuple[str, ...]:
 
 
 def values_of(obj: Any, change: Change) -> dict[str, Any]:
-    """Return new values of properties for a suggested change, or none if the strip has no such property."""
+    """Return new values of properties for a suggested change, or {} if the strip has no such property."""
     match change:
         case Change("max_width", width):
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
@@ -257,7 +257,7 @@ def _may_help(spec: StripSpec, change: Change) -> bool:
 
 
 def shown_strip(obj: Any) -> Strip:
-    """Return the strip from which the current shape was made. If it is unknown, compute it."""
+    """Return the strip from which the current shape was made. If the strip is unknown, compute it."""
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
@@ -289,7 +289,7 @@ def show_held(obj: Any) -> None:
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
-    """Return True if the shape was made from another request. `changed` has the names of changed objects."""
+    """Return True if the shape was made from other options. `changed` has the names of changed objects."""
     source = obj.Curve[0] if obj.Curve else None
     touched = {
         watched.Name for watched in (obj, *parents(obj), source, *parents(source)) if watched is not None

@@ -262,7 +262,7 @@ SHEET, BACKING = "sheet", "backing"
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """Return the request that the properties define. Properties without effect are ignored.
+    """Return the `StripSpec` that the properties define. Properties without effect are ignored.
 
     Raises
     ------
@@ -282,7 +282,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
-    """Return the request for the nearest rod within the limits, even if the strip follows the curve exactly."""
+    """Return the `RodSpec` for the nearest rod within limits, even if the strip follows the curve exactly."""
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
     table = _design_table(obj, drawn, limits, READ_ROD | READ_LIMITS)
     fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))

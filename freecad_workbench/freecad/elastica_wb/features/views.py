@@ -76,7 +76,7 @@ class ModelView(View):
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
-        """Make the strips visible that the model had hidden, except failed ones."""
+        """Make the strips visible that the model had hidden, except failed strips."""
         for strip in self.Object.Strips:
             if not any(is_model(user) for user in strip.InList if user is not self.Object):
                 strip.HiddenByError = "Invalid" in strip.State

@@ -86,7 +86,7 @@ def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:
-    """Add missing properties, replace those of another type, and set how the property editor shows them."""
+    """Add missing properties, replace properties of another type, and set their display in the property editor."""
     for entry in table:
         value = None
         if entry.name in obj.PropertiesList and obj.getTypeIdOfProperty(entry.name) != entry.type_id:

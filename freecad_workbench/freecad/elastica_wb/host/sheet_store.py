@@ -120,7 +120,7 @@ def _report_unknown(name: str, usual: str) -> None:
 
 
 def sheet_called(name: str, saved: str = "") -> Sheet:
-    """Return the sheet of that name or, if the library has none, the copy `saved` in the document (TOML)."""
+    """Return the sheet of that name. If the library has no such sheet, return the copy `saved` (TOML)."""
     user_sheets = own_sheets()
     if name in user_sheets:
         return user_sheets[name]

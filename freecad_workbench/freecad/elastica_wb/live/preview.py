@@ -220,7 +220,7 @@ def plane_node(placement: Any) -> Any:
 
 
 def marks_in_plane(name: str, placement: Any) -> Any:
-    """Return a Coin group for unlit marks in a plane. They cover all objects and ignore the mouse."""
+    """Return a Coin group for unlit marks in a plane. The marks cover all objects and ignore the mouse."""
     light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
     light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
     depth.test = False

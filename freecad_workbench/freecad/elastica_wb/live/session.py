@@ -158,7 +158,7 @@ class Session:
         self.refresh()
 
     def _stop_at_border(self) -> bool:
-        """Move a dragged curve back to where it was still possible. Return True if the sketch changed.
+        """Move a dragged curve back to its last possible shape. Return True if the sketch changed.
 
         The sketcher itself moves the poles until the mouse is released. The undo step of the drag is
         replaced.
@@ -358,7 +358,7 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """Return the request for the strip, which does not change during a drag."""
+        """Return the `StripSpec`, whose options do not change during a drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))

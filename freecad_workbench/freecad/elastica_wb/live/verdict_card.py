@@ -141,7 +141,7 @@ class VerdictCard(QtCore.QObject):
         self._place()
 
     def _place(self) -> None:
-        """Place the card. In a small view, it is folded if it would hide points."""
+        """Place the card. In a small view, the card is folded if it would hide points."""
         if self._over is None:  # FreeCAD may report a camera move while it closes the view
             return
         folded = preferences.get(FOLDED)

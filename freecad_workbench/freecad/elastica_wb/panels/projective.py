@@ -102,7 +102,7 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        """Return the request of the strip. Without a strip, make a request from the preferences."""
+        """Return the `StripSpec` of the strip or, without a strip, of the preferences."""
         if self._asks is None:
             specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
             self._asks = next(specs, default_spec(self.drawn))

@@ -363,7 +363,7 @@ class PropertyPanel(Panel):
         self._look.start()
 
     def _end_search(self) -> None:
-        """Show the found suggestions, unless the request has changed meanwhile."""
+        """Show the found suggestions, unless the properties have changed meanwhile."""
         if not self._search.done():
             self._look.start()
         elif self._searched is self._refused:

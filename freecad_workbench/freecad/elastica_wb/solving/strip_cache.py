@@ -41,7 +41,7 @@ Result = TypeVar("Result")
 
 
 def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Cache the results and errors of a function, for two states of each of a hundred strips.
+    """Cache the last 256 results or errors of a function, enough for two states of a hundred strips.
 
     Errors are cached too, because FreeCAD recomputes a failed object at each change of the document.
     """
@@ -90,12 +90,12 @@ SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
 def default_spec(curve: PlaneCurve) -> StripSpec:
-    """Return the request for a strip along a curve with the sheet and the width of the preferences."""
+    """Return the `StripSpec` for a strip along a curve with the sheet and the width of the preferences."""
     return StripSpec(curve, sheet_called(default_sheet()), max_width=preferences.get("MaxWidth"))
 
 
 def solve_strip(spec: StripSpec) -> Strip:
-    """Return the strip of a request."""
+    """Return the strip that a request describes."""
     spec = _shared_request(spec.in_plane)
     return in_background(SEARCHING, _strip, spec) if spec.may_change else _strip(spec)
 
@@ -111,7 +111,7 @@ def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggest
 
 
 def moved_by_smoothing(spec: StripSpec) -> float:
-    """Return how far, mm, smoothing moves the curve of a request."""
+    """Return the largest distance, mm, by which smoothing moves the curve of a request."""
     return _shared_request(spec.in_plane).rod_spec.smoothing.moved
 
 
@@ -229,7 +229,7 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @remembered
 def bent_shape(strip: Strip) -> Part.Shape:
-    """Return the body of the bent strip, with its curve in the xy plane. A laminate has both layers."""
+    """Return the body of the bent strip, with its curve in the xy plane. The body of a laminate has both layers."""
     # bodies with thousands of holes take seconds
     many = len(strip.holes) > MANY_HOLES
     layers = (

@@ -99,7 +99,7 @@ def is_bent_beforehand(strip: Strip) -> bool:
 
 
 def pre_bend_messages(named_strips: Iterable[tuple[str, Strip]]) -> list[str]:
-    """Return instructions for strips that must be pre-bent, one for all strips with the same pre-bend."""
+    """Return instructions for strips that must be pre-bent. Strips with equal pre-bends share an instruction."""
     return together((name, pre_bend_message(strip)) for name, strip in named_strips)
 
 
