@@ -57,7 +57,8 @@ Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable
 """Drawn curve, or a finished strip, which is not computed again."""
 
 
-COLOR = "_color"  # private attribute of build123d's shapes for their colour
+# private attribute of build123d's shapes for their colour
+COLOR = "_color"
 
 
 class _Pickled:

@@ -210,7 +210,8 @@ Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
 Work = TypeVar("Work", bound=cq.Workplane)
-CHAIN = 1e-4  # largest gap, mm, between pending edges that meet
+# largest gap, mm, between pending edges that meet
+CHAIN = 1e-4
 
 
 def register() -> None:

@@ -30,7 +30,8 @@ from elastica_cad.refusals import Length
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
-LEAST_FRACTION = 0.25  # default least size of a batten, as a fraction of the stock size
+# default least size of a batten, as a fraction of the stock size
+LEAST_FRACTION = 0.25
 MOST_STATIONS = 1000
 
 _STOCK = (

@@ -59,7 +59,8 @@ if TYPE_CHECKING:
 MOST_SHEETS = 3
 """Largest number of sheets that are listed without -v."""
 
-EVEN = 1.005  # largest ratio of widths that are reported as constant
+# largest ratio of widths that are reported as constant
+EVEN = 1.005
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
 

@@ -23,8 +23,10 @@ KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
 )  # fmt: skip
-BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height of the example mesh of `sections`, mm
-AROUND, UP = 48, 25  # numbers of points of the example mesh
+# least radius, bulge and height of the example mesh of `sections`, mm
+BOWL_MM = (60.0, 45.0, 140.0)
+# numbers of points of the example mesh
+AROUND, UP = 48, 25
 
 
 @click.command()

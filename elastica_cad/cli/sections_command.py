@@ -61,7 +61,7 @@ _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
     "--along": ("point", "axis", "zero"),
 }  # fmt: skip
-"""Options that a family of planes does not use."""
+"""Options without effect, by the option that defines the planes."""
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)

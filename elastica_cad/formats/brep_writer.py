@@ -31,8 +31,10 @@ from elastica_cad.strip.bent_boundary import (
 )
 from elastica_cad.strip.flat_pattern import on_segment
 
-EDGE_TOLERANCE_MM = 1e-7  # default tolerance, mm, of edges and faces in OpenCASCADE
-VERTEX_TOLERANCE_MM = 1e-6  # largest gap, mm, between consecutive edges
+# default tolerance, mm, of edges and faces in OpenCASCADE
+EDGE_TOLERANCE_MM = 1e-7
+# largest gap, mm, between consecutive edges
+VERTEX_TOLERANCE_MM = 1e-6
 
 # version 3 is the first that stores the (u, v) coordinates of the ends of edges
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"

@@ -23,7 +23,8 @@ from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, kno
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
-JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends, because many files have only three decimals
+# largest gap, mm, between joined ends, because many files have only three decimals
+JOIN_TOLERANCE = 0.01
 # largest gap reported as a possible joint: in mm, and as a fraction of the smaller curve
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
 # largest gap closed as a rounding error: in mm, and as a fraction of the smaller curve
@@ -42,17 +43,21 @@ _SMOOTH_COSINE = np.cos(np.radians(1.0))
 _STRAIGHT_SIDE_TOLERANCES = 20.0
 # largest error of an end point, in units of the coordinate rounding, with the error of rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
-_DENSE_KNOTS = 50  # a spline with more inner knots was interpolated through points
+# a spline with more inner knots was interpolated through points
+_DENSE_KNOTS = 50
 # points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
 _LEAST_ROUGHNESS = 0.2
-_REFINEMENTS = 10  # rounds of the search for the nearest point; each round quarters the interval
-_MOST_ENDS = 50  # largest number of ends, of all layers, at a place where ends are joined
+# rounds of the search for the nearest point; each round quarters the interval
+_REFINEMENTS = 10
+# largest number of ends, of all layers, at a place where ends are joined
+_MOST_ENDS = 50
 # largest number of neighbours that are compared with an end, as a multiple of `_MOST_ENDS`
 _CROWDED_CELLS = 4
 
 # each joined end, and the end that it touches, as (number of the run, 0 for start or 1 for end)
 _Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
-_Place: TypeAlias = tuple[int, float]  # position in a run: number of the edge, and parameter on it
+# position in a run: number of the edge, and parameter on it
+_Place: TypeAlias = tuple[int, float]
 
 
 @dataclass(frozen=True, eq=False)

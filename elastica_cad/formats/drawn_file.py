@@ -26,9 +26,12 @@ from elastica_cad.refusals import Length, Listed, Point, note, sentences
 # a closed loop is the outline of a stroke only if its perimeter is at least this many stroke widths
 _LEAST_SLENDERNESS = 12.0
 _MOST_SAMPLES = 8000
-_SAMPLES_PER_WIDTH = 4  # number of samples along a stroke for each stroke width
-_SEARCH_WIDTHS = 3.0  # largest distance, in stroke widths, at which the opposite side of a stroke is sought
-_WIDTH_VARIATION = 0.05  # largest relative variation of the width along a stroke
+# number of samples along a stroke for each stroke width
+_SAMPLES_PER_WIDTH = 4
+# largest distance, in stroke widths, at which the opposite side of a stroke is sought
+_SEARCH_WIDTHS = 3.0
+# largest relative variation of the width along a stroke
+_WIDTH_VARIATION = 0.05
 # largest length, in stroke widths, of the outline at the ends of a stroke, where it has no opposite side
 _MOST_END_WIDTHS = 6.0
 
@@ -409,8 +412,10 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     )
 
 
-_MOST_POINTS = 200  # largest number of points of the drawing that are compared with the curve
-_LEAST_SLOPE = 1e-3  # least slope of a plane that counts as inclined
+# largest number of points of the drawing that are compared with the curve
+_MOST_POINTS = 200
+# least slope of a plane that counts as inclined
+_LEAST_SLOPE = 1e-3
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
@@ -553,7 +558,8 @@ def _shape(source: Source) -> str:
     return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
 
 
-_SHOWN = 6  # largest number of curves and kinds that a message lists
+# largest number of curves and kinds that a message lists
+_SHOWN = 6
 
 
 def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:

@@ -33,22 +33,27 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # largest depth of nested blocks; deeper nesting is an error or an attack
+# largest depth of nested blocks; deeper nesting is an error or an attack
+DEEPEST_BLOCK = 20
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks: the identity
+# placement of entities outside of blocks: the identity
+MODEL_SPACE = np.eye(4)
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
-FLAT_HELIX = 1e-6  # a HELIX with a smaller ratio of height to radius is a flat spiral
+# a HELIX with a smaller ratio of height to radius is a flat spiral
+FLAT_HELIX = 1e-6
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-_MOST_NUMBERS = 20_000  # largest number of coordinates whose decimals are counted
-_MOST_COUNTED = 10**9  # largest number of inserted entities that are counted
+# largest number of coordinates whose decimals are counted
+_MOST_NUMBERS = 20_000
+# largest number of inserted entities that are counted
+_MOST_COUNTED = 10**9
 
 
 def _dxf_rounding(path: Path) -> float:

@@ -78,12 +78,16 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     return np.array([x_axis, y_axis])
 
 
-JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
-TANGENT = 1e-3  # largest turn, rad, at a joint that counts as smooth
-LEAST_TURN = 1e-6  # least total turn, rad, of a curve that determines the side of its plane
+# largest gap, mm, between ends of edges that meet
+JOIN = 1e-4
+# largest turn, rad, at a joint that counts as smooth
+TANGENT = 1e-3
+# least total turn, rad, of a curve that determines the side of its plane
+LEAST_TURN = 1e-6
 # ends closer than this, as a fraction of the extent of all edges, are probably intended to meet
 INTENDED_GAP_FRACTION = 0.05
-JOINED_MM = 0.5  # largest gap, mm, for which a larger tolerance is suggested
+# largest gap, mm, for which a larger tolerance is suggested
+JOINED_MM = 0.5
 AS_DRAWN = np.eye(3)
 
 

@@ -471,7 +471,8 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
 
 # points with a rounding error of at least this, mm, count as measured with a ruler
 RULER_MM = 0.25
-_DIGITS = 20_000  # largest number of numbers whose decimals are counted
+# largest number of numbers whose decimals are counted
+_DIGITS = 20_000
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:

@@ -25,15 +25,18 @@ _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _AFFINITY = "xmlns:serif"
 _ILLUSTRATOR = "Generator: Adobe Illustrator"
-_EXPORTED_CLASS = re.compile(r"cls-\d+")  # pattern for classes in files that Illustrator exports for screens
+# pattern for classes in files that Illustrator exports for screens
+_EXPORTED_CLASS = re.compile(r"cls-\d+")
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
 _TRANSPARENT = re.compile(
     r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
 )
 """Pattern for colours with opacity 0."""
 
-_LEAST_UNIT = 1e-9  # least size of a user unit, mm
-_LARGEST = 1e15  # larger numbers are refused, so that products of two numbers are finite
+# least size of a user unit, mm
+_LEAST_UNIT = 1e-9
+# larger numbers are refused, so that products of two numbers are finite
+_LARGEST = 1e15
 
 
 def read_svg_drawing(

@@ -17,7 +17,8 @@ from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, h
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_MOST_SEGMENTS = 20 * MOST_PIECES  # largest number of commands of a path with all its subpaths
+# largest number of commands of a path with all its subpaths
+_MOST_SEGMENTS = 20 * MOST_PIECES
 
 
 @dataclass(frozen=True, eq=False)

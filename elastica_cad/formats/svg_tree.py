@@ -32,7 +32,8 @@ _PROPERTIES = frozenset((
 ))  # fmt: skip
 """Properties that affect the visibility and position of curves."""
 
-_OF_PARENT = ("inherit", "unset")  # CSS values that take the value of the parent element
+# CSS values that take the value of the parent element
+_OF_PARENT = ("inherit", "unset")
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 _DYNAMIC = re.compile(r"::|:(hover|active|focus|visited|target|before|after)", re.IGNORECASE)
@@ -244,7 +245,8 @@ PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for uni
 """Sizes, mm, of the units of length other than the pixel."""
 
 _MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
-_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # em and rem are the default font size
+# em and rem are the default font size
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
@@ -456,14 +458,18 @@ _TOKEN = re.compile(
 """Ids that programs make: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of libraries. A label that a person
 chose may look the same."""
 
-_GZIP_MARK = b"\x1f\x8b"  # first bytes of gzip
-_HEAD = 4096  # number of bytes that are read at a time to find the first element
+# first bytes of gzip
+_GZIP_MARK = b"\x1f\x8b"
+# number of bytes that are read at a time to find the first element
+_HEAD = 4096
 # largest length of an XML entity, characters; the parser expat limits their total length
 _LONGEST_ENTITY = 1000
-_DEEPEST = 200  # largest depth of nested elements
+# largest depth of nested elements
+_DEEPEST = 200
 # largest number of elements including those of clones; groups and texts count too
 _MOST_ELEMENTS = 5 * MOST_SHAPES
-_MOST_TEXT = 64 * 2**20  # largest number of characters including those of clones
+# largest number of characters including those of clones
+_MOST_TEXT = 64 * 2**20
 MARK = "data-shape"
 """Attribute that numbers the shapes, so that copies in clones are recognized."""
 

@@ -345,7 +345,7 @@ def _about_its_own_files(workshop: Path) -> Iterator[None]:
 
 
 def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:
-    """Return the real path of the folder, and its nearest existing parent, after checks."""
+    """Check the folder, and return its real path and its nearest existing parent."""
     target = Path(os.path.realpath(os.fspath(folder)))
     # `exists` raises OSError for unreadable folders and invalid names
     if target.exists() and not target.is_dir():

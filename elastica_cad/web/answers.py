@@ -373,7 +373,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod and the line through them. The drawn curve may have others."""
+    """Return the inflections of a rod and the line through them. The drawn curve may have other inflections."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]

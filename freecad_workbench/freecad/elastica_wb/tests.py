@@ -13,8 +13,10 @@ from freecad.elastica_wb import make_strip
 
 ARCH = ((0, 0), (30, 60), (70, 80), (120, 60), (150, 0))
 SNAKE = ((0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0))
-SLACK = 1e-9  # largest error of a length, mm
-VOLUME = 1e-3  # relative error of volumes, because OpenCASCADE integrates splines inexactly
+# largest error of a length, mm
+SLACK = 1e-9
+# relative error of volumes, because OpenCASCADE integrates splines inexactly
+VOLUME = 1e-3
 
 
 class ElasticaTest(unittest.TestCase):

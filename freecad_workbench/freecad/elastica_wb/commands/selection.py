@@ -29,7 +29,8 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 from elastica_cad.errors import InputError
 
 LINE = "Part::GeomLine"
-OPEN = ("Edge", "Wire", "Compound")  # types of shapes that may be curves
+# types of shapes that may be curves
+OPEN = ("Edge", "Wire", "Compound")
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:

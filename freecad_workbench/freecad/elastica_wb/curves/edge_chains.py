@@ -11,10 +11,14 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.sketch_curves import edge_called
 
-MEET_MM = 1e-4  # largest gap, mm, between connected edges
-MEANT_MM = 0.5  # ends of curves in a sketch that are closer than this, mm, are probably meant to meet
-SMOOTH_RAD = radians(5.0)  # a turn larger than this, rad, is a corner
-DRAWN_MM = 1e-5  # largest distance, mm, between an edge and the drawn geometry
+# largest gap, mm, between connected edges
+MEET_MM = 1e-4
+# ends of curves in a sketch that are closer than this, mm, are probably meant to meet
+MEANT_MM = 0.5
+# a turn larger than this, rad, is a corner
+SMOOTH_RAD = radians(5.0)
+# largest distance, mm, between an edge and the drawn geometry
+DRAWN_MM = 1e-5
 
 Edges = Sequence[tuple[str, Any]]
 End = tuple[App.Vector, App.Vector]

@@ -27,7 +27,8 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
-OFFSET_TOLERANCE_MM = 1e-6  # tolerance, mm, for curves that are not NURBS
+# tolerance, mm, for curves that are not NURBS
+OFFSET_TOLERANCE_MM = 1e-6
 # boxes larger than this, mm, count as infinite: datum planes and axes have boxes of 1e100 mm
 ENDLESS_MM = 1e99
 

@@ -268,7 +268,8 @@ def _has_user_constraint(sketch: Any, number: int) -> bool:
 
 # short side of the box around a nearly straight curve, as a fraction of its long side
 LEAST_SIDE = 0.2
-AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # constraints that FreeCAD adds itself
+# constraints that FreeCAD adds itself
+AUTOMATIC = ("InternalAlignment", "Weight", "Equal")
 
 
 def box_around(curve: PlaneCurve) -> FloatArray:

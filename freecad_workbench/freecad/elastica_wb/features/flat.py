@@ -19,7 +19,8 @@ from freecad.elastica_wb.solving.strip_cache import engraved_shape
 from elastica_cad.errors import InputError
 from elastica_cad.strip.strip import Strip
 
-GAP_MM = 10.0  # distance, mm, between the curve and the flat part
+# distance, mm, between the curve and the flat part
+GAP_MM = 10.0
 
 LAYERS = ["Base", "Backing"]
 

@@ -40,7 +40,8 @@ FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
 USUAL_SHEET = "pom-2"
 """Sheet of a new part. It is thick and allows large strains."""
 
-GAP_MM = 10.0  # distance, mm, between the states and the part as cut
+# distance, mm, between the states and the part as cut
+GAP_MM = 10.0
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the part with two states")
 
 

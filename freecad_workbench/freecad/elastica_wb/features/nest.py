@@ -19,8 +19,10 @@ from freecad.elastica_wb.host.words import report_warning, worded
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.refusals import note, sentences
 
-SPACE_MM = 50.0  # distance, mm, of a nest from the objects behind it
-SHEET_GAP_MM = 30.0  # distance, mm, between sheets
+# distance, mm, of a nest from the objects behind it
+SPACE_MM = 50.0
+# distance, mm, between sheets
+SHEET_GAP_MM = 30.0
 
 
 class NestFeature(Feature):

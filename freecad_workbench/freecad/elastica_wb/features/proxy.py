@@ -71,7 +71,8 @@ FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 
 # colour components that differ by less count as equal, because FreeCAD rounds colours
 SAME_COLOR = 1e-2
-MOST_NAMES = 6  # largest number of names in a line of the report view
+# largest number of names in a line of the report view
+MOST_NAMES = 6
 
 
 class Feature(Unsaved):

@@ -14,15 +14,19 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import titled_sheets
 from freecad.elastica_wb.host.words import worded
 
-LARGEST = 1e9  # limit of a number box without a declared limit
+# limit of a number box without a declared limit
+LARGEST = 1e9
 WHOLE = 1_000_000
-SHEET_LETTERS = 14  # visible letters of a sheet's name in a narrow panel
-NARROWEST_PX = 105  # least width, pixels, of a box for a length with its unit
+# visible letters of a sheet's name in a narrow panel
+SHEET_LETTERS = 14
+# least width, pixels, of a box for a length with its unit
+NARROWEST_PX = 105
 TRIES = 10
 
 _aside: list[Any] = []
 
-UNTYPED = ("", "\t", "\r", "\x1b")  # text of keys that type nothing: arrows, Tab, Enter, Escape
+# text of keys that type nothing: arrows, Tab, Enter, Escape
+UNTYPED = ("", "\t", "\r", "\x1b")
 # properties of a box: the exact value, and the rounded value that it shows
 EXACT, SHOWN = "exactValue", "shownValue"
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}

@@ -19,8 +19,10 @@ Step = Callable[[int], bool]
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
-QUIET_S = 0.5  # time, s, before the progress bar appears
-PULSE_S = 0.02  # time, s, between checks whether the work has ended
+# time, s, before the progress bar appears
+QUIET_S = 0.5
+# time, s, between checks whether the work has ended
+PULSE_S = 0.02
 
 _workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
 

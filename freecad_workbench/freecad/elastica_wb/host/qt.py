@@ -27,7 +27,8 @@ __all__ = [
     "when_free",
 ]
 
-ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # since Qt 6, QAction is in QtGui
+# since Qt 6, QAction is in QtGui
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction
 # interval, ms, between checks whether a recompute has ended
 AGAIN_MS = 20
 

@@ -31,9 +31,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_between
 
-REACH = 0.25  # distance of the tangents' handles from the ends, as a fraction of the chord
-SLACK = 1.3  # length of a new strip, as a multiple of its chord
-VIEW_FRACTION = 0.3  # half the chord of a new curve, as a fraction of the height of the view
+# distance of the tangents' handles from the ends, as a fraction of the chord
+REACH = 0.25
+# length of a new strip, as a multiple of its chord
+SLACK = 1.3
+# half the chord of a new curve, as a fraction of the height of the view
+VIEW_FRACTION = 0.3
 DIFFERENT_MM = 1e-6
 
 
@@ -200,7 +203,8 @@ def stop() -> None:
 
 
 WIDE_PX = 300
-PAUSE_MS = 150  # delay, ms, between the last key and the use of the length
+# delay, ms, between the last key and the use of the length
+PAUSE_MS = 150
 
 
 class LengthCard(QtCore.QObject):

@@ -24,8 +24,10 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-TEETH = 161  # number of teeth of the curvature comb, so that its rim looks smooth
-COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the size of the curve
+# number of teeth of the curvature comb, so that its rim looks smooth
+TEETH = 161
+# height of the curvature comb, as a fraction of the size of the curve
+COMB_HEIGHT = 0.2
 # excess length of lines of inflections and thrust, as a fraction of the size of the curve
 LINE_MARGIN = 0.15
 # tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length

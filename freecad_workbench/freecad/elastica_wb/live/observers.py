@@ -19,8 +19,10 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-PAUSE_MS = 300  # delay, ms, of slow results after the last recompute, undo or redo
-SOUGHT_MS = 50  # interval, ms, between checks whether another thread has ended
+# delay, ms, of slow results after the last recompute, undo or redo
+PAUSE_MS = 300
+# interval, ms, between checks whether another thread has ended
+SOUGHT_MS = 50
 
 
 class LaterResults:

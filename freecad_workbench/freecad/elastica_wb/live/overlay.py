@@ -18,7 +18,8 @@ from pivy import coin
 from elastica_cad._types import FloatArray
 from elastica_cad.refusals import note
 
-LIFT_MM = 0.02  # distance, mm, of the overlay above the plane of the sketch
+# distance, mm, of the overlay above the plane of the sketch
+LIFT_MM = 0.02
 FULL, DASHED, DOTTED = 0xFFFF, 0xF0F0, 0xCCCC
 DOT, DIAMOND, SQUARE = (
     coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9, coin.SoMarkerSet.SQUARE_FILLED_9_9,

@@ -18,7 +18,8 @@ from elastica_cad._types import ArrayLike, FloatArray
 Place = tuple[float, float]
 
 BEFORE, AFTER, FRAME = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1), (0.1, 0.45, 0.95)
-GLASS = 0.35  # transparency of the strip in a preview, 0 to 1
+# transparency of the strip in a preview, 0 to 1
+GLASS = 0.35
 
 
 class Preview:
@@ -99,8 +100,10 @@ class _Ribbon:
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
 
 
-REACH_PX = 12  # distance, pixels, within which the mouse grabs a handle
-SIZE_PX = 13  # size of a handle, pixels
+# distance, pixels, within which the mouse grabs a handle
+REACH_PX = 12
+# size of a handle, pixels
+SIZE_PX = 13
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
 # largest sine of the angle between the line of sight and a plane seen edge-on
 EDGE_ON_SINE = 1e-6

@@ -60,10 +60,13 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # delay, ms, of slower results after the last mouse move
+# delay, ms, of slower results after the last mouse move
+REST_MS = 40
 NO_POLES = np.zeros((0, 2))
-SEEN = 24  # number of points of a curve that the card tries not to hide
-PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
+# number of points of a curve that the card tries not to hide
+SEEN = 24
+# interval, ms, between checks whether the nearest curve was found
+PEEK_MS = 60
 LEAST_STEP = (
     1e-3  # smallest move of a pole back to a possible curve, as a fraction of the length of the curve
 )

@@ -12,7 +12,8 @@ from typing import Any
 import FreeCAD as App
 import Part
 
-NEAR = 1e-4  # relative tolerance of equal points, which are drawn in single precision
+# relative tolerance of equal points, which are drawn in single precision
+NEAR = 1e-4
 # largest distance, mm, of circles from their poles after the sketcher's solver has run
 SOLVED_MM = 1e-2
 

@@ -19,13 +19,17 @@ from pivy import coin
 
 from elastica_cad.mechanics.sheets import hex_color
 
-GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
-CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
+# distance, pixels, from the edges of the view, and from points that must stay visible
+GAP_PX = 12
+# space, pixels, for the navigation cube and the axes at the right edge
+CUBE_PX = 140
 WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
 # largest width of the card as a fraction of the view, so that the curve is visible beside it
 WIDTH_FRACTION = 0.45
-SMALL = 0.15  # a card that hides points and covers more than this fraction of the view is folded
-LOOKED_MS = 100  # delay, ms, after the last camera move, before the card is placed again
+# a card that hides points and covers more than this fraction of the view is folded
+SMALL = 0.15
+# delay, ms, after the last camera move, before the card is placed again
+LOOKED_MS = 100
 FOLDED = "CardFolded"
 
 

@@ -23,7 +23,8 @@ from freecad.elastica_wb.undo_steps import active_step, close_step, forget_step,
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
-PAUSE_MS = 60  # delay, ms, between the last key and the computation of the results
+# delay, ms, between the last key and the computation of the results
+PAUSE_MS = 60
 
 
 class Panel:
@@ -176,7 +177,7 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # signals form reference cycles, and PySide would reuse their wrappers for new widgets
+        # delete widgets in reference cycles, because PySide would reuse their wrappers for new widgets
         self.form = None
         gc.collect()
 

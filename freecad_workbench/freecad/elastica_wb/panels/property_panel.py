@@ -46,8 +46,10 @@ from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
 
-IDLE_MS = 400  # delay, ms, between the last change and the search for suggestions
-PEEK_MS = 60  # interval, ms, between checks whether the search has ended
+# delay, ms, between the last change and the search for suggestions
+IDLE_MS = 400
+# interval, ms, between checks whether the search has ended
+PEEK_MS = 60
 STYLES = {
     severity: f' style="color: {hex_color(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
@@ -57,8 +59,10 @@ STYLES = {
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
 NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
-BUTTON_LETTERS = 32  # largest number of letters in a line of a button
-MOST_SUGGESTED = 5  # largest number of buttons with suggestions
+# largest number of letters in a line of a button
+BUTTON_LETTERS = 32
+# largest number of buttons with suggestions
+MOST_SUGGESTED = 5
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,8 @@ from elastica_cad.mechanics.loads import PointMass, Weight
 
 Places = list[tuple[float, float]]
 
-PLACE_DIGITS = 2  # decimals of positions, mm
+# decimals of positions, mm
+PLACE_DIGITS = 2
 USUAL_FORCE_N, USUAL_MASS_G = (0.0, -1.0), 10.0
 PROPERTIES = ("Between", "Loads")
 

@@ -96,7 +96,8 @@ class Watched:
                 yield work(*task)
 
 
-ROW, WIDTH = 24, 300  # height of a row, and width of the chart, pixels
+# height of a row, and width of the chart, pixels
+ROW, WIDTH = 24, 300
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:

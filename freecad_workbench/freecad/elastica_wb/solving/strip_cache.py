@@ -82,10 +82,12 @@ def sharpest_bend(
 
 
 MANY_HOLES = 100
-HEADROOM = 1.003  # divisor of the curvature limit of a rod, because the spline through the rod curves more
+# divisor of the curvature limit of a rod, because the spline through the rod curves more
+HEADROOM = 1.003
 # largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
-AS_DRAWN_MM = 0.05  # a curve is within its limits if the nearest curve is closer than this, mm
+# a curve is within its limits if the nearest curve is closer than this, mm
+AS_DRAWN_MM = 0.05
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -156,7 +158,7 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
 
 # factors by which limits are tightened, because a curve with few poles differs from its rod
 TIGHTER = (1.1, 1.25, 1.5)
-# largest deviation with few poles: multiple of the deviation with all poles, or fraction of the length
+# allowed deviation with few poles: multiple of the deviation with all poles, or fraction of the length
 FARTHER, NEAR_FRACTION = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
