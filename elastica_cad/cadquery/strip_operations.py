@@ -291,7 +291,8 @@ def _workplane_strip(
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
-    local = form != "bent" or bool(points)  # a bent strip on its own curve is not moved
+    # a bent strip on its own curve is not moved
+    local = form != "bent" or bool(points)
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     remaining = iter([body for body in bodies for _ in places])

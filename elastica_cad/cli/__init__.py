@@ -30,7 +30,8 @@ def main(arguments: list[str] | None = None) -> None:
     """
     if arguments is None:
         if not sys.warnoptions:
-            warnings.simplefilter("ignore")  # Python's warnings are for programmers
+            # Python's warnings are for programmers
+            warnings.simplefilter("ignore")
         # OpenBLAS with one thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         # garbage collection of imported objects would take a fifth of a command's time
@@ -47,7 +48,8 @@ def main(arguments: list[str] | None = None) -> None:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # skip garbage collection at the end of the process
+            # skip garbage collection at the end of the process
+            gc.freeze()
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)

@@ -173,7 +173,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     rod = _initial_rod(curve, chosen) if strip is None else strip.rod
     present = Supports() if finished is None else rod.supports
     if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
-        present = Supports("free", "free")  # the ends are free, because held ends could not follow the cord
+        # the ends are free, because held ends could not follow the cord
+        present = Supports("free", "free")
     supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"

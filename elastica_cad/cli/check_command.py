@@ -303,7 +303,8 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
         rod = solve_rod(spec)
     except NotRealizable as problem:
         return cast(EquilibriumCheck, problem.check)
-    undecided = str(spec.check.undecided)  # the reason is printed with the verdict
+    # the reason is printed with the verdict
+    undecided = str(spec.check.undecided)
     return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 
 

@@ -289,7 +289,8 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
-    command.allow_extra_args = True  # `_refuse_extra_words` refuses extra words with advice
+    # `_refuse_extra_words` refuses extra words with advice
+    command.allow_extra_args = True
     command.params += [
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
         _output_flag("-v", "--verbose", help="Print every step with its seconds, and all notes."),
@@ -321,7 +322,8 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in parameter_names:
-                chosen["force"] = True  # later runs overwrite files of earlier runs
+                # later runs overwrite files of earlier runs
+                chosen["force"] = True
 
         remake_on_change(make, partial(echo, err=True))
 
@@ -410,7 +412,8 @@ def _refuse(problem: ElasticaError) -> int:
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
-    undecided = bool(problem.details)  # if the check is undecided, the curve may be realizable
+    # if the check is undecided, the curve may be realizable
+    undecided = bool(problem.details)
     text, option = f"{'' if undecided else begins}{problem}", problem.refusal.where.get("option", "")
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""

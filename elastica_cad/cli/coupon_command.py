@@ -22,8 +22,7 @@ from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
-"""Modulus, MPa (between card and plywood), and strain limit, assumed for the length of an unknown sheet's
-coupon."""
+"""Assumed modulus, MPa, and strain limit of an unknown sheet, from which the length of its coupon is computed."""
 
 LEAST_DROOP_MM = 10.0
 """Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""

@@ -89,7 +89,8 @@ def pair(**chosen: Any) -> None:
     else:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
-    cutting.options(Sheet.of(spec.sheet))  # raises the error for an unknown kerf before the long computation
+    # raise the error for an unknown kerf before the long computation
+    cutting.options(Sheet.of(spec.sheet))
     if matched := spec.matched:
         say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")

@@ -155,7 +155,8 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
 def _print_row(row: Row, *, err: bool) -> None:
     label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
     label = click.style(printable(label), fg="red") if row.stops else printable(label)
-    click.echo(label + printable(text), err=err)  # click removes colours if the output is not a terminal
+    # click removes colours if the output is not a terminal
+    click.echo(label + printable(text), err=err)
 
 
 def say_table(columns: Mapping[str, Sequence[str]]) -> None:

@@ -262,7 +262,8 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # a joined end touches the other end and itself
+    # a joined end touches the other end and itself
+    paired = np.bincount(i, minlength=len(ends)) == 2
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)
@@ -353,7 +354,8 @@ def _without_overlaps(
             elif partly:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
-    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))  # rounding causes shorter common parts
+    # rounding causes shorter common parts
+    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)

@@ -119,7 +119,8 @@ def _through_ezdxf(
         for layer, style in styles.items():
             row = document.layers.add(style.name, color=_nearest_color_number(style.rgb))
             row.rgb = style.rgb
-            row.dxf.plot = int(layer != SHEET)  # the border of a sheet is visible, but not cut
+            # the border of a sheet is visible, but not cut
+            row.dxf.plot = int(layer != SHEET)
         space, groups = document.modelspace(), document.rootdict["ACAD_GROUP"]
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]

@@ -194,7 +194,8 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        edge = object.__new__(Edge)  # skip the checks that the original edge has passed
+        # skip the checks that the original edge has passed
+        edge = object.__new__(Edge)
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
         vars(edge).update(parts, source=source)
         return edge

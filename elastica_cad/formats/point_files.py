@@ -153,7 +153,8 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
     if stated:
         separator = stated[1]
     else:
-        outside = [re.sub('"[^"]*"', "", line) for _, line in numbered]  # ignore separators in quotes
+        # ignore separators in quotes
+        outside = [re.sub('"[^"]*"', "", line) for _, line in numbered]
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":

@@ -58,7 +58,8 @@ _Steps = list[tuple[str, list[re.Match[str]]]]
 class _Rule(NamedTuple):
     steps: _Steps
     weight: tuple[int, ...]
-    declared: list[tuple[str, str, bool]]  # CSS declarations: name, value, and True for !important
+    # CSS declarations: name, value, and True for !important
+    declared: list[tuple[str, str, bool]]
 
 
 def _apply_styles(root: Element) -> list[str]:
@@ -189,7 +190,8 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        self.after = set(self.before.values())  # elements that are not the first child
+        # elements that are not the first child
+        self.after = set(self.before.values())
 
     def matches(self, element: Element, steps: _Steps) -> bool:
         """Return True if a selector matches the element."""
@@ -412,7 +414,7 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """Return a length in user units. A missing length is `default` or, by default, `whole`."""
+    """Return a length in user units. A missing length is `default` if given, else `whole`."""
     length = read_length(text)
     if length is None:
         return whole if default is None else default

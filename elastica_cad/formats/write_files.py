@@ -114,7 +114,8 @@ def write_atomically(
                 check_target(path, force=force)
                 os.replace(temporary, target)
             except BaseException:
-                file.close()  # Windows cannot remove an open file
+                # Windows cannot remove an open file
+                file.close()
                 with suppress(OSError):  # a file cannot be removed from a read-only disk
                     temporary.unlink()
                 raise
@@ -311,7 +312,8 @@ def _take(lock: BinaryIO | FileIO) -> None:
     if sys.platform == "win32":
         import msvcrt
 
-        lock.seek(len(_OURS))  # lock the byte after the text; the text stays readable for other processes
+        # lock the byte after the text; the text stays readable for other processes
+        lock.seek(len(_OURS))
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:
         import fcntl

@@ -304,7 +304,7 @@ def _curve_breaks_strip(spec: StripSpec) -> bool:
 
 
 def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Return the request and its tables, with positions of ties and loads scaled with the curve.
+    """Return the `StripSpec` and its tables, with positions of ties and loads scaled with the curve.
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """

@@ -216,7 +216,8 @@ def bound_socket(port: int) -> socket.socket:
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
-        bound.listen()  # from now on, a browser waits until the server is ready
+        # from now on, a browser that connects waits until the server is ready
+        bound.listen()
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(

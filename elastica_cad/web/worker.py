@@ -119,7 +119,8 @@ def main() -> None:
     _limit_memory()
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
-    sys.stdout = sys.stderr  # keep the output of libraries apart from the answers
+    # keep the output of libraries apart from the answers
+    sys.stdout = sys.stderr
     for line in sys.stdin.buffer:
         kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)

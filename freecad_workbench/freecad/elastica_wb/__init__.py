@@ -68,7 +68,8 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
             raise AttributeError(f"a strip has no property {name}: see its PropertiesList")
         setattr(feature, name, value)
     for layer in flat.layers_of(feature) if flat_part else ():
-        document.recompute()  # recompute, so that the next flat part is placed beside this part
+        # recompute, so that the next flat part is placed beside this part
+        document.recompute()
         flat.create(document, feature, layer)
     document.recompute()
     return feature

@@ -53,7 +53,8 @@ class Command:
         resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
-            resources["CmdType"] = "ForEdit"  # during editing, FreeCAD disables commands of other types
+            # during editing, FreeCAD disables commands of other types
+            resources["CmdType"] = "ForEdit"
         if self.shortcut:
             resources["Accel"] = self.shortcut
         # the command is not checked at first

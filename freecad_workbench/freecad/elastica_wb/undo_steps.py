@@ -32,7 +32,7 @@ def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
     if not _has_steps_of_documents():
-        # a step without changes would stay open, and FreeCAD would add later changes to the step
+        # otherwise a step without changes would stay open, and FreeCAD would add later changes to it
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 

@@ -64,7 +64,8 @@ def _close_sketch() -> None:
 def _begin_step(name: str) -> None:
     """Begin an undo step that also closes the open sketch. Cancel and undo show the sketch again."""
     if (sketch := edited_sketch()) is not None:
-        sketch.Visibility = True  # FreeCAD hides a sketch while it is open
+        # FreeCAD hides a sketch while it is open
+        sketch.Visibility = True
     open_step_and(_close_sketch, App.ActiveDocument, name)
 
 
@@ -139,7 +140,8 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # recompute, so that the next flat part is placed beside this part
+    # recompute, so that the next flat part is placed beside this part
+    record_recompute(strip.Document)
 
 
 def make_flat_parts() -> None:

@@ -148,7 +148,8 @@ def edge_called(source: Any, name: str) -> Any:
         if element.isNull():
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
-        called = name.lstrip("?")  # FreeCAD 1.x marks lost elements by "?"
+        # FreeCAD 1.x marks lost elements by "?"
+        called = name.lstrip("?")
         raise InputError(
             "{source} no longer has {part}. Choose the curve again.", source=source.Label, part=called
         ) from error

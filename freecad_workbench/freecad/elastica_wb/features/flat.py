@@ -91,7 +91,8 @@ def _free_placement(strip: Any) -> App.Placement:
     # largest width of the outline in all styles
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
-        source.recompute()  # the sketch may be outdated, for example after an undo
+        # the sketch may be outdated, for example after an undo
+        source.recompute()
     box = _box(source)
     if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())

@@ -160,7 +160,8 @@ def flexure_of(obj: Any) -> Flexure:
 @remembered
 def _flexure(spec: FlexureSpec) -> Flexure:
     part = spec.make()
-    _ = part.warnings, part.force_text  # compute slow results in the background
+    # compute slow results in the background
+    _ = part.warnings, part.force_text
     return part
 
 

@@ -73,7 +73,8 @@ class StripFeature(Feature):
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
-            obj.Anyway = obj.StrainUse >= 100  # earlier versions accepted a strip beyond its strain limit
+            # earlier versions accepted a strip beyond its strain limit
+            obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Reset PlacesLength after a change of ties or loads, whose positions now refer to the current curve."""

@@ -51,7 +51,8 @@ def _show(words: str) -> Any:
     box.setObjectName("ElasticaTold")
     box.setIcon(QtWidgets.QMessageBox.Information)
     box.setWindowTitle("Elastica")
-    box.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
+    # a label may look like HTML
+    box.setTextFormat(QtCore.Qt.PlainText)
     box.setText(printable(words))
     box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     box.setStandardButtons(QtWidgets.QMessageBox.Ok)

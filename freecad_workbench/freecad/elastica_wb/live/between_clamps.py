@@ -128,7 +128,8 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # solve in the same undo step, because solving moves points
+        # solve in the same undo step, because solving moves points
+        record_call(self.sketch, "solve")
         close_step(document)
 
     def _places(self) -> FloatArray:

@@ -151,7 +151,8 @@ class Session:
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # solve in the same undo step, because solving moves points
+        # solve in the same undo step, because solving moves points
+        record_call(self.sketch, "solve")
         close_step(document)
         self.refresh()
 
@@ -239,7 +240,8 @@ class Session:
                 self._dragged = None
 
     def _show(self, geometry: list[Any] | None) -> None:
-        began = time.thread_time()  # CPU time of this thread, which other processes do not affect
+        # CPU time of this thread, which other processes do not affect
+        began = time.thread_time()
         self._rest.stop()
         self._answer.stop()
         self.near = None

@@ -111,7 +111,8 @@ class VerdictCard(QtCore.QObject):
         """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # place the card first, because this call raises an error if the view was closed
+            # place the card first, because this call raises an error if the view was closed
+            self._place()
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:

@@ -86,7 +86,7 @@ MANY_HOLES = 100
 HEADROOM = 1.003
 # largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
-# a curve is within its limits if the nearest curve is closer than this, mm
+# a curve is within its limits if the nearest curve within the limits is closer than this, mm
 AS_DRAWN_MM = 0.05
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
@@ -206,7 +206,8 @@ def _is_within_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # the search is slow, so it comes last
+        # the search is slow, so it comes last
+        again = find_rod(spec)
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)

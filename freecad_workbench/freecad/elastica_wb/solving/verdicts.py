@@ -109,7 +109,8 @@ class Verdict(Enum):
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"  # no curve is drawn yet
+    # no curve is drawn yet
+    NOTHING = "nothing"
 
 
 @dataclass(frozen=True)
