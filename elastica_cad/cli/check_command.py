@@ -228,7 +228,8 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        from elastica_cad.cli.strip_options import typed_change  # slow import of all records
+        # slow import, because the module imports all records
+        from elastica_cad.cli.strip_options import typed_change
 
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))

@@ -158,7 +158,8 @@ def _spelled(path: str) -> str:
         return typed
     if context.info_name != "strip":
         return path
-    from elastica_cad.cli.strip_options import typed_name  # slow import of all records
+    # slow import, because the module imports all records
+    from elastica_cad.cli.strip_options import typed_name
 
     return typed_name(path) or path
 

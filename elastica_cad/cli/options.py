@@ -96,7 +96,8 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    from elastica_cad.design.records import written  # slow import of all records
+    # slow import, because the module imports all records
+    from elastica_cad.design.records import written
 
     kinds = written(field.kind).alternatives
     words = tuple(word for alternative in kinds for word in alternative.choices)

@@ -1,4 +1,4 @@
-"""Options of a strip, and their conversion to a request."""
+"""Options of a strip, and their conversion to a `StripSpec`."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -248,7 +248,7 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 
 
 def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
-    """Return the request for a strip from the table of the options. Errors name the options."""
+    """Return the `StripSpec` that the table of the options defines. Errors name the options."""
     keys = {
         "label": label,
         **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},

@@ -214,11 +214,11 @@ def _bare_curve(request: Mapping[str, Any]) -> Record:
 
 
 def _check_record(spec: StripSpec, scaled: Record) -> Record:
-    """Return the drawn curve and, if all elements are on the curve, its check."""
+    """Return the drawn curve and, if all elements are on the curve, the check of the curve."""
     curve = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
     record: Record = {"path": path, "kept": scaled}
-    with suppress(InputError):  # the error message of the strip reports the element
+    with suppress(InputError):  # the error message of the strip reports elements off the curve
         check = spec.rod_spec.check
         record |= {"theorem": _theorem(check), "text": str(check)}
     return record

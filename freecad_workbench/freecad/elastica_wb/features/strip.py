@@ -77,7 +77,7 @@ class StripFeature(Feature):
             obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Reset PlacesLength after a change of ties or loads, whose positions now refer to the current curve."""
+        """Set PlacesLength to 0 after a change of ties or loads: their positions refer to the current curve."""
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")
