@@ -17,7 +17,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
-from elastica_cad.cli.voice import answer, say_row, say_step, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_step, wrote
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
@@ -26,6 +26,7 @@ from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
+from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
@@ -106,6 +107,8 @@ def pair(**chosen: Any) -> None:
         written,
         {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder", f"{name}-holder.stl": held},
     )
+    for missing in left_out(blocks=(name, f"{name}-holder")):
+        say(missing)
 
 
 def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:

@@ -493,12 +493,22 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
     table[last] = value
 
 
+MOST_LISTED_KEYS = 20
+"""Largest number of keys that a message lists."""
+
+
 def require_path_of(path: str, record: Record) -> Field:
     """Return the field at a dotted path."""
     known = paths_of(record)
     if path not in known:
         near = near_path(path, known)
-        hint = f"did you mean {near}?" if near else "`elastica help` lists them"
+        tables = [name for name in known if "." not in name]
+        listed = (
+            f"the keys here are {', '.join(tables)}"
+            if len(tables) <= MOST_LISTED_KEYS
+            else "`elastica help` lists them"
+        )
+        hint = f"did you mean {near}?" if near else listed
         raise InputError("The key {path} does not exist: {hint}", path=quoted(path), hint=hint)
     return known[path]
 

@@ -82,6 +82,10 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
+# largest number of factors on both curves that are tried; the second is usually large enough
+MOST_ENLARGEMENTS = 4
+# spare factor on the thickness of an enlarged part, because another node at the fillet changes it by up to 2 %
+FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
 
@@ -246,9 +250,9 @@ class Flexure:
             )  # fmt: skip
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
             raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
-        faults = list(self._faults())
-        if faults and not self.ignore_limits:
-            raise faults[0]
+        if not self.ignore_limits:
+            for fault in self._faults():
+                raise fault
 
     def __repr__(self) -> str:
         low, high = self.thickness_range
@@ -809,7 +813,7 @@ class Flexure:
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             verb = "printed" if self.printed else "cut"
-            share = rounded_up(least / thin, 3)
+            share = self._enlargement(least)
             yield InputError(
                 "{sheet} allows a strain of {strain:.2g} %, so the thinnest place may be at most {thin:.3g} "
                 "thick, but parts must be at least {least:g} thick to be {made}. Draw both curves {share:g} "
@@ -832,6 +836,21 @@ class Flexure:
                  "the curves farther apart there"),
                 name=name, gap=Length(max(gap, 0.0)),
             )  # fmt: skip
+
+    def _enlargement(self, least: float) -> float:
+        """Return a tried factor on both curves with which the thinnest place has `least` mm or more.
+
+        The fillet is not enlarged, so an enlarged part has about the strain of this part with a smaller fillet.
+        The strain in a fillet is that of the nearest node, which may be another node in the enlarged part.
+        """
+        least *= FILLET_SPARE
+        share = rounded_up(least / self.scale, 3)
+        for _ in range(MOST_ENLARGEMENTS):
+            thin = share * replace(self, fillet=self.fillet / share, ignore_limits=True).scale
+            if thin >= least:
+                break
+            share = rounded_up(share * least / thin, 3)
+        return share
 
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:

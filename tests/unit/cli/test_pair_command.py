@@ -179,6 +179,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
         (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "The width of the cut is not known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),
+        (("clip.svg", "--sheet", "pom-3", "--set", "files.paper=A4"), "the keys here are scale, match"),
         (("clip.toml", "--set", "first_state=down"), "Both states have the name down"),
         (("model.toml",), "no table [pair]"),
     ],

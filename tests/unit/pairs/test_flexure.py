@@ -10,7 +10,7 @@ from elastica_cad.errors import StrainError
 from elastica_cad.geometry import Spline
 from elastica_cad.geometry.path import distances
 from elastica_cad.pairs import FlexureSpec, Pad
-from elastica_cad.pairs.flexure import curved_beam_factor, root_factors
+from elastica_cad.pairs.flexure import LEAST_CUT_MM, curved_beam_factor, root_factors
 from elastica_cad.pairs.pushed_rod import push_path
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.strip.lettering import text_strokes
@@ -224,8 +224,11 @@ def test_curves_drawn_apart_are_held_by_the_same_clamps(clip):
 def test_a_part_too_thin_says_how_large_it_would_have_to_be():
     with pytest.raises(InputError, match="times as large") as refused:
         FlexureSpec(arch(10, 60), arch(-10, 60), POM).make()
-    assert refused.value.refusal.values["share"] > 1
+    share = refused.value.refusal.values["share"]
+    assert share > 1
     assert FlexureSpec(arch(10, 60), arch(-10, 60), POM, ignore_limits=True).make().warnings
+    enlarged = FlexureSpec(arch(10, 60), arch(-10, 60), POM, scale=share).make()
+    assert enlarged.scale == pytest.approx(LEAST_CUT_MM, rel=0.05)  # enough, and not much more
 
 
 def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
