@@ -36,7 +36,10 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
     """
     u, sigma, vt, info = lapack().dgesdd(matrix, full_matrices=full_matrices)
     if info != 0:
-        raise LinAlgError("the singular values of a matrix do not converge")
+        raise LinAlgError(
+            "the singular values of a matrix do not converge: check that its numbers are finite and not "
+            "too large"
+        )
     return u, sigma, vt
 
 

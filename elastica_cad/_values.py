@@ -48,12 +48,10 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
     """Raise InputError for a value that is not a finite number above 0."""
     if not (is_number(value) and value > 0):
         shown_value = repr(value) if isinstance(value, str) else value
-        requirement = "positive" if is_number(value) else "a number above 0"
         raise InputError(
-            "{what} is {told}: it must be {wanted}, in {unit}",
+            "{what} is {told}: give a number above 0, in {unit}",
             what=what,
             told=shown_value,
-            wanted=requirement,
             unit=unit,
             where={"field": what},
         )
@@ -91,7 +89,7 @@ def numbers(values: object, what: str) -> FloatArray:
     # numpy would convert None to NaN
     array = None if values is None else as_floats(values)
     if array is None:
-        raise InputError(f"{what} must be numbers, not {quoted(values)}")
+        raise InputError(f"{what} cannot be {quoted(values)}: give numbers")
     return array
 
 
@@ -99,7 +97,7 @@ def pair(value: object, what: str) -> FloatArray:
     """Return two finite numbers (2,), such as a point. Raise InputError for other values."""
     point = None if value is None else as_floats(value)
     if point is None or point.shape != (2,) or not np.isfinite(point).all():
-        raise InputError(f"{what} must be two finite numbers, not {quoted(value)}")
+        raise InputError(f"{what} cannot be {quoted(value)}: give two finite numbers")
     return point
 
 

@@ -207,7 +207,7 @@ def require_bounds(entry: Field, value: Any, place: str) -> None:
 
 def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
     return InputError(
-        "{field} is {given}: it must be {wanted}",
+        "{field} is {given}: give {wanted}",
         field=place, given=quoted(value), wanted=_valid_values(entry.kind, entry.option), **where,
     )  # fmt: skip
 

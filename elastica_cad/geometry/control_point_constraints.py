@@ -351,8 +351,8 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(
-            f"the curve has {inflections.size} inflections instead of {near.size}: the move is "
-            "too large or an inflection is too shallow"
+            f"the moved curve has {inflections.size} inflections instead of {near.size}: make the move "
+            "smaller, or bend the curve more at its inflections"
         )
     if inflections.size == near.size:
         return np.asarray(inflections[np.argsort(np.argsort(near))])

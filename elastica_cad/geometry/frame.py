@@ -44,7 +44,10 @@ class Frame:
         rows = [_row(name, v) for name, v in zip(_PARTS, (origin, x_axis, y_axis), strict=True)]
         sizes = [hypot(*row.tolist()) for row in rows[1:]]
         if min(sizes) == 0 or abs(rows[1] @ rows[2]) > 1e-9 * sizes[0] * sizes[1]:
-            raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
+            raise InputError(
+                "frame x_axis and y_axis are not at right angles: give two directions at right angles to "
+                "each other"
+            )
         self._set_read_only(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
     def _set_read_only(self, *rows: FloatArray) -> None:
@@ -76,7 +79,7 @@ class Frame:
         local = numbers(local, "local coordinates")
         if local.shape[-1:] not in ((2,), (3,)):
             raise InputError(
-                f"local coordinates must be rows of two or three numbers, not of shape {local.shape}"
+                f"local coordinates have the shape {local.shape}: give rows of two or three numbers"
             )
         vectors: FloatArray = local @ self.axes[: local.shape[-1]]
         return vectors
@@ -85,7 +88,7 @@ class Frame:
         """Return local coordinates (..., 3), mm, of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
-            raise InputError(f"points in space must be rows of three numbers, not of shape {points.shape}")
+            raise InputError(f"points in space have the shape {points.shape}: give rows of three numbers")
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
@@ -122,11 +125,11 @@ def frame_or_plain(frame: Frame | None) -> Frame:
 def _row(name: str, given: ArrayLike) -> FloatArray:
     row = as_floats(given)
     if row is None:
-        raise InputError(f"frame {name} must be three finite numbers, got {given!r}")
+        raise InputError(f"frame {name} is {given!r}: give three finite numbers")
     _require_finite(name, row)
     return row.copy()
 
 
 def _require_finite(name: str, row: FloatArray) -> None:
     if row.shape != (3,) or not all(map(isfinite, row.tolist())):
-        raise InputError(f"frame {name} must be three finite numbers, got {row.tolist()}")
+        raise InputError(f"frame {name} is {row.tolist()}: give three finite numbers")

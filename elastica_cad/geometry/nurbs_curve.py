@@ -205,7 +205,7 @@ class RationalPieces:
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
-            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
+            raise InputError(f"the parameter is outside the curve: use {a:g} to {b:g}")
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
@@ -480,17 +480,22 @@ class NurbsCurve:
         object.__setattr__(self, "degree", whole_degree(self.degree))
         points = finite("control_points", self.control_points)
         if points.ndim != 2 or points.shape[1] != 2:
-            raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
+            raise InputError(
+                f"control_points have the shape {points.shape}: give rows of x and y, shape (m, 2)"
+            )
         object.__setattr__(self, "control_points", points)
         object.__setattr__(self, "knots", finite("knots", self.knots))
         check_knots(self.knots, points.shape[0], self.degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
             if weights.shape != (points.shape[0],):
-                raise InputError(f"{points.shape[0]} control points need as many weights, not {weights.size}")
+                raise InputError(
+                    f"there are {weights.size} weights for {points.shape[0]} control points: give a weight "
+                    "for each point"
+                )
             if weights.min() <= 0:
                 raise InputError(
-                    f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
+                    f"weight {int(weights.argmin())} is {weights.min():g}: give positive weights"
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
                 raise InputError(
@@ -571,9 +576,9 @@ class NurbsCurve:
         """Return the exact ellipse arc (a cos v, b sin v), v from start to end (rad), rotated and moved."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
-            raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
+            raise InputError(f"the center is {centre.tolist()}: give two numbers, in mm")
         if axes.shape != (2,) or axes.min() <= 0:
-            raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
+            raise InputError(f"semi-axes (or the radius) are {axes.tolist()}: give positive numbers, in mm")
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")
@@ -673,7 +678,7 @@ class NurbsCurve:
         At a knot where the result jumps, the right-hand value is returned, or the left-hand value with `left=True`.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
-            raise InputError(f"the order of a derivative must be 0 to 3, not {derivative!r}")
+            raise InputError(f"the order of a derivative is {derivative!r}: use 0 to 3")
         t = numbers(t, "parameters")
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 

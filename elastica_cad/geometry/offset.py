@@ -49,7 +49,9 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     left = distance
     if path.closed:
         if path.area == 0:
-            raise InputError(f"the loop at {place(path.start)} encloses no area, so it has no offset")
+            raise InputError(
+                f"the loop at {place(path.start)} encloses no area, so it has no offset: leave out this loop"
+            )
         left = -distance * float(np.sign(path.area))
     ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
     moved = Path(ring.joined(), path.closed)

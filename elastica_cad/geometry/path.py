@@ -199,10 +199,12 @@ class Path:
         """
         p = numbers(points, "the points of a polyline")
         if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
-            raise InputError("a polyline needs finite points as rows (n, 2), in mm")
+            raise InputError("the points of a polyline cannot be read: give finite rows (n, 2), in mm")
         b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
         if b.shape != (len(p),) or not np.all(np.isfinite(b)):
-            raise InputError("a polyline needs one finite bulge per point")
+            raise InputError(
+                "the bulges of a polyline do not match its points: give one finite bulge per point"
+            )
         after = np.roll(p, -1, axis=0) if require_flag(closed, "closed") else p[1:]
         segments = [
             segment_from_bulge(start, end, float(bulge))
@@ -220,7 +222,7 @@ class Path:
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
         """Return a closed rectangle, anticlockwise from its lower left `corner`, mm."""
         if not (is_number(width) and is_number(height) and width > 0 and height > 0):
-            raise InputError(f"a rectangle of {width} by {height} mm: both sides must be positive")
+            raise InputError(f"a rectangle has sides of {width} and {height} mm: give positive sides")
         x, y = point(corner, "the corner of a rectangle")
         return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
 

@@ -217,7 +217,7 @@ class PlaneCurve(NurbsCurve):
         """Return positions, angles and curvatures at arc lengths s (n,), mm."""
         s = np.atleast_1d(numbers(s, "arc lengths"))
         if s.ndim > 1:
-            raise InputError(f"arc lengths are an array of {s.ndim} dimensions: give one row")
+            raise InputError(f"arc lengths are an array of {s.ndim} dimensions: give an array of 1 dimension")
         t = self.parameter(s)
         position, d1, d2 = self._pieces.at(t, 2)
         return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
@@ -225,7 +225,7 @@ class PlaneCurve(NurbsCurve):
     def sample(self, count: int) -> CurveSamples:
         """Return samples at `count` points at equal distances along the curve, including both ends."""
         if not (is_number(count) and count >= 2):
-            raise InputError(f"a curve must be sampled at 2 or more points, not {count!r}")
+            raise InputError(f"the number of samples is {count!r}: use 2 or more")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
@@ -426,11 +426,9 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError(
-            f"the constant a of the line a + <b, x> = 0 must be one number, not {constant.tolist()}"
-        )
+        raise InputError(f"the constant a of the line a + <b, x> = 0 is {constant.tolist()}: give one number")
     if normal.shape != (2,) or not normal.any():
-        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
+        raise InputError(f"the normal of a line is {normal.tolist()}: give two numbers, not both 0")
     edges, bezier = curve.bezier_table
     crossings = line_places(bezier, edges, float(constant), normal)
     return curve._measured(crossings)

@@ -55,22 +55,20 @@ class Profile:
         for name in ("knots", "coefficients"):
             array = finite(f"profile {name}", getattr(self, name))
             if array.ndim != 1:
-                raise InputError(
-                    f"profile {name} must be a row of numbers, not an array of shape {array.shape}"
-                )
+                raise InputError(f"profile {name} has the shape {array.shape}: give a row of numbers")
             object.__setattr__(self, name, array)
         if not (is_whole(self.degree) and self.degree >= 1):
-            raise InputError(
-                f"the degree of a profile must be a whole number of 1 or more, not {self.degree!r}"
-            )
+            raise InputError(f"the degree of a profile is {self.degree!r}: use a whole number, 1 or more")
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
-                f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: degree "
-                f"{self.degree} needs {self.coefficients.size + self.degree + 1} knots"
+                f"a profile has {self.knots.size} knots and {self.coefficients.size} coefficients: give "
+                f"{self.coefficients.size + self.degree + 1} knots for degree {self.degree}"
             )
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
-            raise InputError("profile knots must increase and be repeated at both ends (clamped)")
+            raise InputError(
+                "the knots of a profile are not clamped: give increasing knots, repeated at both ends"
+            )
 
     def __repr__(self) -> str:
         low, high = self.extremes
@@ -133,7 +131,7 @@ class Profile:
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
         """Return values, or derivatives per mm, at arc lengths `s`, also extrapolated beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
-            raise InputError(f"the order of a derivative must be 0, 1, 2 ..., not {derivative!r}")
+            raise InputError(f"the order of a derivative is {derivative!r}: use 0, 1, 2 ...")
         return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property

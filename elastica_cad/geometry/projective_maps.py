@@ -58,7 +58,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
     """Return the matrix that maps the three unit vectors and their sum to the four points, in homogeneous form."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
-        raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
+        raise InputError(f"{name} has the shape {handles.shape}: give four handles (x, y), shape (4, 2)")
     middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
     if size == 0:
         raise InputError(f"{name}: all four handles are at {place(handles[0])}: move them apart")
@@ -119,7 +119,7 @@ def map_spline(
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):
-        raise InputError(f"a projective map must be a 3 x 3 matrix, not {m.shape}")
+        raise InputError(f"a projective map has the shape {m.shape}: give a 3 x 3 matrix")
     if np.linalg.matrix_rank(m) < 3:
         raise InputError("the matrix is singular and would flatten the plane: use an invertible matrix")
     affine = not m[2, :2].any()

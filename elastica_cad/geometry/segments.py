@@ -138,7 +138,7 @@ class Arc:
             object.__setattr__(self, name, require_number(value, f"arc {name}"))
         if self.radius <= 0:
             raise InputError(
-                "arc radius is {radius:g} at {center}: it must be positive",
+                "arc radius is {radius:g} at {center}: give a number above 0",
                 radius=Length(self.radius),
                 center=place(self.center),
             )
@@ -347,7 +347,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     """Return a point (2,), mm, as a read-only array; refuse other values."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
-        raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
+        raise InputError(f"{name} is {value!r}: give two finite numbers, in mm")
     p.setflags(write=False)
     return p
 
@@ -362,7 +362,7 @@ def _beyond_sine(x: float) -> float:
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     """Return the exact part of a segment between u0 and u1, with 0 <= u0 < u1 <= 1."""
     if not 0 <= u0 < u1 <= 1:
-        raise InputError(f"a segment must be trimmed between 0 <= u0 < u1 <= 1, not {u0:g} and {u1:g}")
+        raise InputError(f"a segment cannot be trimmed to {u0:g} .. {u1:g}: use 0 <= u0 < u1 <= 1")
     if (u0, u1) == (0, 1):
         return segment
     if isinstance(segment, Line):
@@ -385,7 +385,7 @@ MOST_ROUNDS = 40
 def require_tolerance_mm(tolerance: float) -> float:
     """Return the tolerance, mm, and refuse it unless it is positive and finite."""
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance is {tolerance}: it must be positive, in mm")
+        raise InputError(f"the tolerance is {tolerance}: give a number above 0, in mm")
     return float(tolerance)
 
 

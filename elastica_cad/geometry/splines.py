@@ -67,11 +67,13 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
     """Return a read-only float array of `values`; refuse NaN, infinity and other types."""
     given = as_floats(values)
     if given is None:
-        raise InputError(f"{name} must be numbers")
+        raise InputError(f"{name} cannot be read: give numbers")
     array = given.copy()
     if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()
-        raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
+        raise InputError(
+            f"{name} holds NaN or infinite values, the first at index {first}: give finite numbers"
+        )
     array.setflags(write=False)
     return array
 
@@ -79,9 +81,9 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
 def whole_degree(degree: int) -> int:
     """Return the degree as an int; refuse anything except an integer of at least 2."""
     if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
-        raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
+        raise InputError(f"the degree of a curve is {degree!r}: use 2 or more")
     if not (degree == np.floor(degree) and 2 <= degree < 100):
-        raise InputError(f"a curve needs a whole degree of 2 or more, not {degree!r}")
+        raise InputError(f"the degree of a curve is {degree!r}: use a whole number, 2 or more")
     return int(degree)
 
 
@@ -98,12 +100,12 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
     if knots.shape != (count + degree + 1,):
         raise InputError(
-            f"{count} control points of degree {degree} need {count + degree + 1} knots (the full "
-            f"vector, end knots repeated), not {knots.size}"
+            f"{knots.size} knots do not fit {count} control points of degree {degree}: give "
+            f"{count + degree + 1} knots (the full vector, end knots repeated)"
         )
     down = np.flatnonzero(np.diff(knots) < 0)
     if down.size:
-        raise InputError(f"knots must not decrease: knot {down[0] + 1} is less than knot {down[0]}")
+        raise InputError(f"knot {down[0] + 1} is less than knot {down[0]}: give knots that do not decrease")
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
         raise InputError(
@@ -119,11 +121,13 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]
         raise InputError(
-            f"knot {where:g} is repeated {counts[inside].max()} times: more than the degree {degree} "
-            "breaks the curve apart"
+            f"knot {where:g} is repeated {counts[inside].max()} times, which breaks the curve apart: repeat "
+            f"it at most {degree} times (the degree)"
         )
     if counts.max() > degree + 1:
-        raise InputError(f"an end knot is repeated {counts.max()} times: degree {degree} allows {degree + 1}")
+        raise InputError(
+            f"an end knot is repeated {counts.max()} times: repeat it at most {degree + 1} times (degree + 1)"
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -454,7 +458,7 @@ def adaptive_spline(
     if not callable(function):
         raise InputError(f"the function is {quoted(function)}: give a function of the arc length")
     if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
-        raise InputError(f"the degree of a spline must be 1 to {_MOST_DEGREE}, not {degree!r}")
+        raise InputError(f"the degree of a spline is {degree!r}: use 1 to {_MOST_DEGREE}")
     edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
     while True:
@@ -483,7 +487,9 @@ def adaptive_spline(
 def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
-        raise InputError("breaks must be pairs of a place and the number of continuous derivatives there")
+        raise InputError(
+            "breaks cannot be read: give pairs of a place and the number of continuous derivatives there"
+        )
     return [(place, int(continuity)) for place, continuity in rows.tolist()]
 
 
@@ -515,10 +521,15 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
     """Return the values (p, k, ...) of a function at x (p, k). Refuse values that are not finite."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
-        raise InputError(f"a function along the curve must give a value for each of {x.size} places")
+        raise InputError(
+            "a function along the curve gives the wrong number of values: give a value for each of "
+            f"{x.size} places"
+        )
     if not np.isfinite(values).all():
         first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
-        raise InputError(f"the function is not finite at {x.ravel()[first]:.6g}")
+        raise InputError(
+            f"the function is not finite at {x.ravel()[first]:.6g}: give a function with finite values"
+        )
     return values.reshape(*x.shape, *values.shape[1:])
 
 
@@ -742,11 +753,11 @@ def _smoothed(
 
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
-        raise InputError(f"the degree of a fitted curve must be 3, 4 or 5, not {degree!r}")
+        raise InputError(f"the degree of a fitted curve is {degree!r}: use 3, 4 or 5")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
+        raise InputError(f"the tolerance of a fit is {tolerance!r} mm: use a number above 0")
     if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
-        raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
+        raise InputError(f"the smoothing of a fit is {smoothing!r}: use 0 or more")
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
@@ -788,7 +799,7 @@ def distinct_points(points: ArrayLike) -> FloatArray:
     """Return the points (n, 2) to fit, without equal neighbours."""
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
-        raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")
+        raise InputError(f"points to fit have the shape {data.shape}: give rows of x, y, shape (n, 2)")
     moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
     data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:

@@ -77,9 +77,9 @@ def test_typed_options_are_those_of_the_declarations(monkeypatch):
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("length = 1e6", "length is 1000000.0: it must be a number from 0 up to 10000, in mm"),
-        ("name = '" + "A" * 101 + "'", "name is 'A.*': it must be a text of at most 100 characters"),
-        ("places = [" + "1, " * 51 + "]", "places is .*: it must be a list of at most 50 elements"),
+        ("length = 1e6", "length is 1000000.0: give a number from 0 up to 10000, in mm"),
+        ("name = '" + "A" * 101 + "'", "name is 'A.*': give a text of at most 100 characters"),
+        ("places = [" + "1, " * 51 + "]", "places is .*: give a list of at most 50 elements"),
     ],
 )
 def test_a_table_refuses_what_is_larger_than_declared(line, sentence):

@@ -35,7 +35,11 @@ def test_handles_far_from_the_origin():
 @pytest.mark.parametrize(
     ("before", "after", "sentence"),
     [
-        (SQUARE[:3], SQUARE[:3], r"before must be four handles \(x, y\), shape \(4, 2\), not \(3, 2\)"),
+        (
+            SQUARE[:3],
+            SQUARE[:3],
+            r"before has the shape \(3, 2\): give four handles \(x, y\), shape \(4, 2\)",
+        ),
         (SQUARE, [*SQUARE[:3], (0, np.nan)], "after holds NaN"),
         (SQUARE, [(5, 6)] * 4, r"after: all four handles are at \(5, 6\) mm"),
         (SQUARE, [*SQUARE[:3], (100, 0)], r"after: handles 2 and 4 are both at \(100, 0\) mm"),
@@ -45,7 +49,7 @@ def test_handles_far_from_the_origin():
             r"handles 1 and 2 are 100 mm apart, but others are 1e\+12",
         ),
         ([(0, 0), (50, 50), (100, 100), (0, 100)], SQUARE, "before: handles 1, 2, 3 are on one line"),
-        (SQUARE, "abcd", "after must be numbers"),
+        (SQUARE, "abcd", "after cannot be read: give numbers"),
     ],
 )
 def test_handles_that_make_no_map(before, after, sentence):

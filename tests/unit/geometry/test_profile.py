@@ -170,8 +170,8 @@ def test_stretched_knows_its_extremes_and_values():
     ("make", "words"),
     [
         (lambda: Profile([0, 0, 0, 0, 1, 1, 1, 1], [1, 2, np.nan, 3]), "coefficients holds NaN"),
-        (lambda: Profile([0, 0, 0, 0, 1, 1, 1, 1], [1, 2, 3]), "needs 7 knots"),
-        (lambda: Profile([0, 0, 0, 1, 0, 1, 1, 1], [1, 2, 3, 4]), "must increase"),
+        (lambda: Profile([0, 0, 0, 0, 1, 1, 1, 1], [1, 2, 3]), "give 7 knots"),
+        (lambda: Profile([0, 0, 0, 1, 0, 1, 1, 1], [1, 2, 3, 4]), "give increasing knots"),
         (lambda: Profile(np.arange(8.0), [1, 2, 3, 4]), "clamped"),
         (lambda: Profile([[0, 1]], [1]), "row of numbers"),
         (lambda: Profile.fit(bump, 0.0), "positive length"),
@@ -228,7 +228,7 @@ def test_extremes_lie_at_ends_and_between_in_every_degree(coefficients, degree, 
 def test_where_a_function_is_not_finite_is_told():
     with np.errstate(divide="ignore"), pytest.raises(InputError, match="not finite at") as told:
         Profile.fit(lambda s: 1 / np.maximum(s - 150.0, 0.0), 300.0)
-    assert 0 <= float(str(told.value).split()[-1]) <= 150
+    assert 0 <= float(str(told.value).split(":")[0].split()[-1]) <= 150
     with np.errstate(invalid="ignore"), pytest.raises(InputError, match="not finite at") as told:
         Profile.fit(lambda s: np.sqrt(299.9 - s), 300.0)
-    assert float(str(told.value).split()[-1]) > 299.9
+    assert float(str(told.value).split(":")[0].split()[-1]) > 299.9
