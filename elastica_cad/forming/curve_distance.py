@@ -127,7 +127,8 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
     if error > _SYMMETRIC_LENGTHS:
         name = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            "the drawn curve differs from its {name} by {size}: draw a symmetric curve, or remove keep symmetry",
+            "the drawn curve differs from its {name} by {size}: draw a symmetric curve, or leave out "
+            "`keep.symmetry`",
             name=name,
             size=Length(error * target.size),
         )

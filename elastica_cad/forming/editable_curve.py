@@ -65,7 +65,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
         edges = _refined(edges, shape.s[error > 1])
     if best is None or least > _PARDONED:
         raise NotConvergedError(
-            "the rest shape of {length:.6g} cannot be written as a spline of degree 4 with "
+            "the bent curve, {length:.6g} long, cannot be written as a spline of degree 4 with "
             "{most_spans} spans: use rod.curve, or fewer coefficients",
             length=Length(rod.length),
             most_spans=_MOST_SPANS,
@@ -88,7 +88,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
         return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
     except np.linalg.LinAlgError as error:
         raise NotConvergedError(
-            f"a spline of {spans} spans cannot have the inflections of the rest shape: use more spans"
+            f"a spline of {spans} spans cannot follow the inflections of the bent rod: use more spans"
         ) from error
 
 
@@ -139,8 +139,8 @@ def _continuous(rod: Rod) -> _Shape:
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
     if has_snapped(a) or has_snapped(b):
         raise NotConvergedError(
-            "the continuous rod does not reach the ends of the discrete rod, because it is close to "
-            "snapping: use more samples"
+            "the ends of the rod cannot be reached with finer steps, because the rod is close to snapping: "
+            "use more samples"
         )
     position, angle, curvature, K = (
         (4 * getattr(b, name)[::2] - getattr(a, name)) / 3

@@ -211,7 +211,7 @@ class Smoothing:
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             notes.append(note(
-                "This movement includes the rounding of corners of at most {angle:.2g} degrees.",
+                "Part of this movement rounds corners of at most {angle:.2g} degrees.",
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(notes)
@@ -283,7 +283,7 @@ def smooth_curve(
     require_natural_curvature(natural_curvature)
     each = tuple(widths) if is_series(widths) else ()
     if len(each) != 2 or not all(width is None or (is_number(width) and width > 0) for width in each):
-        raise InputError(f"widths are {quoted(widths)}: give two positive numbers or None, mm")
+        raise InputError(f"widths are {quoted(widths)}: give two positive numbers in mm, or None")
     smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature, widths)
     _ = smoothing.fairing
     return smoothing

@@ -97,7 +97,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         No stack has a rest shape with the same ends.
     """
     if not isinstance(law, LeavesLaw):
-        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
+        raise InputError(f"law is {law!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
     points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
@@ -106,7 +106,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not stacks:
         raise NotConvergedError(
-            f"no stack of {law.leaves} plies has a rest shape near this curve: use more and thinner plies"
+            f"no stack of {law.leaves} plies bends to a shape near this curve: use more and thinner plies"
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:

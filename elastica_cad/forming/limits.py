@@ -220,7 +220,8 @@ class Limits:
             require_positive(self.strain, "limit strain", "mm/mm")
             if self.sheet is None:
                 raise InputError(
-                    "a strain limit needs sheet=, because the allowed curvature is 2 strain / thickness"
+                    "a strain limit needs the thickness of a sheet, because the allowed curvature is 2 "
+                    "strain / thickness: set `sheet`"
                 )
         for name in ("width", "length"):
             if getattr(self, name) is None:
@@ -233,7 +234,7 @@ class Limits:
         object.__setattr__(self, "keep_out", keep_out)
         bounds = self.stiffness_bounds
         if bounds is not None and not (isinstance(bounds, (tuple, list)) and len(bounds) == 2):
-            raise InputError("stiffness_bounds is a pair (lower, upper); put None where there is no bound")
+            raise InputError("stiffness_bounds are not a pair: give (lower, upper), with None for no bound")
 
     @property
     def largest_ratio(self) -> float:
@@ -335,18 +336,22 @@ class Keep:
             alone = isinstance(value, (bool, np.bool_))
             both = (value, value) if alone else tuple(value) if is_series(value) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
-                raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
+                raise InputError(f"`keep.{name}` is {value!r}: use True, False, or a pair for (start, end)")
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
         require_declared(Keep, vars(self), "keep")
         points = np.atleast_1d(numbers(self.points, "keep points"))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
-            raise InputError("keep points must be finite arc lengths on the drawn curve, mm")
+            raise InputError(
+                "`keep.points` are not a row of finite numbers: give arc lengths on the drawn curve, in mm"
+            )
         object.__setattr__(self, "points", tuple(float(s) for s in points))
         if self.line is None or isinstance(self.line, bool):
             return
         line = numbers(self.line, "keep line")
         if line.shape != (2, 2) or not np.all(np.isfinite(line)) or np.all(line[0] == line[1]):
-            raise InputError("keep line must be True, or two different finite points ((x, y), (x, y)), mm")
+            raise InputError(
+                "`keep.line` is not a line: give True, or two different finite points ((x, y), (x, y)), in mm"
+            )
         object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
 
     @property

@@ -421,7 +421,7 @@ class Meridian:
         The width is 2 tan(pi / strips) times the distance from the axis.
         """
         if strips < 3:
-            raise InputError(f"strips={strips}: a surface of revolution needs 3 strips or more")
+            raise InputError(f"the number of strips is {strips}: give 3 or more for a surface of revolution")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
@@ -585,7 +585,7 @@ def _distance_at_end(start: float, length: float, ring: float | None) -> float:
         return min(NARROW_SHARE * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
         raise InputError(
-            "ring={ring}: it must be positive and smaller than the start's {start:g}",
+            "the radius `ring` is {ring}: give a number above 0 and below {start:g}, the radius at the start",
             ring=ring,
             start=Length(start),
         )
@@ -613,7 +613,7 @@ def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: flo
 def _checked_points(points: ArrayLike) -> FloatArray:
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
-        raise InputError("a meridian needs three points (x, y) or more, in mm")
+        raise InputError("the meridian cannot be read: give at least three points (x, y), in mm")
     if abs(data[-1, 0]) < ON_AXIS_SHARE * np.ptp(data):
         data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)

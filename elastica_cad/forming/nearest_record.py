@@ -241,8 +241,8 @@ def _advise(near: NearestRod) -> Iterator[str]:
         return
     if near.ties:
         yield note(
-            "Rods of other shapes ({count}) are as near to the drawn curve, within 2 %; `ties` lists them. "
-            "Draw the curve closer to the intended rod.",
+            "Other shapes ({count}) are as near to the drawn curve, within 2 %; `ties` lists these shapes. "
+            "Draw the curve closer to the intended shape.",
             count=len(near.ties),
         )
     named = [(binding, name) for binding in near.binding if (name := _limit_name(near, binding))][

@@ -365,8 +365,8 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
-            "a stack of plies cannot meet stiffness_bounds, nor keep points, symmetry or line. Remove these "
-            "limits"
+            "a stack of plies cannot meet `stiffness_bounds`, `keep.points`, `keep.symmetry` or "
+            "`keep.line`. Leave out these limits"
         )
     again = partial(_again, request)
     # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
@@ -535,11 +535,9 @@ def nearest_rod(
     require_natural_curvature(natural_curvature)
     require_limits(limits, keep)
     if not (section is None or hasattr(section, "bent")):
-        raise InputError(f"section is {section!r}: give a law of sections, such as ThicknessLaw, or None")
+        raise InputError(f"section is {section!r}: give a record such as ThicknessLaw, or None")
     if whole_number(samples, "samples", 20) > _MOST_NODES:
-        raise InputError(
-            f"samples={samples!r}: a rod needs 20 to {_MOST_NODES} nodes, {SEARCH_SAMPLES} are usual"
-        )
+        raise InputError(f"samples is {samples!r}: use 20 to {_MOST_NODES}, usually {SEARCH_SAMPLES}")
     if not is_one_of(measure, ("mean", "closest", "max")):
         raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
     if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:

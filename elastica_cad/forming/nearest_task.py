@@ -308,14 +308,15 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
         return None
     if request.gravity is not None:
         raise InputError(
-            "a rod with weight has no inflection line: leave out the option keep line, or gravity"
+            "a strip with weight has no line through its inflections: leave out `keep.line` or gravity"
         )
     if not isinstance(line, bool):
         return np.asarray(line[0]), np.asarray(line[1])
     crossing = examine(curve, Supports(), request.natural_curvature).line
     if crossing is None:
         raise InputError(
-            "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"
+            "the drawn curve has no line through its inflections: set `keep.line` to two points ((x, y), "
+            "(x, y))"
         )
     point, direction = np.asarray(crossing.point), np.asarray(crossing.direction)
     return point, point + direction * curve.length
@@ -326,7 +327,9 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
         return np.ones(nodes)
     values = values_along(weights, even_steps(nodes), size, "weights")
     if np.any(values < 0) or not values.any():
-        raise InputError("weights along the curve must be 0 or more, and not all 0")
+        raise InputError(
+            "weights along the curve are negative or all 0: give numbers of 0 or more, not all 0"
+        )
     return np.asarray(values / values.mean())
 
 
@@ -341,6 +344,7 @@ def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatA
         array = np.full(2, float(array))
     if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
         raise InputError(
-            f"{what} must be a finite number, values at equal distances, or a function of arc length"
+            f"{what} cannot be read: give a finite number, values at equal distances, or a function of arc "
+            "length"
         )
     return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))

@@ -85,7 +85,7 @@ class Mesh:
     def scaled(self, factor: float) -> "Mesh":
         """Return the mesh with all coordinates multiplied by `factor`."""
         if not (is_number(factor) and factor > 0):
-            raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
+            raise InputError(f"the scale of the mesh is {factor!r}: give a positive number")
         return Mesh(self.vertices * factor, self.faces)
 
 
@@ -94,22 +94,23 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
     except (TypeError, ValueError, OverflowError):
         raise InputError(
-            "a mesh must be two arrays of numbers: vertices (n, 3) and triangles (m, 3)"
+            "the mesh is not two arrays of numbers: give vertices (n, 3) and triangles (m, 3)"
         ) from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(
-            f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "
-            "divide larger faces into triangles first"
+            f"the mesh has arrays of shape {points.shape} and {rows.shape}: give vertices (n, 3) and "
+            "triangles (m, 3), and divide larger faces into triangles"
         )
     if not rows.size:
         raise InputError("the mesh has no triangles: nothing can be cut")
     if not np.issubdtype(rows.dtype, np.integer):
         raise InputError(
-            "the triangles of a mesh must be rows of whole numbers, the indices of vertices from 0"
+            "the triangles of the mesh are not rows of whole numbers: give the indices of three vertices, "
+            "from 0, in each row"
         )
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
+        raise InputError(f"vertex {bad} of the mesh is {points[bad].tolist()}: give finite coordinates")
     largest = float(np.abs(points).max())
     if largest > FARTHEST_MM:
         bad = int(np.abs(points).max(axis=1).argmax())
@@ -123,7 +124,8 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
-            f"a triangle names vertex {rows.max() if rows.min() >= 0 else rows.min()} of {len(points)}"
+            f"a triangle has vertex {rows.max() if rows.min() >= 0 else rows.min()}, but the mesh has "
+            f"{len(points)} vertices: give indices from 0 to below this number"
         )
     return points, rows.astype(np.intp)
 
@@ -256,7 +258,7 @@ def refuse_odd_planes(planes: object) -> None:
     """Raise InputError if the planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
-            f"planes must be a sequence of Frames, not {type(planes).__name__}: put a single plane in a list"
+            f"planes are a {type(planes).__name__}: give a sequence of Frames, with a single plane in a list"
         )
 
 

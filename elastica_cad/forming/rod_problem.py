@@ -240,7 +240,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     rest = task.request.natural_curvature
     blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
-        wish = "keep length requires" if task.keep.length else "the limit length requires"
+        wish = "`keep.length` requires" if task.keep.length else "the limit of the length requires"
         least, most = (1.0, 1.0) if task.keep.length else (low, high)
         tolerance = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
@@ -259,8 +259,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
-                "the length of the curve is to be kept, {size:.6g}, but the limit of the length is {size_2:.6g} to "
-                "{size_3:.6g}: remove one of the two requests",
+                "`keep.length` requires a length of {size:.6g}, but the limit of the length is "
+                "{size_2:.6g} to {size_3:.6g}: leave out `keep.length`, or change the limit",
                 size=Length(target.size),
                 size_2=low * target.size,
                 size_3=Length(high * target.size),
@@ -300,8 +300,8 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         if not 0 <= s <= target.size * (1 + 1e-9):
             raise InputError(
                 (
-                    "keep point at {s:.6g} is beyond the drawn curve, which is {size:.6g} long: give a place on "
-                    "the curve"
+                    "the drawn curve is {size:.6g} long, so it has no point at {s:.6g} for `keep.points`: "
+                    "give a place on the curve"
                 ),
                 s=Length(s),
                 size=Length(target.size),
@@ -350,19 +350,19 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     if np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max() > _SAME_CURVATURE * _moment_scale(
         task
     ):
-        image = "mirror image" if kind == "mirror" else "half turn"
+        image = "mirror image" if kind == "mirror" else "image after a half turn"
         raise InputError(
-            f"the pre-bent strip is not equal to its {image}: give a symmetric pre-bent strip, or remove keep "
-            "symmetry"
+            f"the pre-bent strip differs from its {image}: give a symmetric pre-bent strip, or leave out "
+            "`keep.symmetry`"
         )
     if kind == "turn":
         if task.request.gravity is not None:
-            raise InputError("a half turn reverses gravity: use keep symmetry='turn' only without weight")
+            raise InputError("a half turn reverses gravity: leave out `keep.symmetry` or the weight")
         return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
     if task.request.gravity is not None and abs(np.dot(task.request.gravity.direction, axis)) < 1 - 1e-9:
         raise InputError(
-            "gravity is not parallel to the mirror axis, so a strip with weight cannot be "
-            "symmetric: remove keep symmetry, or gravity"
+            "gravity is not parallel to the mirror axis, so a strip with weight cannot be symmetric: leave "
+            "out `keep.symmetry` or gravity"
         )
     across = left_of(axis)
     middle = float(target.angles(np.array([0.5]))[0])
@@ -391,14 +391,14 @@ def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, Floa
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            f"stiffness_bounds require K / min K of at least {low.min():.4g} everywhere, but it is 1 at the "
-            "softest place. Reduce the lower bound to 1 at one place or more"
+            f"the lower of the `stiffness_bounds` is {low.min():.4g} or more everywhere, but it applies to "
+            "K / min K, which is 1 at the softest place. Reduce the lower bound to 1 at one place or more"
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
         raise InputError(
-            "no stiffness is both above the lower and below the upper bound (or the ratio limit "
-            "{ratio:.4g}) near {at:.4g}: widen the bounds",
+            "no stiffness is above the lower and below the upper of the `stiffness_bounds` (or the ratio "
+            "limit {ratio:.4g}) near {at:.4g} along the curve: widen the bounds",
             ratio=ratio,
             at=Length(at),
         )

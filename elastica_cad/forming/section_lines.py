@@ -76,7 +76,10 @@ class SectionLine:
         """
         places = np.atleast_2d(np.asarray(points, dtype=float))
         if places.shape[1] != 2 or not np.all(np.isfinite(places)):
-            raise InputError(f"points to split {self.name} must be finite rows (k, 2), in mm, in its plane")
+            raise InputError(
+                f"the points to split {self.name} cannot be read: give finite rows (k, 2), in mm, in its "
+                "plane"
+            )
         return self._split(np.sort([_nearest(self.points, p) for p in places]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
@@ -87,7 +90,8 @@ class SectionLine:
         n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
         if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
             raise InputError(
-                "a splitting plane needs a point and a normal of three numbers each; the normal must not be zero"
+                "the splitting plane cannot be read: give a point and a normal of three numbers each, the "
+                "normal not zero"
             )
         height = (self.places - p) @ (n / np.linalg.norm(n))
         height = np.where(np.abs(height) <= IN_PLANE * np.abs(self.places).max(), 0.0, height)
@@ -101,7 +105,7 @@ class SectionLine:
     def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
         """Return the pieces of the line, split at corners whose direction changes by more than `turn`, rad."""
         if not 0 < turn < np.pi:
-            raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
+            raise InputError(f"the angle of a corner is {turn!r}: give a number between 0 and pi, in rad")
         points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
         corners = 1.0 + np.flatnonzero(_inner_turns(points) > turn)
         if self.is_closed:
@@ -393,11 +397,11 @@ def section_curves(
     ('arch', 4, ())
     """
     if not (is_number(wavelength) and wavelength >= 0):
-        raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
+        raise InputError(f"wavelength is {wavelength!r}: give 0 (no smoothing) or more, in mm")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
+        raise InputError(f"tolerance is {tolerance!r}: give a number above 0, in mm")
     if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
-        raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
+        raise InputError(f"false_turn is {false_turn!r}: give an angle from 0 to pi, in rad")
     curves: list[SectionCurve] = []
     reports: list[str] = []
     for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
@@ -572,11 +576,14 @@ def smooth_polyline(
     """
     vertices = numbers(points, "points to smooth")
     if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
-        raise InputError(f"points to smooth must be finite rows (n, 2), in mm, not of shape {vertices.shape}")
+        raise InputError(
+            f"the points to smooth have the shape {vertices.shape} or are not finite: give finite rows (n, "
+            "2), in mm"
+        )
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: smoothing needs 4 to {MOST_SMOOTHED} points")
     if not (is_number(wavelength) and wavelength > 0):
-        raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
+        raise InputError(f"the wavelength is {wavelength!r}: give a number above 0, in mm")
     s = lengths_along(vertices)
     if s[-1] == 0:
         raise InputError("the points to smooth are all equal: give different points")
@@ -586,7 +593,9 @@ def smooth_polyline(
     middle = (at[:-3] + at[3:]) / 2
     spans = numbers(where, "parts to smooth")
     if spans.size and spans.shape[1:] != (2,):
-        raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
+        raise InputError(
+            "the parts to smooth cannot be read: give rows (k, 2) of finite lengths along the points, in mm"
+        )
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
     # from a wavelength of four line lengths, the result is a parabola; larger wavelengths only add rounding errors
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
@@ -649,7 +658,7 @@ def remove_false_inflections(
             return simpler
     raise NotConvergedError(
         "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections, "
-        "and no smoothing that moves it by less than {most} removes this",
+        "and smoothing by less than {most} does not remove these bends",
         stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
         turn=np.degrees(turn),
         most=Length(most),

@@ -86,15 +86,15 @@ def planes_along(
     """
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
-        raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
+        raise InputError(f"the path has the shape {points.shape}: give points (n, 3), in mm")
     if not is_whole(count) or not 1 <= count <= MOST_PLANES or (require_flag(ends, "ends") and count < 2):
         raise InputError(
-            f"count={quoted(count)}: a path is cut by a whole number of planes, one plane at least, "
-            f"two with ends=True, and {MOST_PLANES} at most"
+            f"count is {quoted(count)}: give a whole number of planes from 1 (with ends=True from 2) to "
+            f"{MOST_PLANES}"
         )
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
     if len(points) < 2:
-        raise InputError("a path needs two different points or more")
+        raise InputError("all points of the path are equal: give two different points or more")
     s = lengths_along(points)
     at = np.linspace(0.0, s[-1], count) if ends else s[-1] * (np.arange(count) + 0.5) / count
     slopes = np.column_stack([_slopes(s, column) for column in points.T])
@@ -133,23 +133,23 @@ def _direction(name: str, value: ArrayLike) -> FloatArray:
 def _vector(name: str, value: ArrayLike) -> FloatArray:
     v = _numbers(name, value)
     if v.shape != (3,):
-        raise InputError(f"{name} must be three numbers, not {np.shape(value)}")
+        raise InputError(f"{name} has the shape {np.shape(value)}: give three numbers")
     return v
 
 
 def _row(name: str, value: ArrayLike) -> list[float]:
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
-        raise InputError(f"{name} must be a number or a list of numbers, not an array of shape {v.shape}")
+        raise InputError(f"{name} has the shape {v.shape}: give a number or a list of numbers")
     return [float(x) for x in v]
 
 
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
-        raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}")
+        raise InputError(f"{name} is {str(value)[:60]!r}: give numbers")
     if not np.all(np.isfinite(v)):
-        raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
+        raise InputError(f"{name} is {v.tolist()}: give finite numbers")
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
         raise InputError(f"{name} contains {np.abs(v).max():.3g}: give numbers up to {FARTHEST_MM:g}")
     return v
@@ -335,7 +335,7 @@ class CornerSplit:
 
     def __post_init__(self) -> None:
         if not 0 < self.corners < np.pi:
-            raise InputError(f"corners is {self.corners:g}: corners turn by an angle between 0 and pi")
+            raise InputError(f"corners is {self.corners:g}: give an angle between 0 and pi, in rad")
 
     @property
     def name(self) -> str:

@@ -239,10 +239,10 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
         return None
     values = as_floats(places)
     if values is None:
-        raise InputError(f"places must be arc lengths in mm, not {places!r}")
+        raise InputError(f"places are {places!r}: give arc lengths in mm")
     s = np.unique(values)
     if not np.all(np.isfinite(s)):
-        raise InputError("places of supports must be finite arc lengths, in mm")
+        raise InputError("places of supports are not finite: give arc lengths in mm")
     t = curve.parameter(s)
     low, high = curve.domain
     return np.asarray(t[(t > low) & (t < high)])
@@ -279,7 +279,7 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
     if cut.places is not None:
-        what = note("no strip can reach from there to the next given place of a support: give more places")
+        what = note("no strip can reach from this place to the next given support: give more places")
     else:
         what = note("no strip can begin there")
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)

@@ -533,7 +533,7 @@ def enforce_constraints(
     if line is not None:
         require_record(line, InflectionLine, "line", "an InflectionLine, or None")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError(f"tolerance is {tolerance!r}: it must be positive")
+        raise InputError(f"tolerance is {tolerance!r}: give a number above 0")
     constraints: list[Constraint] = [
         *kept(curve if like is None else like, ends=ends, tangents=tangents, length=length)
     ]

@@ -79,11 +79,13 @@ def sampled_stiffness(
     n = curvature.size
     if position.shape != (n, 2) or curvature.shape != (n,) or n < 2:
         raise InputError(
-            f"samples need positions (n, 2) and curvatures (n,), got {position.shape} and {curvature.shape}"
+            f"the samples have the shapes {position.shape} and {curvature.shape}: give positions (n, 2) and "
+            "curvatures (n,)"
         )
     if not (np.all(np.isfinite(position)) and np.all(np.isfinite(curvature)) and np.all(curvature != 0)):
         raise InputError(
-            "sample positions must be finite and curvatures not zero: keep samples off the inflections"
+            "the samples have positions that are not finite, or zero curvature: keep samples off the "
+            "inflections"
         )
     centre = (position.max(axis=0) + position.min(axis=0)) / 2
     if gravity is None:
@@ -91,7 +93,8 @@ def sampled_stiffness(
     else:
         if weights is None:
             raise InputError(
-                "with gravity the samples need weights: the length of curve (mm) that each stands for"
+                "with gravity, each sample needs a weight: give the length of curve (mm) that each sample "
+                "represents"
             )
         rows = sampled_rows(position - centre, curvature, np.asarray(weights, dtype=float), gravity.e)
     solution = minimax_ratio(rows)

@@ -182,9 +182,9 @@ def test_broken_meshes_are_described():
     [
         (np.zeros((3, 2)), [[0, 1, 2]], r"vertices \(n, 3\)"),
         (np.eye(3), np.zeros((0, 3), int), "no triangles"),
-        (np.eye(3), [[0, 1, 3]], "vertex 3 of 3"),
+        (np.eye(3), [[0, 1, 3]], "vertex 3, but the mesh has 3 vertices"),
         (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
-        (np.full((3, 3), np.nan), [[0, 1, 2]], "not finite"),
+        (np.full((3, 3), np.nan), [[0, 1, 2]], "give finite coordinates"),
         (np.zeros((3, 3)), [[0, 1, 2]], "have zero area: export"),
     ],
 )
@@ -213,7 +213,7 @@ def test_planes_along_a_path():
         assert frame.y_axis @ [0, 0, 1] == pytest.approx(1)
     for words, arguments in (
         ("two different points", ([(0, 0, 0)] * 2, 2)),
-        ("one plane at least", ([(0, 0, 0), (1, 0, 0)], 0)),
+        ("give a whole number of planes from 1", ([(0, 0, 0), (1, 0, 0)], 0)),
         ("right angles to the plane", ([(0, 0, 0), (0, 0, 1)], 2)),
     ):
         with pytest.raises(InputError, match=words):
@@ -344,11 +344,11 @@ def test_a_corner_that_cannot_be_followed_is_named():
 @pytest.mark.parametrize(
     ("wishes", "words"),
     [
-        ({"tolerance": "a"}, "tolerance='a': it must be positive"),
-        ({"tolerance": np.nan}, "tolerance=nan"),
-        ({"wavelength": None}, "wavelength=None"),
-        ({"false_turn": np.nan}, "false_turn=nan: it must be an angle"),
-        ({"false_turn": -0.1}, "false_turn=-0.1"),
+        ({"tolerance": "a"}, "tolerance is 'a': give a number above 0"),
+        ({"tolerance": np.nan}, "tolerance is nan"),
+        ({"wavelength": None}, "wavelength is None"),
+        ({"false_turn": np.nan}, "false_turn is nan: give an angle"),
+        ({"false_turn": -0.1}, "false_turn is -0.1"),
     ],
 )
 def test_bad_wishes(wishes, words):
@@ -359,19 +359,19 @@ def test_bad_wishes(wishes, words):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], 2.5), r"count=2\.5: a path is cut by a whole number"),
-        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], "2"), "count='2'"),
-        (lambda: parallel_planes((0, 0, 0), (0, 1, 0), "abc"), "offsets must be numbers, not 'abc'"),
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], 2.5), r"count is 2\.5: give a whole number of planes"),
+        (lambda: planes_along([(0, 0, 0), (9, 0, 0)], "2"), "count is '2'"),
+        (lambda: parallel_planes((0, 0, 0), (0, 1, 0), "abc"), "offsets is 'abc': give numbers"),
         (
             lambda: parallel_planes((0, 0, 0), (0, 1, 0), [[1, 2]]),
-            r"offsets must be a number or a list.*\(1, 2\)",
+            r"offsets has the shape \(1, 2\): give a number or a list",
         ),
-        (lambda: radial_planes((0, 0, 0), (0, 0, 1), None), "angles must be"),
+        (lambda: radial_planes((0, 0, 0), (0, 0, 1), None), "angles is nan: give finite numbers"),
         (
             lambda: mesh_sections(*cube(), UPRIGHT),
-            "sequence of Frames, not Frame: put a single plane in a list",
+            "planes are a Frame: give a sequence of Frames, with a single plane in a list",
         ),
-        (lambda: mesh_sections(*cube(), None), "sequence of Frames, not NoneType"),
+        (lambda: mesh_sections(*cube(), None), "planes are a NoneType"),
         (lambda: mesh_sections(*cube(), [UPRIGHT, 3]), "sequence of Frames"),
     ],
 )
