@@ -170,9 +170,9 @@ def bend(
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
-        raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
+        raise InputError(f'gravity is {gravity!r}: give a Gravity record, None or "keep"')
     if not is_one_of(side, (None, 1, -1)):
-        raise InputError(f"side must be +1 or -1, got {side!r}")
+        raise InputError(f"side is {side!r}: use +1 or -1")
     whole_number(mode, "mode", 1)
     keeps = isinstance(between, str) and between == "keep"
     elements = mounted(rod, None if keeps else require_elements(between))
@@ -385,7 +385,8 @@ def _bent_on_elements(
                 ahead[i] = violation(elements[i], shape)
         elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
-        "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
+        "No set of rails, pins and ties that carry load was found for this shape. Move the ends or change "
+        "the loads in smaller steps."
     )
 
 
@@ -577,10 +578,14 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
     points = as_floats(path)
     if points is None:
         raise InputError(
-            "a path is a list of end positions (x, y), or of dictionaries with options of `bend`"
+            "the path cannot be read: give a sequence of end positions (x, y), or of dictionaries with options "
+            "of `bend`"
         )
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
-        raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
+        raise InputError(
+            f"the path of end positions has the shape {points.shape} or is not finite: give finite rows (k, "
+            "2)"
+        )
     return [{"end": point} for point in points]
 
 
@@ -697,7 +702,8 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
             raise InputError(
-                f"guess must be a Rod or {n + 1} angles at the nodes (or {n} at the edges), got {edges.shape}"
+                f"guess has the shape {edges.shape}: give a Rod, or {n + 1} angles at the nodes (or {n} at "
+                "the edges)"
             )
     return _with_reactions(system.state(edges))
 
@@ -719,7 +725,7 @@ def _end_angles(
         return end_angles
     values = np.atleast_1d(np.asarray(angles, dtype=object))
     if values.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in values):
-        raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
+        raise InputError(f"angles are {angles!r}: give two numbers in rad, for start and end")
     for i, (value, support, name) in enumerate(zip(values, supports.ends, ("start", "end"), strict=True)):
         if value is None:
             continue
@@ -729,7 +735,7 @@ def _end_angles(
             )
         end_angles[i] = float(value)
     if not np.all(np.isfinite(end_angles)):
-        raise InputError(f"angles must be finite, rad, got {angles!r}")
+        raise InputError(f"angles are {angles!r}: give finite numbers, in rad")
     return end_angles
 
 
@@ -780,7 +786,7 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     elif values is not None and values.shape == (2,):
         moments[:] = values
     else:
-        raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
+        raise InputError(f"moment is {moment!r}: give one number or two (start, end), in 1/mm")
     for k, name in enumerate(("start", "end")):
         if moments[k] != 0 and not free[k]:
             raise InputError(
@@ -791,5 +797,5 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
                 name=name,
             )
     if not np.all(np.isfinite(moments)):
-        raise InputError(f"moment must be finite, 1/mm, got {moment!r}")
+        raise InputError(f"moment is {moment!r}: give a finite number, in 1/mm")
     return moments

@@ -141,9 +141,7 @@ def elastica_between(
     """
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if not (is_number(length) or isinstance(length, float)):
-        raise InputError(
-            f"length must be a number in mm, larger than the distance of the ends, got {length!r}"
-        )
+        raise InputError(f"length is {length!r}: give a number in mm, larger than the distance of the ends")
     if not is_one_of(side, (1, -1)):
         raise InputError(
             f"side is {side!r}: give 1 for a bulge left of the line from start to end, -1 for right"
@@ -197,7 +195,7 @@ def _bent_by_loads(
 ) -> Rod:
     load = np.zeros(2) if force is None else _plane_point(force)
     if load is None:
-        raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
+        raise InputError(f"force is {force!r}: give two numbers, in 1/mm2")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_fractions(float(np.hypot(*load)) * rod.length**2):
@@ -229,7 +227,7 @@ def _load_fractions(load: float) -> list[float]:
 def _point(point: object, name: str) -> FloatArray:
     place = _plane_point(point)
     if place is None:
-        raise InputError(f"{name} must be a point (x, y), two numbers in mm, got {point!r}")
+        raise InputError(f"{name} is {point!r}: give a point (x, y), two numbers in mm")
     return place
 
 
@@ -249,7 +247,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
     """Convert two angles from degrees to radians; None is a free angle."""
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
-        raise InputError(f"angles must be in degrees, from -360 to 360, got {angles!r}")
+        raise InputError(f"angles are {angles!r}: give degrees from -360 to 360")
     return None if near is None else radians(near), None if far is None else radians(far)
 
 
@@ -257,7 +255,8 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
     pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
     if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
-            f"angles must be two numbers, for start and end, or None for an end that turns freely, got {angles!r}"
+            f"angles are {angles!r}: give two numbers, for start and end, or None for an end that turns "
+            "freely"
         )
     near, far = pair
     return near, far

@@ -93,24 +93,31 @@ class Creep:
 
     def __str__(self) -> str:
         summary = note(
-            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. Taken out, it "
-            "keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; exact for a linear "
-            "homogeneous sheet.)"
+            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. When the "
+            "strip is taken out, it keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; "
+            "exact for a linear homogeneous sheet.)"
             if self.exact else
-            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. Taken out, it "
-            "keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; an approximation by the "
-            "effective modulus.)",
+            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. When the "
+            "strip is taken out, it keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; an "
+            "approximation by the effective modulus.)",
             factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
         )  # fmt: skip
         after = self.stability
         if not self.stays:
             snaps = note(
-                "It then snaps into another shape under its load. Use a stiffer sheet, or support the strip."
+                "The strip then snaps into another shape under its load. Use a stiffer sheet, or support "
+                "the strip."
             )
             return sentences([summary, snaps], " ")
         if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             return sentences(
-                [summary, note("It is then close to snapping (margin {margin:.3g}).", margin=after.margin)],
+                [
+                    summary,
+                    note(
+                        "The strip is then close to snapping (stability margin {margin:.3g}).",
+                        margin=after.margin,
+                    ),
+                ],
                 " ",
             )
         return summary

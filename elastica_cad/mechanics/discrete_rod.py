@@ -112,7 +112,8 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
     )
     if info != 0:
         raise NotConvergedError(
-            "the stability of the rod cannot be computed, because its second variation overflows"
+            "the stability of the rod cannot be computed, because its second variation overflows: check "
+            "its stiffness and its load"
         )
     return int(count)
 

@@ -305,9 +305,9 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         return _refuse_extreme_ratio(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
-        "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to it "
-        "at the inflection. The stiffness would have to be 0 or negative there. Let the curve turn less, or "
-        "support the strip in between.",
+        "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to "
+        "the curve at the inflection. The stiffness would have to be 0 or negative there. Let the curve "
+        "turn less, or support the strip between these places.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
     return _refused(replace(checked, crossings=near), reason)
@@ -570,7 +570,10 @@ def project_inflections(
             continue
         if np.abs(moved.control_points - curve.control_points).max() <= LARGEST_MOVE_SHARE * curve.length:
             return moved.drawn_as(curve.provenance)
-    raise NotConvergedError("no small move of the control points brings the inflections onto one line")
+    raise NotConvergedError(
+        "no small move of the control points brings the inflections onto one line: draw the inflections "
+        "closer to a line"
+    )
 
 
 def _line_constraints(

@@ -350,8 +350,8 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
     if request.between or request.point_forces:
         raise InputError(
-            "A section law cannot be combined with rails, pins, ties or point forces yet. Leave out the "
-            "section law, or these elements."
+            "A section law (varying thickness or diameter) cannot be combined with rails, pins, ties or "
+            "point forces yet. Leave out the section law, or these elements."
         )
     if isinstance(section, LeavesLaw):
         raise InputError(
@@ -362,7 +362,7 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
         raise InputError(
-            f"section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
+            f"section is {section!r}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
     settled = any(
@@ -370,8 +370,8 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     )
     if settled or not alone:
         raise InputError(
-            "a section fixes stiffness and weight: remove bending_stiffness, largest_stiffness and law, and "
-            "give only masses, such as Weight(masses=..., own=True)"
+            "section already sets stiffness and weight: leave out bending_stiffness, largest_stiffness and "
+            "law, and give only masses, such as Weight(masses=..., own=True)"
         )
 
 
@@ -388,9 +388,9 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
     if value is None:
         return
     if not in_newtons:
-        raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
+        raise InputError(f"{name} applies only to rods with a weight in newtons: pass weight=Weight(...) too")
     if not (is_number(value) and value > 0):
-        raise InputError(f"{name.replace('_', ' ')} is {value!r}: it must be positive, in N mm2")
+        raise InputError(f"{name} is {value!r}: give a number above 0, in N mm2")
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:

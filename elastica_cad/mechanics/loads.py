@@ -56,12 +56,14 @@ class Gravity:
     def __post_init__(self) -> None:
         if not (is_number(self.length) and self.length > 0):
             raise InputError(
-                f"gravity length is {self.length!r}; it must be positive, in mm (200 gsm card: 96)"
+                f"the elasto-gravity length is {self.length!r}: give a positive number in mm (200 gsm card: "
+                "96)"
             )
         d = as_floats(self.direction)
         if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
-                f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"
+                f"the direction of gravity is {self.direction!r}: give two numbers, not both zero, e.g. (0, "
+                "-1)"
             )
         d = d / np.hypot(*d)
         object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
@@ -388,9 +390,7 @@ def require_supports(supports: object, *, between: bool = False) -> Supports:
 def require_tolerance(tolerance: object) -> None:
     """Refuse a tolerance that is negative or not a number."""
     if not (is_number(tolerance) and tolerance >= 0):
-        raise InputError(
-            f"tolerance is {tolerance!r}: it must be a fraction of the curve's length, 0 or more"
-        )
+        raise InputError(f"tolerance is {tolerance!r}: give a fraction of the curve's length, 0 or more")
 
 
 def require_ratio(ratio: object, name: str) -> None:
@@ -398,8 +398,8 @@ def require_ratio(ratio: object, name: str) -> None:
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
             (
-                "{name} is {ratio}, but the ratio of largest to least stiffness is 1 or more: give a larger "
-                "number; plain strips allow 2 to 4"
+                "{name} is {ratio}, but the ratio of largest to least stiffness is at least 1: give a "
+                "larger number, such as 2 to 4 for plain strips"
             ),
             name=name,
             ratio=ratio,
@@ -414,14 +414,14 @@ def whole_number(value: object, name: str, least: int) -> int:
     """Return a whole number of at least `least`; refuse fractions, texts and booleans."""
     if not is_whole(value) or value < least:
         raise InputError(
-            "{name} is {given!r}: it must be a whole number, {least} or more",
+            "{name} is {given!r}: give a whole number, {least} or more",
             name=name,
             given=value,
             least=least,
         )
     if value > MOST_COUNTED:
         raise InputError(
-            "{name} is {given}: it must be a whole number, {most_counted} at most",
+            "{name} is {given}: give a whole number, {most_counted} at most",
             name=name,
             given=quoted(value),
             most_counted=MOST_COUNTED,

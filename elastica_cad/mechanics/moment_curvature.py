@@ -84,7 +84,7 @@ class MaterialLaw(ABC):
         if largest > reached * (1 + _ROUNDING_SHARE):
             raise InputError(
                 f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
-                "material law reaches"
+                "material law reaches: draw a gentler curve, or use a thinner sheet"
             )
         low, high = np.zeros(m.shape), np.full(m.shape, top)
         for _ in range(100):
@@ -121,7 +121,9 @@ class PolynomialLaw(MaterialLaw):
     def __post_init__(self) -> None:
         for name in ("quadratic", "quartic"):
             if not is_number(getattr(self, name)):
-                raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
+                raise InputError(
+                    f"{name} coefficient of the material law is {getattr(self, name)}: give a finite number"
+                )
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -292,7 +294,9 @@ class TabulatedLaw(MaterialLaw):
         for name in ("curvatures", "moments"):
             array = numbers(getattr(self, name), f"the law's {name}").copy()
             if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
-                raise InputError(f"the law's {name} must be at least two positive, finite numbers")
+                raise InputError(
+                    f"{name} of the material law cannot be used: give at least two positive, finite numbers"
+                )
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         if self.curvatures.shape != self.moments.shape:
@@ -303,8 +307,8 @@ class TabulatedLaw(MaterialLaw):
         if np.any(np.diff(self.curvatures) <= 0):
             i = int(np.argmin(np.diff(self.curvatures)))
             raise InputError(
-                f"the law's curvatures must increase: {self.curvatures[i + 1]:g} follows "
-                f"{self.curvatures[i]:g} 1/mm"
+                f"the curvatures of the material law do not increase: {self.curvatures[i + 1]:g} follows "
+                f"{self.curvatures[i]:g} 1/mm. Give increasing curvatures"
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:

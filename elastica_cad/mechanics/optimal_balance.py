@@ -295,7 +295,9 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
         before, (state, tau) = tau, stiffest
         if not weight.beta or abs(tau / before - 1) < SETTLED_SHARE:
             return problem.balance(state), tau
-    raise NotConvergedError("the iteration of weight and stiffness did not converge: give bending_stiffness")
+    raise NotConvergedError(
+        "the computation of weight and stiffness did not converge: set `bending_stiffness`"
+    )
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
@@ -580,9 +582,9 @@ def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> Balance
         sizes = law.parameter(EI)
         s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
-            "if the largest {quantity} is {largest:g}, the curve requires a {quantity} of {given:.4g} at "
-            "{s:.4g}, but the limits allow no less than {least:g}. Widen the limits, or use the nearest "
-            "possible curve ({field})",
+            "with the largest {quantity} of {largest:g}, the curve requires a {quantity} of {given:.4g} at "
+            "{s:.4g} from its start, but the limits allow no less than {least:g}. Widen the limits, or use "
+            "the nearest possible curve ({field})",
             field=FieldName("limits"),
             quantity=law.quantity,
             given=Length(float(sizes.min())),

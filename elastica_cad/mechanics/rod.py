@@ -116,7 +116,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
     """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least value."""
     if not profile.is_positive:
-        raise InputError("rod stiffness must be positive everywhere along the rod")
+        raise InputError("the stiffness of the rod is not positive everywhere: give numbers above 0")
     K = profile(s)
     return profile.scaled(1 / K.min()), K / K.min()
 
@@ -131,13 +131,16 @@ def _stiffness_profile_of(
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
             raise InputError(
-                f"the stiffness profile is {Mm(stiffness.length):.6g} long, the rod {Mm(length):.6g}"
+                f"the stiffness profile is {Mm(stiffness.length):.6g} long, but the rod is {Mm(length):.6g} "
+                "long: give a profile of the rod's length"
             )
         return stiffness, samples or DEFAULT_SAMPLES
     array = as_floats(stiffness)
     values = np.array([]) if array is None else np.atleast_1d(array)
     if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
-        raise InputError("stiffness must be a positive finite number, or such a number for each node")
+        raise InputError(
+            "stiffness cannot be used: give a positive finite number, or such a number for each node"
+        )
     n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
     if values.size == 1:
         values = np.full(2, values[0])
@@ -450,12 +453,18 @@ class Rod:
         }.items():  # fmt: skip
             array = numbers(getattr(self, name), f"rod {name}").copy()
             if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
-                raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
+                raise InputError(
+                    f"rod {name} has the shape {array.shape} or is not finite: give finite numbers of shape "
+                    f"{shape}"
+                )
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         rest = numbers(self.natural_curvature, "natural curvature")
         if rest.size not in (1, n) or not np.isfinite(rest).all():
-            raise InputError(f"natural curvature must be a finite number, or {n} numbers for the nodes, 1/mm")
+            raise InputError(
+                f"the natural curvature cannot be used: give a finite number, or {n} numbers for the nodes, "
+                "in 1/mm"
+            )
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
@@ -717,7 +726,10 @@ class Rod:
             amount = self.node_lengths * self.flat_stiffness / self.gravity.length**3
         else:
             if self.bending_stiffness is None:
-                raise InputError("a rod with weights in newtons needs its least bending stiffness (N mm2)")
+                raise InputError(
+                    "a rod with weights in newtons needs its least bending stiffness (N mm2): set "
+                    "bending_stiffness"
+                )
             amount = self.weight.lumped(self.s, self.stiffness, self.node_lengths) / self.bending_stiffness
         return np.asarray(amount[:, None] * down)
 
@@ -728,7 +740,10 @@ class Rod:
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
         if not apart.all():
             at = float(self.s[int(np.argmin(apart))])
-            raise InputError(f"two neighbouring nodes of the rod coincide at {Mm(at):.6g}")
+            raise InputError(
+                f"two neighbouring nodes of the rod coincide at {Mm(at):.6g} from its start: remove one of "
+                "these nodes"
+            )
         angles = _edge_angles(self.position, self.angle)
         force = np.zeros((angles.size, 2))
         nodal = np.zeros_like(self.force)
@@ -806,13 +821,16 @@ class Rod:
             self.s.size,
         ):
             raise InputError(
-                f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a "
-                "node, or a Profile"
+                f"stiffness has {np.size(stiffness)} values, but the rod has {self.s.size} nodes: give one "
+                "a node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):
-            raise InputError(f"stiffness is not positive at {Mm(self.s[int(np.argmin(K))]):.6g}")
+            raise InputError(
+                f"stiffness is not positive at {Mm(self.s[int(np.argmin(K))]):.6g} from the start: give "
+                "numbers above 0"
+            )
         K, profile = K / K.min(), profile.scaled(1 / K.min())
         size = np.abs(self.moment).max()
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()

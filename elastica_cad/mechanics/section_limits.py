@@ -255,5 +255,5 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
     good = np.isfinite(array) & (array > 0)
     if not good.all():
         i = int(np.argmin(good))
-        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
+        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: give a number above 0")
     return array

@@ -94,9 +94,9 @@ def anticlastic_factor(
         )
     )
     if not (np.all(np.isfinite(w)) and np.all(w > 0)):
-        raise InputError("strip width must be positive, in mm")
+        raise InputError("the strip width is not positive: give a number above 0, in mm")
     if not (np.all(np.isfinite(kappa)) and np.all(np.isfinite(rest))):
-        raise InputError("curvature must be finite, in 1/mm")
+        raise InputError("the curvature is not finite: give a finite number, in 1/mm")
     matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
@@ -213,7 +213,7 @@ class SheetCurl:
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
     require_positive(thickness, "thickness")
     if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must be between 0 and 1")
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: give a number between 0 and 1")
     return float(thickness), float(poisson_ratio)
 
 
@@ -270,7 +270,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must be between 0 and 0.5")
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: give a number between 0 and 0.5")
     require_positive(grain, "grain")
     twist = (1 + nu) * grain
     return float(np.pi / 2 * twist * np.sqrt(2 * (twist + 1 - nu)) / (twist + 2))

@@ -112,13 +112,13 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 
 def _finite_number(value: Any, where: str) -> float:
     if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError(f"{where} is {value!r}; it must be a number")
+        raise InputError(f"{where} is {value!r}; write a number")
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(f"{where} is {quoted(value)}; it must be a number") from error
+        raise InputError(f"{where} is {quoted(value)}; write a number") from error
     if not isfinite(number):
-        raise InputError(f"{where} is {number}; it must be a finite number")
+        raise InputError(f"{where} is {number}; write a finite number")
     return number
 
 
@@ -159,7 +159,7 @@ USUAL_RATIO = NominalRatio(0.3)
 def _checked_poisson_ratio(value: Any, where: str) -> float:
     nu = _finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must be between 0 and 1")
+        raise InputError(f"{where}: poisson_ratio is {nu:g}; write a number between 0 and 1")
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -312,7 +312,9 @@ def _read_table(path: str | Path) -> object:
         text = path.read_bytes().decode("utf-8-sig")  # with or without a byte order mark
         data = parse_toml(text)
     except RecursionError as error:
-        raise InputError(f"{path} nests lists or tables too deeply for a file of sheets") from error
+        raise InputError(
+            f"{path} nests lists or tables too deeply for a file of sheets; write tables [sheets.NAME]"
+        ) from error
     except OSError as error:
         raise InputError(
             f"{path} cannot be read: {error.strerror or error}; name an existing file"
@@ -325,7 +327,7 @@ def _read_table(path: str | Path) -> object:
         raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
     for key in data:
         if key not in ("schema", "sheets"):
-            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
+            raise InputError(f"{path}: unknown entry {key!r}; write sheets as tables [sheets.NAME]")
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
             f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
@@ -336,7 +338,7 @@ def _read_table(path: str | Path) -> object:
 def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
-        raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
+        raise InputError(f"{where} is {quoted(entry)}; write a table [sheets.{name}]")
     values: dict[str, Any] = {}
     keys = sheet_keys()
     for key, value in entry.items():
@@ -347,13 +349,11 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             values[field_name] = _finite_number(value, f"{where}: {key}")
         elif kind in ("text", "either"):
             if not isinstance(value, str):
-                raise InputError(f"{where}: {key} is {quoted(value)}; it must be text in quotes")
+                raise InputError(f"{where}: {key} is {quoted(value)}; write text in quotes")
             values[field_name] = value
         elif kind == "list":
             if not isinstance(value, list) or len(value) != 2:
-                raise InputError(
-                    f"{where}: {key} is {quoted(value)}; it must be two numbers, [lowest, highest]"
-                )
+                raise InputError(f"{where}: {key} is {quoted(value)}; write two numbers, [lowest, highest]")
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
             number = plausible_number(value, key, where)
@@ -545,12 +545,12 @@ class Sheet:
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
-            raise InputError(f"a sheet needs a name, got {self.name!r}")
+            raise InputError(f"the name of a sheet is {self.name!r}; give a text")
         require_printable(self.name, "the sheet's name")
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(
-                "sheet {name!r}: stock is {stock!r}; it must be two sides, in mm",
+                "sheet {name!r}: stock is {stock!r}; write two sides, in mm",
                 name=self.name,
                 stock=self.stock,
             )
@@ -578,7 +578,7 @@ class Sheet:
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
         if value < 0 or (value == 0 and field_name != "kerf"):
             raise InputError(
-                "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
+                "sheet {name!r}: {field_name} is {given:g}; write a {least} number, in {unit}",
                 name=self.name,
                 field_name=field_name,
                 given=value,
@@ -612,7 +612,8 @@ class Sheet:
         low, high = (_finite_number(v, where) for v in limits)
         if not 0 <= low <= value <= high:
             raise InputError(
-                f"{where} is {low:g} to {high:g}; it must contain {field_name} = {value:g}, lowest first"
+                f"{where} is {low:g} to {high:g}; write a range that contains {field_name} = {value:g}, "
+                "lowest first"
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
@@ -630,7 +631,7 @@ class Sheet:
         if not isinstance(given, Sheet):
             raise InputError(
                 "give a Sheet or the name of a sheet, such as 'birch-plywood-0.8', not "
-                f"{type(given).__name__}: `sheet_names()` lists them"
+                f"{type(given).__name__}: `sheet_names()` lists the names"
             )
         return given
 
@@ -648,7 +649,7 @@ class Sheet:
         if not isinstance(name, str | PathLike):
             raise InputError(
                 f"give the name of a sheet, such as 'birch-plywood-0.8', not {type(name).__name__}: "
-                "`sheet_names()` lists them"
+                "`sheet_names()` lists the names"
             )
         figures = built_in_figures()
         if name in figures:

@@ -188,7 +188,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
-            "poisson_ratio is {poisson_ratio}: it must be between -1 and 1", poisson_ratio=poisson_ratio
+            "poisson_ratio is {poisson_ratio}: give a number between -1 and 1", poisson_ratio=poisson_ratio
         )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
@@ -527,14 +527,16 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     else:
         values = np.atleast_1d(numbers(width, name))
         if values.ndim != 1 or not values.size:
-            raise InputError(f"{name} must be a finite number, an array of numbers or a Profile, in mm")
+            raise InputError(
+                f"{name} cannot be used: give a finite number, an array of numbers or a Profile, in mm"
+            )
         sizes = (
             np.interp(s, np.linspace(0, s[-1], values.size), values)
             if values.size > 1
             else np.full(s.size, values[0])
         )
     if not (np.all(np.isfinite(sizes)) and np.all(sizes > 0)):
-        raise InputError(f"{name} must be positive everywhere, in mm")
+        raise InputError(f"{name} is not positive everywhere: give numbers above 0, in mm")
     return sizes
 
 

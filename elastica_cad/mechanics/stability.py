@@ -115,7 +115,8 @@ def determinant_gradient(
     for name, values in (("weights", weights), ("moments", moments)):
         if numbers(values, name).shape != (rod.angles.size + 1,):
             raise InputError(
-                f"{name} must be an array ({rod.angles.size + 1},), with a number for each node of the rod"
+                f"{name} cannot be used: give an array ({rod.angles.size + 1},), with a number "
+                "for each node of the rod"
             )
     n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
     z = stability_determinant(rod)
@@ -373,7 +374,7 @@ def stability(rod: Rod) -> Stability:
             f"stability needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}"
         )
     if rod.residual > OUT_OF_BALANCE:
-        raise InputError(f"the rod is not in equilibrium (residual {rod.residual:.2g}): bend it first")
+        raise InputError(f"the rod is not in equilibrium (residual {rod.residual:.2g}): bend the rod first")
     discrete = rod.discrete
     negative, margin = discrete.unstable_modes, discrete.margin
     scale = float(np.abs(discrete.hessian[0]).max()) * discrete.angles.size * rod.length

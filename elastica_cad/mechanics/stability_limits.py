@@ -219,7 +219,8 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
             raise NotConvergedError(
-                f"the rod snaps on the way to the start of the path, after {reached.fraction:.1%} of that way"
+                f"the rod snaps on the way to the start of the path, after {reached.fraction:.1%} of that "
+                "way: start the path closer to the shape of the rod"
             )
         if (
             not is_straight(reached.state)
@@ -308,7 +309,7 @@ def _entry_as_keywords(step: Any) -> dict[str, Any]:
     value = numbers(step, "a step of the path")
     if value.ndim == 0:
         if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"load factors must be finite and not negative, got {value}")
+            raise InputError(f"load factors are {value}: give finite numbers, 0 or more")
         return {"load": float(value)}
     return as_steps(value[None])[0]
 

@@ -62,7 +62,7 @@ class InflectionLine:
         """Return the signed distances (n,), mm, of points (n, 2) from the line."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
-            raise InputError(f"positions must be points (n, 2), mm, got the shape {points.shape}")
+            raise InputError(f"positions have the shape {points.shape}: give points (n, 2), in mm")
         return np.asarray((points - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
@@ -377,7 +377,7 @@ class PairCheck:
 
     def _verdict(self) -> str:
         if not self.realizable:
-            return note("No strip has both curves of {length} as rest shapes.", length=Length(self.length))
+            return note("No strip can rest in both curves of {length}.", length=Length(self.length))
         if self.any_stiffness:
             return "Both curves have the same shape: a strip of that shape rests in them without being bent."
         held = "in the same clamps" if self.bistable else "each in its own clamps"

@@ -114,7 +114,7 @@ def feels_modulus(rod: Rod) -> bool:
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     """Return the least width of the strip, mm; refuse a `loss` of width that is at least as large."""
     if max_width is None:
-        raise InputError("a loss of width needs max_width, the largest width in mm")
+        raise InputError("a loss of width needs the largest width: set max_width, in mm")
     require_positive(max_width, "max_width")
     plate = _plate_of(rod.following())
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
@@ -239,9 +239,9 @@ class ToleranceRanges:
             if not low <= high:
                 raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
             if name not in SIGNED and low <= 0:
-                raise InputError(f"range of {name} begins at {low:g}: it must be positive")
+                raise InputError(f"range of {name} begins at {low:g}: give numbers above 0")
             if name in SIGNED and not np.isfinite([low, high]).all():
-                raise InputError(f"range of {name} is {low:g} to {high:g}: it must be finite")
+                raise InputError(f"range of {name} is {low:g} to {high:g}: give finite numbers")
 
     @classmethod
     def of(

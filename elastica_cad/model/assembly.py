@@ -122,7 +122,7 @@ def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
             yield holder
         else:
             raise InputError(
-                f"holders must be base plates, slotted frames and end fixtures, not {type(holder).__name__}"
+                f"a {type(holder).__name__} is not a holder: give base plates, slotted frames and end fixtures"
             )
 
 

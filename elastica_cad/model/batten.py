@@ -49,7 +49,10 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
-        raise InputError("a strip of constant thickness has no side view. Set a section law")
+        raise InputError(
+            "this strip has a constant thickness, so it has no side view: use a strip with a section law, "
+            "such as ThicknessLaw"
+        )
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, DEFAULT_STATIONS)])
@@ -167,7 +170,7 @@ class BattenSpec:
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(f"the batten's length is {self.length:g}: it must be positive, in mm")
+            raise InputError(f"the batten's length is {self.length:g}: give a number above 0, in mm")
         if not 0 < self.camber <= LARGEST_CAMBER:
             raise InputError(
                 f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * LARGEST_CAMBER:g}"

@@ -130,7 +130,7 @@ def require_ends(ends: object) -> None:
     """Refuse values that do not name ends of strips."""
     named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
     if not all(isinstance(end, str) and end in ENDS for end in named):
-        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" with its records')
+        raise InputError(f'ends are {ends!r}: give "start", "end", or a list of them')
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:

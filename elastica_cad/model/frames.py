@@ -188,7 +188,9 @@ def slotted_frame(
     require_declared(slotted_frame, locals(), "frame")
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
-        raise InputError(f"frame tongue is {tongue:g}: for two rails, make it more than {Mm(2 * step):g}")
+        raise InputError(
+            f"the tongue of a frame is {Mm(tongue):g} wide: for two rails, make it more than {Mm(2 * step):g}"
+        )
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]

@@ -147,7 +147,9 @@ def slot_width(
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):
         require_number(size, f"slot {what}", "mm")
     if not np.all(np.sin(angle) > 0):
-        raise InputError("the angle of a slot must be between 0 and pi rad: parallel strips need no slot")
+        raise InputError(
+            "the angle of a slot is not between 0 and pi rad: leave out slots of parallel strips"
+        )
     width = other / np.sin(angle) + clearance
     return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
 

@@ -136,7 +136,10 @@ def _stable_facing_plates(
         # the singular values are the spreads along the principal directions
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
-            raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)
+            raise InputError(
+                "{name}: the slots are in one row, so the plate would tip. Move one strip out of the row",
+                name=plate.name,
+            )
     return plates
 
 
@@ -236,7 +239,7 @@ class Model:
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
         require_printable(self.name, "the model's name")
         if not self.placed:
-            raise InputError(f"the model {self.name!r} has no strips")
+            raise InputError(f"the model {self.name!r} has no strips: add at least one strip")
 
     @property
     def strips(self) -> tuple[Strip, ...]:

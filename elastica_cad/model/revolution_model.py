@@ -260,7 +260,9 @@ def revolve(
     """
     require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
     if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
-        raise InputError(f"strips={strips!r}: a surface of revolution needs 3 to {MOST_STRIPS} strips")
+        raise InputError(
+            f"the number of strips is {strips!r}: give 3 to {MOST_STRIPS} for a surface of revolution"
+        )
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")

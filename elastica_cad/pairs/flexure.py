@@ -877,12 +877,15 @@ class Flexure:
         else:
             most = self.travel_strain
             if not judge_strain(self.sheet, most).allowed and most > worst:
-                messages.append(note("between the states the strain reaches {most:.2g} %, but the sheet "
-                                     "withstands {limit:.2g} % for long", severity="warning", most=100 * most,
+                messages.append(note(
+                    "between the states the strain reaches {most:.2g} %, but the sheet withstands "
+                    "{limit:.2g} % for long. Make the part thinner, or use another sheet",
+                    severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if (gap := self._least_gap_on_path(travel)) < LEAST_GAP_MM:
-                messages.append(note("between the states, two places of the part come within {gap} of each "
-                                     "other",
+                messages.append(note(
+                    "between the states, two places of the part come within {gap} of each other. Draw "
+                    "these places farther apart",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not travel.reached and self.bistable == self.pair.bistable:
                 messages.append(note("the pushed part does not end in the second state: push it at another "
@@ -902,8 +905,9 @@ class Flexure:
             self.state_labels, self.rest_deviations, self.pair.stability, strict=True
         ):
             if not stays.stable:
-                messages.append(note("a state is unstable ({name}): the part snaps into another shape, up to "
-                                     "{far} away",
+                messages.append(note(
+                    "a state is unstable ({name}): the part snaps into another shape, up to {far} away. "
+                    "Change this curve",
                                      severity="warning", name=name, far=Length(deviation)))  # fmt: skip
             elif deviation > REST_SHARE * self.pair.length:
                 messages.append(note("the part rests up to {far} from its curve ({name}), {percent:.2g} % of "

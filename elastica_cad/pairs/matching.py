@@ -284,7 +284,10 @@ class _Drawn:
     def of_length(self, length: float) -> PlaneCurve:
         numbers = self.numbers(length)
         if numbers is None:
-            raise NotConvergedError(f"no small change of the curve leads to the length {length}")
+            raise NotConvergedError(
+                f"no small change of the curve leads to the length {length}: draw curves of more similar "
+                "length"
+            )
         start, _, angles = self.clamps
         curve = self.curve
         start_pose = curve.at(np.array([0.0]))

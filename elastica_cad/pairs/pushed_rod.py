@@ -216,8 +216,8 @@ def _require_plain(rod: Rod) -> Rod:
     require_free_between(rod, "A pushed rod")
     if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
         raise InputError(
-            "a pushed rod must be clamped at both ends, without weight and with a linear law: "
-            "remove other supports, the weight or the law"
+            "a pushed rod can be computed only if both ends are clamped, without weight and with a linear "
+            "material: leave out other supports, the weight or the material law"
         )
     return rod
 

@@ -24,7 +24,8 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     path = [] if quick else [Row(note("Force"), _force_sentence(part))]
     first, second = part.rest_deviations
     rest = note(
-        "at rest up to {far} ({first}) and {other} ({second}) from its curves, because its forces stretch it",
+        "the part rests up to {far} ({first}) and {other} ({second}) from its curves, because its forces "
+        "stretch the part",
         far=about(first), other=about(second), **_names(part),
     )  # fmt: skip
     stability = Row(note("Stability"), LATER) if live else _stability_row(part)

@@ -560,7 +560,7 @@ class BoundaryMaker:
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
             if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
-                raise TypeError("the edges of a bent face must be splines")
+                raise TypeError("an edge of a bent face is not a spline: use only splines")
             return self._ruled_surface(low.curve, high.curve)
         if straight:
             a, b = self.vertices[low.start], self.vertices[low.end]

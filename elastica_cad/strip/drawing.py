@@ -113,7 +113,7 @@ class Drawing:
     def bounds(self) -> FloatArray:
         """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         if not self.strokes:
-            raise InputError(f"the drawing {self.name!r} is empty: it has neither paths nor texts")
+            raise InputError(f"the drawing {self.name!r} has neither paths nor texts: add a path")
         return box_around(np.array([item.path.bounds for item in self.strokes]))
 
     def on(self, *layers: str) -> tuple[Path, ...]:

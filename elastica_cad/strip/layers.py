@@ -107,7 +107,7 @@ class Layer:
         [10.0, 6.0]
         """
         if (stations := numbers(s, "stations")).ndim > 1:
-            raise InputError(f"stations must be numbers (n,) in mm, not of shape {stations.shape}")
+            raise InputError(f"stations have the shape {stations.shape}: give numbers (n,), in mm")
         stations = np.atleast_1d(stations)
         order = np.argsort(stations, kind="stable")
         at = stations[order]

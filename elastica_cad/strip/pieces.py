@@ -263,9 +263,9 @@ class Piece:
     def __post_init__(self) -> None:
         require_record(self.drawing, Drawing, "the drawing of a piece", "a Drawing")
         if not (is_whole(self.count) and self.count >= 1):
-            raise InputError(f"{self.name}: cut {self.count!r} times; the count must be 1 or more")
+            raise InputError(f"{self.name}: the count is {self.count!r}; give 1 or more")
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
-            raise InputError(f"{self.name}: there is no closed outer cut, so nothing to cut out")
+            raise InputError(f"{self.name}: there is no closed outer cut; close the outline of the part")
 
     @property
     def file_stem(self) -> str:

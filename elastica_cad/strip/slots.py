@@ -45,7 +45,7 @@ def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, F
     rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
     if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
         raise InputError(
-            f"{here}: path must have two or more rows (x, y), and widths one number for each row"
+            f"{here}: path and widths do not match; give two or more rows (x, y), and a width for each row"
         )
     return rows, across
 
@@ -100,13 +100,15 @@ class Slot:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
         if abs(self.lean) >= QUARTER_TURN_DEG:
-            raise InputError(f"{here}: lean is {self.lean:g}: it must be within a quarter turn")
+            raise InputError(f"{here}: lean is {self.lean:g} rad; give less than a quarter turn")
         if (self.path is None) != (self.widths is None):
-            raise InputError(f"{here}: give path and widths together")
+            raise InputError(f"{here}: path or widths are missing; give both")
         if self.path is not None:
             path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
             if not np.all(np.isfinite(path)) or not np.all(widths > 0):
-                raise InputError(f"{here}: path and widths must be finite, widths positive, in mm")
+                raise InputError(
+                    f"{here}: path or widths cannot be used; give finite numbers in mm, and positive widths"
+                )
             for name, array in (("path", path), ("widths", widths)):
                 array.setflags(write=False)
                 object.__setattr__(self, name, array)
@@ -212,7 +214,7 @@ def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
         return _Side(points, chord)
     if len(points) < 4:
-        raise InputError("a bent slot needs four points or more along its centre line")
+        raise InputError("a bent slot has too few points along its centre line: give four or more")
     return _Side(points, controls[-1] - controls[-2], Spline(PlaneCurve(knots, controls, 3)))
 
 

@@ -479,7 +479,7 @@ class PrismSolid:
             prisms = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
             object.__setattr__(self, name, prisms)
         if not self.added:
-            raise InputError("a body of prisms needs at least one prism")
+            raise InputError("a body of prisms has no prisms: give at least one")
 
 
 def convex_corners(points: FloatArray) -> FloatArray:

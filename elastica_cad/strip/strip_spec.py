@@ -145,8 +145,8 @@ def _check_section_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a section law sets the whole section. Leave out {style}, {slots}, {max_width} and {min_width} "
-            "and give tabs only a length, or leave out {law}",
+            "{law} sets the width and thickness of the whole strip. Leave out {style}, {slots}, "
+            "{max_width} and {min_width} and give tabs only a length, or leave out {law}",
             style=FieldName("style"),
             slots=FieldName("slots"),
             max_width=FieldName("max_width"),

@@ -380,7 +380,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         s = stations_of(length, profile)
         at = float(s[int(np.argmin(profile(s)))])
         raise InputError(
-            "{name} is {given:.4g} at {at:.4g}: it must be positive everywhere",
+            "{name} is {given:.4g} at {at:.4g} from the start: give numbers above 0 everywhere",
             name=name,
             given=Length(float(profile(at))),
             at=Length(at),

@@ -66,7 +66,9 @@ class TabSeat:
         for side in ("left", "right"):
             edges = numbers(getattr(self, side), f"{side} edges of a seat")
             if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
-                raise InputError(f"{side} edges of a seat must be rows (k, 2), in mm, not {edges.shape}")
+                raise InputError(
+                    f"{side} edges of a seat have the shape {edges.shape}: give rows (k, 2), in mm"
+                )
             object.__setattr__(self, side, edges.reshape(-1, 2))
 
     @classmethod
@@ -75,7 +77,7 @@ class TabSeat:
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
         if not (is_number(play) and play >= 0):
-            raise InputError(f"{name}: the play is {play!r} mm: it must be 0 or more for the tab to go in")
+            raise InputError(f"{name}: play (the clearance of the tab) is {play!r} mm: give 0 or more")
         into = np.linspace(0.0, length, WALL_PLACES)
         half = np.full(into.size, thickness / 2 + play)
         return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
@@ -460,8 +462,8 @@ class _ContactProblem:
         seated_end, gap = min(each, key=lambda pair: pair[1])
         end = "end" if seated_end.index else "start"
         return note(
-            "the tab at the {end} does not fit into its {seat}: in every position it overlaps the material "
-            "by at least {depth:.2g}. Increase the play",
+            "the tab at the {end} does not fit into its {seat}: in every position the tab overlaps the "
+            "material by at least {depth:.2g}. Increase the clearance (`play`)",
             end=end, seat=seated_end.seat.name, depth=Length(-gap),
         )  # fmt: skip
 

@@ -52,7 +52,10 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     """
     size = strip.layout.size
     if size is None:
-        raise InputError("a strip of constant thickness has no side view. Set a section law")
+        raise InputError(
+            "this strip has a constant thickness, so it has no side view: use a strip with a section law, "
+            "such as ThicknessLaw"
+        )
     first, last = (tab.length for tab in strip.ends)
     ends = size([0.0, strip.rod.length]) / 2
     right, left = (

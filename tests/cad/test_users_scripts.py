@@ -198,7 +198,7 @@ class TestCadQuery:
         ball = cq.Workplane().sphere(60)
         slips = {
             "max_width is '12'": lambda: cq_strips.bent_strip(CURVE, SHEET, max_width="12"),
-            "compensate is 'no': it must be True or False": lambda: cq_strips.bent_strip(
+            "compensate is 'no': give True or False": lambda: cq_strips.bent_strip(
                 CURVE, SHEET, max_width=12, compensate="no"
             ),
             "walls is not an option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
@@ -206,7 +206,7 @@ class TestCadQuery:
             "Pass a point in space, or two numbers": lambda: rib.bent(end="x"),
             "A int cannot be cut": lambda: cq_strips.section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: cq_strips.section_strips(ball, "XZ", SHEET, max_width=9),
-            "angles must be two": lambda: cq_strips.elastica((0, 0), (10, 0), 50, angles=30),
+            "angles are .*: give two": lambda: cq_strips.elastica((0, 0), (10, 0), 50, angles=30),
             r"A StripSpec is not a curve\. Pass the strip that its \.make\(\)": lambda: cq_strips.bent_strip(
                 StripSpec(CURVE, SHEET, max_width=12)
             ),
@@ -215,7 +215,7 @@ class TestCadQuery:
             ),
             r"A Placed is not a curve\. Pass its \.strip": lambda: cq_strips.bent_strip(rib.placed),
             "a list is not a model": lambda: cq_strips.model_assembly([rib.placed]),
-            "buckling is 0: it must be": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
+            "buckling is 0: give": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():
             with pytest.raises(InputError, match=says):

@@ -74,9 +74,9 @@ def test_nothing_changes_without_lateral_contraction():
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"thickness": 0.0}, "thickness is 0.0: it must be positive"),
+        ({"thickness": 0.0}, "thickness is 0.0: give a number above 0"),
         ({"poisson_ratio": 1.0}, "between 0 and 1"),
-        ({"curvature": [0.1, np.inf]}, "curvature must be finite"),
+        ({"curvature": [0.1, np.inf]}, "curvature is not finite"),
     ],
 )
 def test_bad_input(changed, message):
@@ -86,7 +86,7 @@ def test_bad_input(changed, message):
 
 
 def test_width_must_be_positive():
-    with pytest.raises(InputError, match="strip width must be positive"):
+    with pytest.raises(InputError, match="strip width is not positive"):
         anticlastic_factor([1.0, 0.0], 0.01, thickness=0.5, poisson_ratio=0.3)
 
 

@@ -84,9 +84,9 @@ def test_a_mass_that_no_width_carries_is_told_the_least_that_would():
 @pytest.mark.parametrize("given", [0.0, -1.0, np.nan])
 def test_a_largest_stiffness_is_positive(given):
     weight = Weight(masses=(PointMass(PLACE, 16),), own=False)
-    with pytest.raises(InputError, match=r"largest stiffness is .*: it must be positive, in N mm2"):
+    with pytest.raises(InputError, match=r"largest_stiffness is .*: give a number above 0, in N mm2"):
         optimal_rod(ARCH, BIRCH.gravity(), weight=weight, largest_stiffness=given)
-    with pytest.raises(InputError, match="largest_stiffness is for rods with a weight in newtons"):
+    with pytest.raises(InputError, match="largest_stiffness applies only to rods with a weight in newtons"):
         optimal_rod(ARCH, BIRCH.gravity(), largest_stiffness=100.0)
 
 
@@ -95,7 +95,7 @@ def test_a_largest_stiffness_beside_what_settles_the_stiffness_is_refused():
     asked = {"weight": Weight(masses=(PointMass(PLACE, 16),), own=True), "largest_stiffness": 1e4}
     with pytest.raises(InputError, match="bending_stiffness fixes the stiffness, so largest_st"):
         optimal_rod(ARCH, BIRCH.gravity(), bending_stiffness=1e3, **asked)
-    with pytest.raises(InputError, match="remove bending_stiffness, largest_stiffness and law"):
+    with pytest.raises(InputError, match="leave out bending_stiffness, largest_stiffness and law"):
         optimal_rod(ARCH, BIRCH.gravity(), section=ThicknessLaw(BIRCH, 2, 8, width=20), **asked)
 
 

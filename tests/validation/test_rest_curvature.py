@@ -212,9 +212,9 @@ def test_a_nearest_strip_of_a_blank_and_of_a_number():
         (
             RestCurvature.linear([0, WAVE.length], [0, 0.001]),
             Keep(symmetry="turn"),
-            "the pre-bent strip is not equal to its half turn",
+            "the pre-bent strip differs from its image after a half turn",
         ),
-        (0.001, Keep(symmetry="turn"), "the pre-bent strip is not equal to its half turn"),
+        (0.001, Keep(symmetry="turn"), "the pre-bent strip differs from its image after a half turn"),
     ],
 )
 def test_what_a_blank_cannot_keep_is_told(rest, keep, words):

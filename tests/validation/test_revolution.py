@@ -351,12 +351,12 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         (lambda: meridian(0, (0, -1e4), (50, 0), 1, 100), "to a radius of about"),
         (lambda: meridian(0, (0.001, 60), (50, -1), 1, 100), "makes 20 turns in the first 94"),
         (lambda: meridian_through([(1, 1), (2, 2)]), "three points"),
-        (lambda: meridian_through("abc"), "must be numbers"),
+        (lambda: meridian_through("abc"), "give numbers"),
         (lambda: meridian_through([(0, 1), (2, 2), (1, 3)]), "point 1 at"),
         (lambda: meridian_through([(3, 1), (2, 2), (1, 3)], ring=7), "ring=7"),
         (lambda: meridian_through([(1, 1), (-2, 2), (1, 3)]), "point 2"),
         (lambda: meridian_through([(1, 1), (1, 1), (1, 3)]), "are equal"),
-        (lambda: ec.revolve(meridian(0, (0, 0), (50, 0), 1.5, 30), 2, sheet=CARD), "needs 3 to 1000 strips"),
+        (lambda: ec.revolve(meridian(0, (0, 0), (50, 0), 1.5, 30), 2, sheet=CARD), "give 3 to 1000 for"),
     ],
 )
 def test_bad_input(call, words):

@@ -205,10 +205,10 @@ BAD = {
     "farther apart": (STRAIGHT, {"end": (120.0, 0.0)}, r"120 mm apart.*100 mm long"),
     "taut": (STRAIGHT, {"angles": (0.5, 0.5)}, "as far apart as the rod is long"),
     "taut and heavy": (STRAIGHT, {"gravity": Gravity(96.0)}, "as far apart as the rod is long"),
-    "one number": (STRAIGHT, {"end": 3.0}, "end must be two finite numbers"),
-    "nan": (STRAIGHT, {"start": (np.nan, 0.0)}, "start must be two finite numbers"),
-    "three angles": (STRAIGHT, {"angles": (0.0, 1.0, 2.0)}, "angles must be two numbers"),
-    "infinite angle": (STRAIGHT, {"angles": (0.0, np.inf)}, "angles must be finite"),
+    "one number": (STRAIGHT, {"end": 3.0}, "end cannot be .*: give two finite numbers"),
+    "nan": (STRAIGHT, {"start": (np.nan, 0.0)}, "start cannot be .*: give two finite numbers"),
+    "three angles": (STRAIGHT, {"angles": (0.0, 1.0, 2.0)}, "angles are .*: give two numbers"),
+    "infinite angle": (STRAIGHT, {"angles": (0.0, np.inf)}, "angles are .*: give finite numbers"),
     "angle of a pin": (
         STRAIGHT, {"angles": (0.0, 1.0), "supports": Supports("clamped", "pinned")}, "leaves the angle free"
     ),
@@ -217,10 +217,10 @@ BAD = {
     "which moment": (STRAIGHT, {"moment": 1.0, "supports": Supports("pinned", "pinned")}, "give both moments"),
     "moment shape": (STRAIGHT, {"moment": (1.0, 2.0, 3.0)}, "one number or two"),
     "gravity": (STRAIGHT, {"gravity": 9.81}, "Gravity record"),
-    "side": (STRAIGHT, {"side": 2}, "side must be"),
-    "mode": (STRAIGHT, {"mode": 0}, "mode is .*: it must be a whole number"),
-    "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "guess must be"),
-    "samples": (STRAIGHT, {"samples": 2}, "samples is 2: it must be a whole number, 4 or more"),
+    "side": (STRAIGHT, {"side": 2}, "side is 2: use"),
+    "mode": (STRAIGHT, {"mode": 0}, "mode is .*: give a whole number"),
+    "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "guess has the shape"),
+    "samples": (STRAIGHT, {"samples": 2}, "samples is 2: give a whole number, 4 or more"),
     "unloaded column": (
         Rod.straight(1.0, samples=51, supports=CANTILEVER), {"force": (-1.0, 0.0), "side": 1}, "too small"
     ),
@@ -251,7 +251,7 @@ def test_bad_paths():
     for path, message in (
         ([(1.0, 2.0, 3.0)], "shape"),
         ([{"ends": (1.0, 2.0)}], "unknown entry 'ends'"),
-        ("nonsense", "a path is a list of"),
+        ("nonsense", "the path cannot be read: give a sequence of"),
     ):
         with pytest.raises(InputError, match=message):
             bend_path(STRAIGHT, path)

@@ -76,15 +76,15 @@ def test_a_strip_of_even_width_is_drawn(angles):
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"start": (0, 0, 3)}, "start must be a point \\(x, y\\)"),
-        ({"start": "a"}, "start must be a point \\(x, y\\)"),
-        ({"end": 70}, "end must be a point \\(x, y\\)"),
-        ({"length": "100"}, "length must be a number"),
-        ({"angles": 45}, "angles must be two"),
-        ({"angles": (10,)}, "angles must be two"),
-        ({"angles": ("steep", 0)}, "angles must be two"),
-        ({"stiffness": "soft"}, "stiffness must be a positive finite number"),
-        ({"stiffness": []}, "stiffness must be a positive finite number"),
+        ({"start": (0, 0, 3)}, "start is .*: give a point \\(x, y\\)"),
+        ({"start": "a"}, "start is .*: give a point \\(x, y\\)"),
+        ({"end": 70}, "end is 70: give a point \\(x, y\\)"),
+        ({"length": "100"}, "length is '100': give a number"),
+        ({"angles": 45}, "angles are .*: give two numbers"),
+        ({"angles": (10,)}, "angles are .*: give two numbers"),
+        ({"angles": ("steep", 0)}, "angles are .*: give two numbers"),
+        ({"stiffness": "soft"}, "stiffness cannot be used: give a positive finite number"),
+        ({"stiffness": []}, "stiffness cannot be used: give a positive finite number"),
     ],
 )
 def test_what_is_no_point_length_or_pair_is_named(given, says):
@@ -143,8 +143,8 @@ class TestFreeEnd:
         ("end", "options", "says"),
         [
             (None, {}, "give the angle of a clamp at the start"),
-            (None, {"angles": (0, None), "force": "down"}, "force must be two numbers"),
-            (None, {"angles": (0, None), "force": (1, 2, 3)}, "force must be two numbers"),
+            (None, {"angles": (0, None), "force": "down"}, "force is .*: give two numbers"),
+            (None, {"angles": (0, None), "force": (1, 2, 3)}, "force is .*: give two numbers"),
             ((60, 0), {"force": (0, 1e-4)}, "give None for the end, or no force"),
         ],
     )

@@ -111,13 +111,16 @@ def test_table_that_falls_is_refused_only_where_it_falls():
     ("make", "message"),
     [
         (lambda: PolynomialLaw(np.nan), "quadratic coefficient"),
-        (lambda: PolynomialLaw(1.0, curvature_scale=0.0), "curvature scale is 0.0: it must be positive"),
+        (lambda: PolynomialLaw(1.0, curvature_scale=0.0), "curvature scale is 0.0: give a number above 0"),
         (lambda: PlasticLaw(0.0), "curvature limit is 0.0"),
         (lambda: ElasticPlasticLaw(-1.0), "curvature limit is -1.0"),
         (lambda: TabulatedLaw([0.1], [1.0]), "at least two positive"),
-        (lambda: TabulatedLaw([0.1, 0.2], [1.0, -1.0]), "moments must be at least two positive"),
+        (
+            lambda: TabulatedLaw([0.1, 0.2], [1.0, -1.0]),
+            "moments of the material law cannot be used: give at least two positive",
+        ),
         (lambda: TabulatedLaw([0.1, 0.2, 0.3], [1.0, 2.0]), "3 curvatures and 2 moments"),
-        (lambda: TabulatedLaw([0.2, 0.1], [1.0, 2.0]), "must increase: 0.1 follows 0.2"),
+        (lambda: TabulatedLaw([0.2, 0.1], [1.0, 2.0]), "do not increase: 0.1 follows 0.2"),
     ],
 )
 def test_bad_laws_are_refused(make, message):

@@ -145,7 +145,7 @@ class TestRecord:
 
     @pytest.mark.parametrize("samples", [2, -5, 2.5, 3.0, "7", np.nan, True])
     def test_samples_that_are_no_number_of_nodes(self, samples):
-        with pytest.raises(InputError, match="must be a whole number, 3 or more"):
+        with pytest.raises(InputError, match="give a whole number, 3 or more"):
             optimal_rod(ELLIPSE, samples=samples)
 
     def test_samples_are_the_only_places_judged(self):
@@ -322,7 +322,7 @@ class TestBadInput:
         ({"samples": 2}, "whole number, 3 or more"),
         ({"weight": Weight(1.0)}, "needs a direction: set gravity too"),
         ({"bending_stiffness": 5.0}, "pass weight"),
-        ({"gravity": LEANING, "weight": Weight(1.0), "bending_stiffness": -5.0}, "must be positive"),
+        ({"gravity": LEANING, "weight": Weight(1.0), "bending_stiffness": -5.0}, "give a number above 0"),
         ({"gravity": LEANING, "weight": Weight(own=True)}, "it does not determine the bending stiffness"),
         ({"gravity": LEANING, "weight": Weight(masses=(PointMass(1e4, 1.0),))}, "is not on the curve"),
         ({"gravity": LEANING, "weight": Weight(masses=(PointMass(0.0, 9.0),))}, "do not bend .* hang them"),

@@ -138,17 +138,17 @@ test_unknown_name_offers_near_ones = refusal_test(
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    ({"thickness": 0.0}, "thickness is 0; it must be positive, in mm"),
-    ({"thickness": "0.8"}, "it must be a number"),
-    ({"youngs_modulus": float("nan")}, "youngs_modulus is nan; it must be a finite number"),
-    ({"density": -1.0}, "density is -1; it must be positive, in kg/m3"),
+    ({"thickness": 0.0}, "thickness is 0; write a positive number, in mm"),
+    ({"thickness": "0.8"}, "write a number"),
+    ({"youngs_modulus": float("nan")}, "youngs_modulus is nan; write a finite number"),
+    ({"density": -1.0}, "density is -1; write a positive number, in kg/m3"),
     ({"max_strain": None}, "max_strain is None"),
-    ({"kerf": -0.1}, "kerf is -0.1; it must be zero or positive"),
+    ({"kerf": -0.1}, "kerf is -0.1; write a zero or positive number"),
     ({"poisson_ratio": 1.0}, "poisson_ratio is 1"),
     ({"grain": "sideways"}, "use one of along, across, none"),
-    ({"density_range": (700.0, 800.0)}, "it must contain density = 680"),
+    ({"density_range": (700.0, 800.0)}, "write a range that contains density = 680"),
     ({"density_range": (700.0,)}, "two numbers, the lowest first"),
-    ({"name": " "}, "needs a name"),
+    ({"name": " "}, "the name of a sheet is"),
 ])  # fmt: skip
 def test_impossible_sheets_are_refused(change, words):
     with pytest.raises(InputError, match=words):
@@ -191,7 +191,7 @@ def test_a_shear_modulus_goes_through_a_file_and_is_nobodys_guess(tmp_path):
     file = written(tmp_path, given.toml())
     assert load_sheets(file)["ply"] == given
     assert "shear_modulus" not in none.toml()
-    with pytest.raises(InputError, match="shear_modulus is -1; it must be positive, in MPa"):
+    with pytest.raises(InputError, match="shear_modulus is -1; write a positive number, in MPa"):
         Sheet("ply", **PLY, shear_modulus=-1)
     with pytest.raises(
         InputError, match=r"shear_modulus_MPa = 0.00000062 looks like the wrong unit; N/mm2: 620"
@@ -224,7 +224,7 @@ def test_least_sheets_file(tmp_path):
     ("[sheets.mine", "is not a (valid )?TOML file"),
     ("[sheet.mine]\n", "unknown entry 'sheet'"),
     ("schema = 9\n[sheets.mine]\n" + ENTRY, "schema 9 is not known"),
-    ("[sheets]\nmine = 3\n", "sheet 'mine' must be a table"),
+    ("[sheets]\nmine = 3\n", "sheet 'mine' is 3; write a table"),
     ("[sheets.mine]\n" + ENTRY + "colour = 3\n", "unknown key 'colour'"),
     ("[sheets.mine]\n" + ENTRY + "thickness_cm = 0.08\n", r"write thickness_mm \(millimetres"),
     ("[sheets.mine]\n" + ENTRY + "youngs_modulus_GPa = 9\n", r"_MPa \(N/mm2: 9000 for 9 GPa\)"),
@@ -232,11 +232,11 @@ def test_least_sheets_file(tmp_path):
     ("[sheets.mine]\n" + ENTRY.replace("9250", "9.25e9"), r"9\.25e\+09 looks like the wrong unit"),
     ("[sheets.mine]\n" + ENTRY.replace("680", "0.68"), "680 for 0.68 g/cm3"),
     ("[sheets.mine]\n" + ENTRY.replace("0.008", "0.8"), "a fraction: 0.008 for 0.8 %"),
-    ("[sheets.mine]\n" + ENTRY.replace("0.8", "'0.8'"), "thickness_mm is '0.8'; it must be a number"),
-    ("[sheets.mine]\n" + ENTRY.replace("0.8", "-0.8"), "thickness is -0.8; it must be positive"),
+    ("[sheets.mine]\n" + ENTRY.replace("0.8", "'0.8'"), "thickness_mm is '0.8'; write a number"),
+    ("[sheets.mine]\n" + ENTRY.replace("0.8", "-0.8"), "thickness is -0.8; write a positive number"),
     ("[sheets.mine]\n" + ENTRY.replace("density_kg_m3 = 680\n", ""), "density_kg_m3 is missing"),
-    ("[sheets.mine]\n" + ENTRY + "source = 3\n", "it must be text in quotes"),
-    ("[sheets.mine]\n" + ENTRY + "density_range_kg_m3 = 3\n", "it must be two numbers"),
+    ("[sheets.mine]\n" + ENTRY + "source = 3\n", "write text in quotes"),
+    ("[sheets.mine]\n" + ENTRY + "density_range_kg_m3 = 3\n", "write two numbers"),
 ])  # fmt: skip
 def test_bad_sheets_files_get_one_sentence_that_names_the_file(tmp_path, text, words):
     with pytest.raises(InputError, match=words) as caught:

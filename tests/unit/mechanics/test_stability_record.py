@@ -106,7 +106,7 @@ def test_pinned_ends_have_no_conjugate_point_to_speak_of():
 
 def test_unbent_rods_are_refused():
     rod = bend(Rod.straight(1.0, samples=101), end=(0.7, 0.0)).with_stiffness(np.linspace(1, 5, 101))
-    with pytest.raises(InputError, match="bend it first"):
+    with pytest.raises(InputError, match="bend the rod first"):
         stability(rod)
 
 
@@ -199,7 +199,7 @@ class TestLimits:
             ([2.0], "needs a load on the rod"),
             ([(1.0, 2.0, 3.0)], "shape"),
             ([{"supports": Supports()}], "supports cannot change"),
-            ([-1.0], "not negative"),
+            ([-1.0], "give finite numbers, 0 or more"),
             ([(1.3, 0.0)], "apart"),
         ):
             with pytest.raises((InputError, NotConvergedError), match=message):

@@ -222,8 +222,8 @@ def test_bad_options(arch, options, message):
     ("fields", "message"),
     [
         ({"angle": (0.1, -0.1)}, "give the lowest first"),
-        ({"density": (0.0, 1.0)}, "must be positive"),
-        ({"width_loss": (0.0, np.inf)}, "must be finite"),
+        ({"density": (0.0, 1.0)}, "give numbers above 0"),
+        ({"width_loss": (0.0, np.inf)}, "give finite numbers"),
     ],
 )
 def test_bad_ranges(fields, message):
@@ -232,7 +232,7 @@ def test_bad_ranges(fields, message):
 
 
 def test_lost_width_needs_a_width(arch):
-    with pytest.raises(InputError, match="needs max_width"):
+    with pytest.raises(InputError, match="set max_width"):
         perturb_rod(arch, Imperfection(width_loss=0.1))
 
 

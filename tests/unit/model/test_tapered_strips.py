@@ -93,7 +93,7 @@ def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
     ids=["width", "slots", "tabs"],
 )
 def test_what_a_law_leaves_no_room_for_is_refused(asked):
-    with pytest.raises(InputError, match="a section law sets the whole section"):
+    with pytest.raises(InputError, match="sets the width and thickness of the whole strip"):
         StripSpec(ARCH, GLASS, law=THICKNESS, **asked)
 
 

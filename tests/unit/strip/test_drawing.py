@@ -151,6 +151,6 @@ test_unknown_layers_and_empty_drawings_are_refused = refusal_test(
     [
         (lambda: LayeredPath("cut", Path.rectangle(1, 1)), "no layer 'cut'"),
         (lambda: Drawing("x", (), [Text((0, 0), "a", 1.0, layer="X")]), "no layer 'X'"),
-        (lambda: Drawing("nothing").bounds, "'nothing' is empty"),
+        (lambda: Drawing("nothing").bounds, "'nothing' has neither"),
     ]
 )

@@ -107,9 +107,9 @@ def test_numbers_have_two_digits_and_end_at_a_micrometre(value, text):
 
 
 def test_slips_are_refused(strip):
-    with pytest.raises(InputError, match="tolerance kerf is -1: it must be a number from 0, in mm"):
+    with pytest.raises(InputError, match="tolerance kerf is -1: give a number from 0, in mm"):
         MakingTolerance(kerf=-1)
-    with pytest.raises(InputError, match=r"tolerance modulus is 0\.6: it must be a number from 0 up to 0\.5"):
+    with pytest.raises(InputError, match=r"tolerance modulus is 0\.6: give a number from 0 up to 0\.5"):
         MakingTolerance(modulus=0.6)
     with pytest.raises(InputError, match="MakingTolerance"):
         replace(strip, tolerance=0.01)

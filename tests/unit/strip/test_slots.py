@@ -148,7 +148,7 @@ def test_bad_numbers(arguments):
 
 
 def test_three_points_do_not_make_a_bent_slot():
-    with pytest.raises(InputError, match="four points"):
+    with pytest.raises(InputError, match="four or more"):
         _ = straight(Slot.along([(50, 2), (50.5, 6), (50, 10)], np.ones(3), side="upper")).outline
 
 

@@ -167,12 +167,12 @@ class TestLoads:
         ({"sheet": 3}, "not int"),
         ({"sheet": "paper"}, "unknown sheet"),
         ({"frame": (0, 0, 0)}, "Pass a Frame"),
-        ({"max_width": 0}, "max_width is 0: it must be a number above 0"),
-        ({"min_width": math.nan}, "min_width is nan: it must be a number above 0"),
+        ({"max_width": 0}, "max_width is 0: give a number above 0"),
+        ({"min_width": math.nan}, "min_width is nan: give a number above 0"),
         ({"max_width": "wide"}, "max_width is 'wide'"),
         ({"style": "plain"}, r"give Plain\(\)"),
-        ({"limits": 3.5}, "limits is 3.5: it must be a Limits"),
-        ({"keep": True}, "keep is True: it must be a Keep"),
+        ({"limits": 3.5}, "limits is 3.5: give a Limits"),
+        ({"keep": True}, "keep is True: give a Keep"),
         ({"loads": (5.0,)}, "loads hold 5.0: give PointMass or PointForce records"),
         ({"supports": "clamped"}, "give a Supports record"),
         ({"natural_curvature": math.inf}, "natural_curvature is inf"),
@@ -219,7 +219,7 @@ def test_gravity_of_a_record_is_taken_as_it_is():
 @pytest.mark.parametrize("name", ["max_width", "min_width"])
 @pytest.mark.parametrize("width", [-5.0, 0.0, math.nan, "20"])
 def test_a_width_is_positive(name, width):
-    with pytest.raises(InputError, match=f"{name} is {width!r}: it must be a number above 0, in mm"):
+    with pytest.raises(InputError, match=f"{name} is {width!r}: give a number above 0, in mm"):
         spec(**{name: width})
 
 

@@ -61,7 +61,7 @@ SLIPS = {
     "holes hold 3: give Hole records": lambda: Tab(10, holes=3),
     "holes hold 'x'": lambda: Tab(10, holes="x"),
     "hole diameter is '3.2'": lambda: Hole(5, "3.2"),
-    "t_slot is 12: it must be a TSlot": lambda: Tab(20, t_slot=12),
+    "t_slot is 12: give a TSlot": lambda: Tab(20, t_slot=12),
     "T-slot depth is '12'": lambda: TSlot("12"),
     "slot width is '3'": lambda: Slot(30, "3"),
     "slot depth is": lambda: Slot(30, 3, (1, 2)),
@@ -72,13 +72,13 @@ SLIPS = {
     "least_backing is '1'": lambda: Laminated(20, SHEET, least_backing="1"),
     "dots is '1'": lambda: Laminated(20, SHEET, dots="1"),
     "least_width is '2'": lambda: FabricationLimits(least_width="2"),
-    "stock is 300: it must be 2 numbers above 0, in mm": lambda: FabricationLimits(stock=300),
+    "stock is 300: give 2 numbers above 0, in mm": lambda: FabricationLimits(stock=300),
     r"stock is \('a', 3\)": lambda: FabricationLimits(stock=("a", 3)),
     "a point mass is '5'": lambda: PointMass(50, "5"),
     "weight alpha is '1'": lambda: Weight("1"),
     "gravity length is '96'": lambda: Gravity("96"),
-    "gravity direction 'down'": lambda: Gravity(96, "down"),
-    "max_width is '20': it must be a number above 0": lambda: Strip(ROD, SHEET, max_width="20"),
+    "direction of gravity is 'down'": lambda: Gravity(96, "down"),
+    "max_width is '20': give a number above 0": lambda: Strip(ROD, SHEET, max_width="20"),
     "ends are 0 tabs: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=()),
     "ends are 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=(Tab(5),)),
     "ends hold 5: give Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
@@ -92,14 +92,12 @@ SLIPS = {
         Model(3)
     ),
     "placed hold <Strip": lambda: Model([STRIP]),
-    "clearance is '0.1': it must be a number from 0, in mm": lambda: interlock(
-        [Placed(STRIP)], clearance="0.1"
-    ),
-    "keep ends=3": lambda: Keep(ends=3),
-    "frame origin must be three finite numbers, got 'x'": lambda: Frame("x"),
-    "angles must be two numbers, rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
-    "moment must be one number or two": lambda: bend(ROD, moment="x"),
-    "guess must be a Rod or": lambda: bend(ROD, end=(90, 0), guess="x"),
+    "clearance is '0.1': give a number from 0, in mm": lambda: interlock([Placed(STRIP)], clearance="0.1"),
+    "`keep.ends` is 3": lambda: Keep(ends=3),
+    "frame origin is 'x': give three finite numbers": lambda: Frame("x"),
+    "angles are \\[1, 'a'\\]: give two numbers in rad": lambda: bend(ROD, end=(90, 0), angles=[1, "a"]),
+    "moment is 'x': give one number or two": lambda: bend(ROD, moment="x"),
+    "guess has the shape": lambda: bend(ROD, end=(90, 0), guess="x"),
     "The place of a point mass is nan": lambda: PointMass(float("nan"), 5),
     "The place of a point mass is '50'": lambda: PointMass("50", 5),
     "x of an End is '20': give True": lambda: End("20"),
@@ -107,14 +105,16 @@ SLIPS = {
     "width of the outline is None": lambda: Strip(ROD, SHEET, style=Perforated(None)),
     "width of the outline is '20'": lambda: Strip(ROD, SHEET, style=Perforated("20")),
     "placed hold array": lambda: Model(np.array(3.0)),
-    "the tolerance of a fit must be positive, not '0.1' mm": lambda: PlaneCurve.fit(POINTS, tolerance="0.1"),
-    "the tolerance of a fit must be positive, not None": lambda: PlaneCurve.fit(POINTS, tolerance=None),
+    "the tolerance of a fit is '0.1' mm: use a number above 0": lambda: PlaneCurve.fit(
+        POINTS, tolerance="0.1"
+    ),
+    "the tolerance of a fit is None mm": lambda: PlaneCurve.fit(POINTS, tolerance=None),
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
     "give the name of a sheet, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
     "the kerf is 'a': give a finite number, in mm": lambda: nest_pieces(PIECES, kerf="a"),
-    "margin is '2': it must be a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
-    "sheet_size is '600x400': it must be 2 numbers above 0, in mm": lambda: nest_pieces(
+    "margin is '2': give a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
+    "sheet_size is '600x400': give 2 numbers above 0, in mm": lambda: nest_pieces(
         PIECES, sheet_size="600x400"
     ),
     "sheet_size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
@@ -126,21 +126,25 @@ SLIPS = {
     r"\[1, 2\] is not the name of a file": lambda: read_curves([1, 2]),
     "model is a list. Pass a Model": lambda: save_model([STRIP], "out"),
     "a number of a meridian is": lambda: meridian("x", (0, 0.03), (150, -11.5), 2.2, 300),
-    "b of a meridian must be two finite numbers": lambda: meridian(-1.5, "up", (150, -11.5), 2.2, 300),
-    "ring=2 mm: it must be positive": lambda: meridian(-1.5, (0, 0.03), (150, -11.5), 2.2, 300, ring="2 mm"),
+    "b of a meridian cannot be 'up': give two finite numbers": lambda: meridian(
+        -1.5, "up", (150, -11.5), 2.2, 300
+    ),
+    "the radius `ring` is 2 mm: give a number above 0": lambda: meridian(
+        -1.5, (0, 0.03), (150, -11.5), 2.2, 300, ring="2 mm"
+    ),
     "tolerance is '1e-4'": lambda: split(ROD.curve, tolerance="1e-4"),
-    "quadratic coefficient of the law is None": lambda: PolynomialLaw(None),
+    "quadratic coefficient of the material law is None": lambda: PolynomialLaw(None),
     "Poisson's ratio is wood": lambda: anticlastic_factor(40, 0.01, thickness=0.5, poisson_ratio="wood"),
-    "the tolerance is 0.1 mm: it must be positive": lambda: STRIP.outline.points("0.1 mm"),
+    "the tolerance is 0.1 mm: give a number above 0": lambda: STRIP.outline.points("0.1 mm"),
     "the normal of a mirror is 'z': give three finite numbers": lambda: Model([Placed(STRIP)]).mirrored(
         (0, 0, 0), "z"
     ),
-    "pattern count is '3': it must be a whole number from 1 up to 1000": lambda: Model(
-        [Placed(STRIP)]
-    ).rotated("3"),
+    "pattern count is '3': give a whole number from 1 up to 1000": lambda: Model([Placed(STRIP)]).rotated(
+        "3"
+    ),
     "the axis of a rotation is 1.0: give three": lambda: Model([Placed(STRIP)]).rotated(3, axis=1.0),
     "the point of a rotation is 5: give three": lambda: Model([Placed(STRIP)]).rotated(3, point=5),
-    "rotation step is '1': it must be a number, in rad": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
+    "rotation step is '1': give a number, in rad": lambda: Model([Placed(STRIP)]).rotated(3, step="1"),
     "pattern count is 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
     "the step of a pattern is 5: give three": lambda: Model([Placed(STRIP)]).repeated(2, 5),
     "pattern count is 1001": lambda: Model([Placed(STRIP)]).rotated(1001),
@@ -149,9 +153,9 @@ SLIPS = {
     ),
     "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
     "the bulge of an arc is '1': give": lambda: Arc.from_bulge((0, 0), (1, 1), "1"),
-    "a rectangle of 3 by 4 mm: both sides": lambda: Path.rectangle("3", 4),
+    "a rectangle has sides of 3 and 4 mm": lambda: Path.rectangle("3", 4),
     "the segments of a path hold 'arch': give Line, Arc and Spline": lambda: Path("arch"),
-    "the law's curvatures must be numbers, not 'ab'": lambda: TabulatedLaw("ab", [1, 2]),
+    "the law's curvatures cannot be 'ab': give numbers": lambda: TabulatedLaw("ab", [1, 2]),
     r"paths hold Path.*: give LayeredPath": lambda: Drawing("plate", [Path.circle((0, 0), 2)]),
     "text to engrave is 3: give a text": lambda: Text((0, 0), 3, 5.0),
     "needs a finite position": lambda: Text((0, 0), "A", "5"),
@@ -159,11 +163,11 @@ SLIPS = {
     "masses hold 3: give PointMass": lambda: Weight(1.0, masses=[3]),
     "the correction is a float. Pass a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
     "^ends hold 5: give Tab records": lambda: StripSpec(ROD.curve, SHEET, law=RoundLaw(SHEET, 1, 2), ends=5),
-    "cut '2' times": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
-    "rod stiffness must be numbers, not 'x'": lambda: replace(ROD, stiffness="x"),
-    "the center must be two numbers": lambda: PlaneCurve.ellipse((0, 0, 0), (3, 2)),
+    "the count is '2'": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
+    "rod stiffness cannot be 'x': give numbers": lambda: replace(ROD, stiffness="x"),
+    "the center is .*: give two numbers": lambda: PlaneCurve.ellipse((0, 0, 0), (3, 2)),
     "give angles at most 100 turns apart": lambda: PlaneCurve.arc((0, 0), 3, 0, 1e300),
-    "samples is .*: it must be a whole number, 1000000 at most": lambda: Rod.straight(100.0, samples=10**9),
+    "samples is .*: give a whole number, 1000000 at most": lambda: Rod.straight(100.0, samples=10**9),
 }
 
 
@@ -182,5 +186,5 @@ def test_one_record_stands_for_a_row_of_it():
     "make", [Tab, Rod.straight, lambda huge: Strip(ROD, SHEET, max_width=huge)], ids=["tab", "rod", "strip"]
 )
 def test_whole_numbers_beyond_all_floats_are_refused(make):
-    with pytest.raises(InputError, match="it must be"):
+    with pytest.raises(InputError, match="give"):
         make(10**400)
