@@ -112,7 +112,13 @@ def batten(**chosen: Any) -> None:
     _report_batten(result, table)
     for side, bow in report.get("camber_with_weight", {}).items():
         camber = f"{100 * bow['camber']:.4g} % at {100 * bow['camber_place']:.4g} % of the chord"
-        say_row(Row("Weight", f"level and bulging {side}, its own weight makes the camber {camber}"))
+        say_row(
+            Row(
+                "Weight",
+                f"lying level with its bulge {side}, the batten has a camber of {camber} under "
+                "its own weight",
+            )
+        )
     _print_files(written)
 
 
@@ -136,7 +142,11 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
     say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {strip.mass:.4g} g"))
     camber = _camber_text(depth, place, float(np.hypot(*(rod.position[-1] - rod.position[0]))))
-    say_row(Row("Camber", f"{camber}, at most {glued.deviation:.2g} mm from the planed batten"))
+    say_row(
+        Row(
+            "Camber", f"{camber}; the glued plies are at most {glued.deviation:.2g} mm from the planed batten"
+        )
+    )
     if not glued.settled:
         text = (
             "the search for the ends of the plies stopped early; other ends may come nearer to the "

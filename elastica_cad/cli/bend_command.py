@@ -451,9 +451,9 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
         return
     if direction @ gravity.direction < 0:
         yield note(
-            "The point {point} of the rail is below the straight strip, so its bar is above the strip and pushes "
-            "it down. For a bar below the strip, with a gap to it, draw the straight line, run {command}, and bend "
-            "the report that it writes.",
+            "The rail at {point} is above the strip and pushes the strip down, because this point is below "
+            "the straight strip. For a rail below the strip, with a gap, draw the straight line, run "
+            "{command}, and bend the written report.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip
 
@@ -481,7 +481,10 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
         return Row("Moved", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
     far = ENGLISH.format_field(float(distance), ".2g")
     text = f"{strip} moves by at most {far} mm from its design"
-    return Row("Moved", f"{text}, at {moved.strip.rod.s[k]:.0f} mm, {direction_in_drawing(angle)}")
+    return Row(
+        "Moved",
+        f"{text}: the point {moved.strip.rod.s[k]:.0f} mm along the strip, {direction_in_drawing(angle)}",
+    )
 
 
 def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:

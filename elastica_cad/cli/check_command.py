@@ -210,8 +210,10 @@ class _Request:
         with suppress(ElasticaError):
             fair = replace(self, smooth=points.reach).examined(requested)[2].realizable
         return (note(
-            ("No strip can take this curve with its points as they are. If it is smoothed within {reach}, a "
-             "strip can.") if fair else
+            (
+                "No strip can take this curve as drawn, but a strip can take the curve smoothed within "
+                "{reach}."
+            ) if fair else
             "No strip can take this curve, even if it is smoothed within {reach}.",
             reach=Length(points.reach),
         ),)  # fmt: skip

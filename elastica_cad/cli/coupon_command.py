@@ -102,7 +102,9 @@ def coupon(**chosen: Any) -> None:
     )
     say_row(
         Row(
-            "Next", f"cut it, let {free:g} mm hang over an edge, and measure the droop of its end in mm; then"
+            "Next",
+            f"cut the coupon, let {free:g} mm of it hang over an edge, measure the droop of its end "
+            "in mm; then run",
         )
     )
     say_row(Row("", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))

@@ -182,7 +182,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         say_row(Row(label, text, [f"These are {', '.join(names)}.", *details] if names[1:] else details))
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.0f} %" for entry in scaled)
-        say_row(Row("Scaled", f"{factors} of the drawn size, because the design sets the length"))
+        say_row(Row("Scaled", f"{factors} of the drawn size, to reach the lengths that the design sets"))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
     metres = cut_list.cut_length / 1000
     mass = f"{cut_list.mass / 1000:.3g} kg" if cut_list.mass >= 1000 else f"{cut_list.mass:.3g} g"

@@ -130,8 +130,8 @@ def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
         curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
         if len(curves) != 2:
             raise InputError(
-                "A part has two rest shapes, but {path} has a different number of curves: {count}. Choose them "
-                "with --first and --second, or name two files.",
+                "A part with two states needs two curves, but {path} has {count}. Choose two curves with "
+                "--first and --second, or name two files.",
                 path=path,
                 count=len(curves),
             )

@@ -115,7 +115,9 @@ def _map_of_options(
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
     if handles and corners:
-        raise InputError("Corners of the box and --handle exclude each other. Leave out one of them.")
+        raise InputError(
+            "--handle cannot be combined with corners of the bounding box. Leave out one of the two."
+        )
     if corners:
         return map_corners(curves, corners)
     if not handles:

@@ -201,7 +201,7 @@ def _family_option(chosen: dict[str, Any]) -> str:
     for option in _IDLE[options[0]]:
         if chosen[option] is not None:
             raise InputError(
-                "--{option} does not apply to the planes of {given}. Leave it out.",
+                "--{option} does not apply to the planes of {given}. Leave out --{option}.",
                 option=option,
                 given=options[0],
             )

@@ -230,9 +230,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
     if chosen["point_mass"]:
         table.setdefault("gravity", gravity)
     if "keep" in table and "limits" not in table:
-        raise InputError(
-            "The keys of `keep` limit how the curve may change, and it may not change here. Add --nearest."
-        )
+        raise InputError("The keys of `keep` apply only if the curve may change. Add --nearest.")
     return table
 
 

@@ -204,7 +204,7 @@ def design_of(
         top.only(*names_of(DesignKeys))
     if data.get("schema", DESIGN_SCHEMA) != DESIGN_SCHEMA:
         slips.add(note(
-            "{file}: schema is {schema}; this version reads schema = {known}",
+            "{file}: schema is {schema}, but this version reads only schema {known}. Write schema = {known}",
             file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
         ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
@@ -225,7 +225,7 @@ def design_of(
     slips.refuse()
     if top.has("pair"):
         raise InputError(
-            "{place} describes a part with two rest shapes. Run `elastica pair {file} -o out` instead.",
+            "{place} describes a part with two states. Run `elastica pair {file} -o out` instead.",
             place=top.where,
             file=quote_words([str(path)]),
         )
@@ -389,7 +389,7 @@ def _only_sections(table: Table) -> Table:
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
-            "{place} has no effect together with sections. Leave it out.", place=table.place(idle[0])
+            "{place} has no effect together with sections. Leave out this key.", place=table.place(idle[0])
         )
     return table.table("sections")
 

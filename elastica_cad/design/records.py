@@ -484,7 +484,7 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
         inner = table.setdefault(key, {})
         if not isinstance(inner, dict):
             raise InputError(
-                "{key} is {inner}, but {path} needs it as a table. Leave out one of them.",
+                "{key} is {inner}, so {path} cannot be set too. Leave out {key} or {path}.",
                 key=key,
                 inner=quoted(inner),
                 path=path,

@@ -142,8 +142,8 @@ class RevolutionTable:
             ))  # fmt: skip
         if self.meridian.deviation > NEAR_MM:
             reports.append(note(
-                "The meridian deviates from its points by up to {far}. Strips cannot cover the surface of a "
-                "nearer meridian without gaps.",
+                "The meridian deviates by up to {far} from its points, because strips cannot cover the "
+                "surface of a closer curve without gaps.",
                 far=Length(self.meridian.deviation),
             ))  # fmt: skip
         return tuple(reports)

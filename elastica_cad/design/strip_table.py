@@ -144,7 +144,8 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
     values = read_fields(table, reader) | {"label": label}
     if section is not None and table.has("length"):
         raise InputError(
-            "{place} cannot change sections of a surface. Leave it out.", place=table.place("length")
+            "{place} cannot change the length of sections of a surface. Leave out this key.",
+            place=table.place("length"),
         )
     drawn = read_drawn_curve(reader, table) if section is None else section.curve
     curve = _with_length(table, drawn)

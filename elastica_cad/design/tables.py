@@ -160,13 +160,17 @@ def _parsed(text: str) -> _Parsed:
 
 def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> None:
     if depth > MOST_NESTED:
-        raise _refusal(node, formula, "this is nested too deeply; use let to name parts")
+        raise _refusal(node, formula, "the formula is nested too deeply; name parts of it with let")
     match node:
         case ast.Constant(value=bool() | complex() | str() | bytes() | None):
-            raise _refusal(node, formula, f"{node.value!r} is no number")
+            raise _refusal(node, formula, f"{node.value!r} is not a number; write a number")
         case ast.Constant(value=int() | float() as number):
             if abs(number) > LARGEST_RESULT:
-                raise _refusal(node, formula, f"numbers reach to {LARGEST_RESULT:g}")
+                raise _refusal(
+                    node,
+                    formula,
+                    f"the number is larger than the limit of {LARGEST_RESULT:g}; write a smaller number",
+                )
         case ast.Name():
             if node.id in FUNCTIONS:
                 raise _refusal(node, formula, f"{node.id} is a function and needs its arguments in brackets")
@@ -186,12 +190,19 @@ def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> Non
                 raise InputError(formula._unknown("function", called, FUNCTIONS))
             count = FUNCTIONS[called.id][1]
             if len(node.args) != count:
-                raise _refusal(node, formula, f"{called.id} takes {count} argument{'s' if count > 1 else ''}")
+                raise _refusal(
+                    node,
+                    formula,
+                    f"{called.id} takes {count} argument{'s' if count > 1 else ''}, "
+                    f"not {len(node.args)}; correct the call",
+                )
             for argument in node.args:
                 _require_arithmetic(argument, formula, depth + 1)
         case _:
             raise _refusal(
-                node, formula, "only numbers, names, + - * / % **, < > and known functions are allowed"
+                node,
+                formula,
+                "only numbers, names, + - * / % **, < > and known functions are allowed; leave out this part",
             )
 
 
@@ -449,7 +460,7 @@ class Table:
         rows = self.raw(key)
         if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
             raise InputError(
-                "{key} must be a list of {counts}points {axes}",
+                "{key} is not a list of {counts}points {axes}. Write such a list",
                 key=self.place(key),
                 counts=_COUNTS[count],
                 axes=_AXES[size],

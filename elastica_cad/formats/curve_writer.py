@@ -84,7 +84,7 @@ def write_curves(
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if not curves:
-        raise InputError("{path}: there are no curves to write", path=path)
+        raise InputError("{path}: there are no curves to write. Give at least one curve", path=path)
     if suffix not in WRITTEN_SUFFIXES:
         raise InputError(
             "{path} cannot be written as curves: end its name with {written_suffixes}",

@@ -340,7 +340,7 @@ class DrawnFile:
             )
         if len(curves) > 1:
             raise InputError(
-                "{path} contains {count} curves: choose one with {how}; {known}",
+                "{path} contains {count} curves: choose a curve with {how}; {known}",
                 path=self.path,
                 count=len(curves),
                 how=how,

@@ -284,10 +284,14 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
             points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
-                reason = note("it has no unit, $MEASUREMENT = 0 and a size of {size:.3g} units", size=size)
+                reason = note(
+                    "the file has no unit, $MEASUREMENT = 0 and a size of {size:.3g} units", size=size
+                )
                 assumed = note(_ASSUMED, field=UNIT, unit="in", reason=reason, other="mm")
                 return MM_PER_INCH, ReadUnit("in", note=assumed)
-    assumed = note(_ASSUMED, field=UNIT, unit="mm", reason=note("it has no unit ($INSUNITS)"), other="in")
+    assumed = note(
+        _ASSUMED, field=UNIT, unit="mm", reason=note("the file has no unit ($INSUNITS)"), other="in"
+    )
     return 1.0, ReadUnit("mm", note=assumed)
 
 

@@ -64,7 +64,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         return DrawnFile(file, [curve], unit=known)
     curves = data.get("curves")
     if not isinstance(curves, list) or not curves:
-        raise InputError("has no curves: 'curves' must be a list of records")
+        raise InputError("has no list of curves: add the list 'curves', with a record for each curve")
     makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
     drawn = [DrawnCurve(i, make, kinds={"spline": 1}) for i, make in enumerate(makers, start=1)]
     return DrawnFile(file, drawn, unit=known)
@@ -82,29 +82,34 @@ def _require_schema(data: dict[str, Any]) -> None:
         )
     if version != "1":
         raise InputError(
-            "has the schema {schema}, which is newer than this program: update it", schema=quoted(schema)
+            "has the schema {schema}, which is newer than this program: update the program",
+            schema=quoted(schema),
         )
 
 
 def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
     if not isinstance(record, dict):
-        raise InputError("{place} is not a record of degree, knots, control_points and weights", place=where)
+        raise InputError(
+            "{place} is not a curve: write a record of degree, knots, control_points and weights", place=where
+        )
     for key in ("degree", "knots", "control_points"):
         if key not in record:
             raise InputError("{place} has no {key!r}", place=where, key=key)
     degree = record["degree"]
     if not isinstance(degree, int) or isinstance(degree, bool):
         raise InputError(
-            "{place}: degree is {degree}; it must be a whole number", place=where, degree=quoted(degree)
+            "{place}: degree is {degree}: write a whole number", place=where, degree=quoted(degree)
         )
     try:
         knots = np.array(record["knots"], dtype=float)
         points = np.array(record["control_points"], dtype=float)
         weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
     except (TypeError, ValueError, OverflowError, RecursionError) as error:
-        raise InputError("{place} has an entry that is not a number", place=where) from error
+        raise InputError(
+            "{place} has an entry that is not a number: write only numbers", place=where
+        ) from error
     if points.ndim != 2 or points.shape[1] != 2:
-        raise InputError("{place}: control_points must be rows of x and y", place=where)
+        raise InputError("{place}: control_points are not points: write rows of x and y", place=where)
     try:
         check_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
         check_degree(degree)

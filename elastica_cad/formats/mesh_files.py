@@ -61,7 +61,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             mesh_suffixes=", ".join(MESH_SUFFIXES),
         )
     if not (np.isfinite(scale) and scale > 0):
-        raise InputError("the scale of {path} is {scale:g}: it must be positive", path=path, scale=scale)
+        raise InputError("the scale of {path} is {scale:g}: set a number above 0", path=path, scale=scale)
     factor = look_up_unit(unit or "mm") * scale
     try:
         with interrupts_held():

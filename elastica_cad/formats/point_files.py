@@ -123,7 +123,9 @@ class PointTable:
         columns, behind = _without_units(layout.columns)
         units = [unit] if unit else list(dict.fromkeys([*units, *behind]))
         if len(units) > 1:
-            raise InputError("it has the units {names}: give x and y in one unit", names=" and ".join(units))
+            raise InputError(
+                "the file has the units {names}: give x and y in one unit", names=" and ".join(units)
+            )
         columns, message = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
         return cls(columns, next(iter(units), None), message, layout.is_offsets)
 
@@ -171,7 +173,8 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
             begun = reader.line_num
     except csv.Error as error:
         raise InputError(
-            "row {row} has a quotation mark without its closing mark: add it", row=numbered[begun][0]
+            "row {row} has a quotation mark without its closing mark: add the closing mark",
+            row=numbered[begun][0],
         ) from error
     return rows, [line.strip() for line in lines if line.lstrip().startswith("#")], separator
 
@@ -394,7 +397,8 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
         elif separator == ",":
             cell = mine["open"][0][1]
             return sign, note(
-                "its numbers have thousands separators: {cell} was read as {number}",
+                "the numbers have thousands separators: {cell} was read as {number}. If that is wrong, "
+                "remove the separators",
                 cell=cell,
                 number=cell.replace(sign, ""),
             )
@@ -405,8 +409,8 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
         if not unsure:
             return sign, ""
         raise InputError(
-            "row {row} has {cell!r}, whose separator can mean thousands or decimals: write a decimal "
-            "separator only",
+            "row {row} has {cell!r}, whose separator can mean thousands or decimals: write numbers without "
+            "a thousands separator",
             row=unsure[0][0],
             cell=unsure[0][1],
         )
@@ -450,7 +454,7 @@ def _is_length(cell: str) -> bool:
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
     if not least <= len(cells) <= most:
         raise InputError(
-            "row {row} has {count} columns but needs {needed}",
+            "row {row} has {count} columns instead of {needed}: correct this row",
             row=row,
             count=len(cells),
             needed="x, y and z" if least == 3 else "x and y" if most == 2 else "x and y (and z)",
@@ -515,7 +519,8 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
             (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
         ]
     message = note(
-        "its numbers were read as inches (fractions, or feet-inches-eighths): set the unit if that is wrong"
+        "the numbers were read as inches (fractions, or feet-inches-eighths): set the unit if they are not "
+        "inches"
     )
     curves = [
         DrawnCurve(number, make, name, kinds={"point": count})

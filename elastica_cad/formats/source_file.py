@@ -242,7 +242,7 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
     """
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(
-            "the {name} for reading is {given!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",
+            "the {name} for reading is {given!r}: set 1e-9 to 1000 mm, such as 0.01",
             name=name,
             given=value,
         )

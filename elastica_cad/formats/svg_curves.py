@@ -55,8 +55,8 @@ def read_svg_drawing(
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
-            "has units of {scale:.3g} by {scale_2}, an unlikely size: check width, height and viewBox of "
-            "the SVG element",
+            "has drawing units of {scale:.3g} by {scale_2}, an unlikely size: check width, height and "
+            "viewBox of the SVG element",
             scale=scale[0],
             scale_2=Length(scale[1]),
         )
@@ -370,7 +370,7 @@ def _edge(kind: str, segment: Any) -> Edge | None:
 def _points(*points: Any) -> FloatArray:
     places = np.array([(p.x, p.y) for p in points], dtype=float)
     if not np.all(np.abs(places) < _LARGEST):
-        raise InputError("has numbers that are not finite or too large: check its size")
+        raise InputError("has numbers that are not finite or too large: check the size of the drawing")
     return places
 
 

@@ -170,7 +170,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
     ("words", "told"),
     [
         (("clip.svg",), "The sheet is missing"),
-        (("up.svg", "--sheet", "pom-3"), "up.svg has a different number of curves: 1"),
+        (("up.svg", "--sheet", "pom-3"), "needs two curves, but up.svg has 1"),
         (("clip.svg", "clip.svg", "--sheet", "pom-3"), "--first 1 .. --first 2"),
         (("clip.svg", "--sheet", "pom-3", "--fillet", "12"), "does not fit"),
         (("clip.toml", "clip.svg", "--sheet", "pom-3"), "Leave out the other arguments"),

@@ -455,7 +455,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     for one in (told, made):
         said = one.stderr if one is made else one.stdout
         assert re.match(
-            r"(Read  .*\n|bad\.csv: its .*\n)?(! )?(Error +Not realizable:|Verdict|Warning) +The point at \(2134",
+            r"(Read  .*\n|bad\.csv: the .*\n)?(! )?(Error +Not realizable:|Verdict|Warning) +The point at \(2134",
             said,
         ), said
         assert "This works" not in one.output
@@ -463,7 +463,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
 
 
 @pytest.mark.parametrize(("noise", "first", "smoothed"), [
-    (0.4, "Undecided: the points", "No strip can take this curve with its points as they are. If it is smoothed"),
+    (0.4, "Undecided: the points", "No strip can take this curve as drawn, but a strip can"),
     (0.0, "A flat strip can take this curve", ""),
     (8.0, "No strip can take this curve, even if", "No strip can take this curve, even if it is smoothed within"),
 ])  # fmt: skip

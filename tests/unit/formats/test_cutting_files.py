@@ -283,7 +283,7 @@ def test_bad_options_are_refused_and_leave_no_file(tmp_path, options, message):
 
 
 def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
-    with pytest.raises(InputError, match="'void' is empty"):
+    with pytest.raises(InputError, match="'void' has neither"):
         write_drawing(Drawing("void"), tmp_path / "void.svg")
     with pytest.raises(InputError, match=r"\.dxf or \.svg"):
         write_drawing(drawing(), tmp_path / "strip.pdf")

@@ -295,7 +295,7 @@ def test_a_unit_that_the_file_does_not_name_is_assumed_and_reported(drawing, ver
     assert curves[0].length == pytest.approx(mm * np.hypot(size, 1))
     (told,) = curves.notes
     unit, other = ("in", "mm") if mm > 1 else ("mm", "in")
-    assert f"its unit is assumed to be {unit}, because it has no unit" in told
+    assert f"its unit is assumed to be {unit}, because the file has no unit" in told
     assert f"set unit to the right unit, such as {other}" in told
     for given in ("mm", "in"):
         assert not drawing(draw, units=0, version=version, unit=given).notes

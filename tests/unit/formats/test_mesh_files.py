@@ -62,7 +62,7 @@ def test_metres_are_asked_for(tmp_path):
         read_mesh(file)
     with pytest.raises(InputError, match=r"is 13\.7 .*\(cm: 136\.7 mm, in: 347\.3 mm, m: 1\.367e\+04 mm\)"):
         read_mesh(file, scale=10)
-    with pytest.raises(InputError, match=r"scale of .* must be positive"):
+    with pytest.raises(InputError, match=r"scale of .* set a number above 0"):
         read_mesh(file, scale=0)
     assert np.ptp(read_mesh(file, unit="m").vertices[:, 0]) == pytest.approx(900)
     with pytest.raises(InputError, match="unknown unit"):

@@ -135,7 +135,7 @@ def test_published_spline(reference_data):
     ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0', .*put measured points into a \.csv file"),
     ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
     ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
-    ("1 2\n0 0\n1 1\n", "degree of 2 or more"),
+    ("1 2\n0 0\n1 1\n", "use a whole number, 2 or more"),
     ("2 3\n0 0\n1 x\n2 0\n", "row 3 has 'x'"),
     ("2 3\n0 0\n1 nan\n2 0\n", "row 3 is not finite"),
     ("2 3\n1 1\n1 1\n1 1\n", "coincide"),
@@ -338,7 +338,10 @@ def test_thousands_in_quotes_are_reported(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text(table(style='"{:,}"'.format, points=[(1000, 2050), (1250, 2260), (1500, 2310)]))
     drawing = read_drawing(path)
-    assert drawing.unit.note == "its numbers have thousands separators: 1,000 was read as 1000"
+    assert (
+        drawing.unit.note
+        == "the numbers have thousands separators: 1,000 was read as 1000. If that is wrong, remove the separators"
+    )
     assert drawing.read()[0].bounds[1] == pytest.approx((1500, 2310), abs=1)
 
 

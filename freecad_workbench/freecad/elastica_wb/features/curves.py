@@ -198,7 +198,9 @@ def draw_into(obj: Any) -> None:
     """Replace the curve in a sketch by its nearest curve, and delete the feature."""
     (sketch, edges), curve = obj.Curve, _curve_to_drag(obj)
     if not is_sketch(sketch):
-        raise InputError("{object} is not a sketch, so no curve can be drawn in it", object=sketch.Label)
+        raise InputError(
+            "No curve can be drawn in {object}, which is not a sketch. Choose a sketch.", object=sketch.Label
+        )
     if any(edges):
         raise InputError(
             '{object} has other curves, which would be replaced too. Press the button "Make a sketch to edit".',

@@ -85,7 +85,8 @@ class RailsPanel(Panel):
         self.spec = spec_of(obj, self.drawn)
         if isinstance(self.spec.loads, Weight):
             raise InputError(
-                "The property WeightLaw already gives the loads of {strip}. Clear it first.", strip=obj.Label
+                "The property WeightLaw already gives the loads of {strip}. Clear this property first.",
+                strip=obj.Label,
             )
         self.items, self.chosen = [*self.spec.between, *self.spec.loads], 0
         self._before = {name: list(getattr(obj, name)) for name in PROPERTIES}

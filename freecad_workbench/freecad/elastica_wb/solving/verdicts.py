@@ -59,8 +59,8 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
         sentence = note(
             "the strip snaps into another shape; its stability margin is {margin:.3g}"
             if stability.conjugate_point is None else
-            "the strip snaps into another shape; its stability margin is {margin:.3g}. Its first {s} alone "
-            "reach the limit of stability",
+            "the strip snaps into another shape; its stability margin is {margin:.3g}. A strip of the "
+            "first {s} alone would be at the limit of stability",
             margin=stability.margin, s=Length(stability.conjugate_point or 0.0),
         )  # fmt: skip
         yield Fault(note("snaps into another shape"), sentence, "Margin")
