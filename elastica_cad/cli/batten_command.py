@@ -278,7 +278,7 @@ def _print_load(strip: Strip, end_force: float) -> None:
     warnings = [warning_row(text) for text in strip.warnings]
     for row in (
         *warnings,
-        Row("Force", f"{end_force:.3g} N at each end, pressed towards the other"),
+        Row("Force", f"{end_force:.3g} N at each end, pushed towards the other end"),
         Row("Strain", strain),
     ):
         say_row(row)

@@ -260,13 +260,15 @@ def _opened(path: Path) -> "Drawing":
             document, audit = recover.readfile(str(path))
             document.modelspace()
         except (*damage, StopIteration) as error:
-            raise InputError("is not a readable DXF file: export it again, as DXF R2000 or later") from error
+            raise InputError(
+                "is not a readable DXF file: export the file again, as DXF R2000 or later"
+            ) from error
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
         message = re.sub(
             '"(.*)"(?= near line)', lambda match: quoted(match[1]), guessed[0].message, flags=re.DOTALL
         )
-        raise InputError("is damaged ({said}): export it again", said=message)
+        raise InputError("is damaged ({said}): export the file again", said=message)
     return document
 
 
@@ -430,7 +432,7 @@ def _arc_angles(angles: FloatArray) -> tuple[float, float]:
 def _spline(entity: Any) -> Edge:
     if not len(entity.control_points):
         if len(entity.fit_points) < 2:
-            raise InputError("a SPLINE has neither control points nor fit points: draw it again")
+            raise InputError("a SPLINE has neither control points nor fit points: draw the SPLINE again")
         places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
         return (
             _closed_spline(places)
@@ -513,7 +515,7 @@ def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
     chords_needed, places = (3, "three") if isinstance(ends, str) else (1, "two")
     if np.count_nonzero(apart) < chords_needed:
         raise InputError(
-            "a SPLINE has fewer than {places} different fit points: draw it again", places=places
+            "a SPLINE has fewer than {places} different fit points: draw the SPLINE again", places=places
         )
     at = np.append(0.0, np.cumsum(chords[apart]))
     spline = make_interp_spline(at, points[np.append(True, apart)], k=3, bc_type=ends)

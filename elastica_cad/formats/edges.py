@@ -62,7 +62,9 @@ class Edge:
     def __post_init__(self) -> None:
         knots, points = np.array(self.knots, dtype=float), np.array(self.points, dtype=float)
         if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
-            raise InputError("a curve has a coordinate or knot that is not a finite number: export it again")
+            raise InputError(
+                "a curve has a coordinate or knot that is not a finite number: export the file again"
+            )
         count = len(points)
         if self.degree < 1 or count <= self.degree:
             raise InputError(

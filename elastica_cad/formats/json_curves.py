@@ -47,7 +47,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
     except ValueError as error:  # an integer of thousands of digits raises ValueError too
         raise InputError(
-            "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
+            "is not JSON ({partition}): export the file again", partition=str(error).partition(";")[0]
         ) from error
     if not isinstance(data, dict):
         raise InputError(

@@ -76,7 +76,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # the parsers of trimesh raise exceptions of many kinds
             raise InputError(
-                "is not a readable {upper} mesh: export it again", upper=suffix[1:].upper()
+                "is not a readable {upper} mesh: export the mesh again", upper=suffix[1:].upper()
             ) from error
         if not len(faces):
             raise InputError("has no faces: export a mesh, not points or lines")

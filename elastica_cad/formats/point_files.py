@@ -469,7 +469,9 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     values = [_in_mm(cell, scale) for cell in cells]
     if not all(map(isfinite, values)):
         raise InputError(
-            "row {row} is not finite ({cells}): correct it or leave it out", row=row, cells=", ".join(cells)
+            "row {row} is not finite ({cells}): correct this row or leave it out",
+            row=row,
+            cells=", ".join(cells),
         )
     return values
 
@@ -574,7 +576,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
         )
     if max(len(word) for word in head) > 9:
         raise InputError(
-            "line {number} has a number of {most} digits: check it",
+            "line {number} has a number of {most} digits: check this number",
             number=number,
             most=max(len(w) for w in head),
         )

@@ -54,11 +54,12 @@ def require_file(path: str | Path) -> Path:
             strerror=error.strerror or error,
         ) from error
     if empty:
-        raise InputError("{path} is empty: save it again in the program that made it", path=path)
+        raise InputError("{path} is empty: save the file again in the program that made it", path=path)
     size, most = path.stat().st_size, LARGEST_OF_KIND.get(path.suffix.lower(), LARGEST_FILE)
     if size > most:
         raise InputError(
-            "{path} has {size:.0f} MB, more than the limit of {most} MB: remove unneeded parts, or simplify it",
+            "{path} has {size:.0f} MB, more than the limit of {most} MB: remove unneeded parts, or "
+            "simplify the file",
             path=path,
             size=size / 2**20,
             most=most // 2**20,

@@ -181,7 +181,9 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
         RecursionError,
         OverflowError,
     ) as error:
-        raise InputError("has incomplete or invalid path data or attributes: export it again") from error
+        raise InputError(
+            "has incomplete or invalid path data or attributes: export the file again"
+        ) from error
     shapes.report_left_out()
 
 
@@ -240,7 +242,7 @@ class _Shapes:
         try:
             if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
                 raise InputError(
-                    "has a transform with numbers that are not finite or too large: export it again"
+                    "has a transform with numbers that are not finite or too large: export the file again"
                 )
             runs, rounding = self._edges(mark, shape)
         except InputError as error:

@@ -73,7 +73,7 @@ def path_data(text: str) -> PathData:
         values = [float(word) for word in words]
         if not all(abs(value) < 1e15 for value in values):
             odd = next(word for word in words if not abs(float(word)) < 1e15)
-            raise InputError("has the unusable number {odd} in a path: export it again", odd=odd)
+            raise InputError("has the unusable number {odd} in a path: export the file again", odd=odd)
         written += words[5:] if kind == "A" else words
         _draw(pen, kind, np.array(values), relative=command.islower())
         pen.before = kind

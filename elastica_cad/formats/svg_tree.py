@@ -572,7 +572,7 @@ def svg_tree(path: Path) -> SvgTree:
         try:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
-            raise InputError("is not an SVG file ({error}): export it again", error=error) from error
+            raise InputError("is not an SVG file ({error}): export the file again", error=error) from error
     if tag(root) != "svg":
         raise InputError(
             "is not an SVG file, because it begins with <{tag}>, not with <svg>: export it as SVG",
@@ -597,10 +597,13 @@ def _open_svg(path: Path) -> BinaryIO:
         try:
             data = GzipFile(fileobj=file).read(LARGEST_FILE + 1)
         except (OSError, EOFError, zlib.error) as error:
-            raise InputError("is compressed and cannot be unpacked: save it again, as plain SVG") from error
+            raise InputError(
+                "is compressed and cannot be unpacked: save the file again, as plain SVG"
+            ) from error
     if len(data) > LARGEST_FILE:
         raise InputError(
-            "has more than {largest_file} MB when unpacked: remove everything except curves, or simplify it",
+            "has more than {largest_file} MB when unpacked: remove everything except curves, or simplify "
+            "the file",
             largest_file=LARGEST_FILE // 2**20,
         )
     return BytesIO(data)
@@ -616,8 +619,8 @@ def _read_head(file: BinaryIO) -> str:
     def declare(name: str, is_parameter: int, text: str | None, *_: object) -> None:
         if is_parameter or text is None or len(text) > _LONGEST_ENTITY or set(text) & set("<&"):
             raise InputError(
-                "declares the XML entity {name}, which is not plain text of up to {most} characters: save it as "
-                "plain SVG (Illustrator: without its editing capabilities)",
+                "declares the XML entity {name}, which is not plain text of up to {most} characters: save "
+                "the file as plain SVG (Illustrator: without its editing capabilities)",
                 name=name,
                 most=_LONGEST_ENTITY,
             )

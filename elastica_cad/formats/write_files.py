@@ -48,7 +48,7 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
         raise InputError("{path} is a folder: give the name of a file in it", path=path)
     if not target.parent.is_dir():
         raise InputError(
-            "{path} cannot be written, because there is no folder {parent}: create it first",
+            "{path} cannot be written, because there is no folder {parent}: create this folder first",
             path=path,
             parent=target.parent,
         )

@@ -115,8 +115,8 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
-            "the curve at {place} has a radius of {given:.4g}, too small for an offset of "
-            "{left:g}: make it gentler",
+            "the curve at {place} has a radius of {given:.4g}, too small for an offset of {left:g}: draw a "
+            "gentler curve",
             place=place(curve.evaluate(probes[sharpest])),
             given=Length(1 / abs(kappa[sharpest])),
             left=Length(abs(left)),

@@ -197,7 +197,9 @@ def bracing_of(
         u, sigma, vt = np.linalg.svd(row_shifts)
         rank = int(np.count_nonzero(sigma > _RANK))
         if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
-            raise InputError("The strip can slide off its rails. Hold an end, or pin it at a place between.")
+            raise InputError(
+                "The strip can slide off its rails. Hold an end, or pin the strip between its ends."
+            )
         # eliminate the translation of the rod with the constraints
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows

@@ -277,15 +277,15 @@ def place_elements(
     for placed_element in placed:
         if isinstance(placed_element.element, Tie) and placed_element.element.length is not None:
             raise InputError(
-                "The tie from {start} to {end} has a length, but in a design its length follows from the curve. "
-                "Leave out the length, or give it to bend.",
+                "The tie from {start} to {end} has a length, but in a design its length follows from the "
+                "curve. Leave out the length, or pass the length to `bend`.",
                 start=Length(placed_element.s[0]), end=Length(placed_element.s[1]),
             )  # fmt: skip
         fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in placed_element.s]
         if all(fixed):
             raise InputError(
-                "The {element} at {places} acts on an end that is held in place, so it has no effect. Move "
-                "it between the ends.",
+                "The {element} at {places} acts on an end that is held in place, so this {element} has no "
+                "effect. Move the {element} between the ends.",
                 element=noun_of(placed_element.element), places=Length(placed_element.s[0]),
             )  # fmt: skip
     return placed

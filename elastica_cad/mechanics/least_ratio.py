@@ -550,8 +550,8 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
     force = left_of(balance.force.nodal.reshape(-1, 2))
     return tuple(
         note(
-            "The {element} at {places} carries less than {share:g} % of the largest force, so it may become "
-            "slack or come off the strip. Move it, or leave it out.",
+            "The {element} at {places} carries less than {share:g} % of the largest force, so it may "
+            "become slack or come off the strip. Move or remove the {element}.",
             element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
             share=100 * SLACK_SHARE, severity="warning",
         )

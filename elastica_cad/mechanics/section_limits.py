@@ -230,10 +230,10 @@ class ScaleRange:
         """Largest scale that can be built within the outer width (paper, section 8.1)."""
         if not self.feasible:
             raise InputError(
-                f"no bending stiffness per unit of K suits all stations: station {self.lowest_at} needs at "
-                f"least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N mm2. "
-                f"Widen the strip at station {self.highest_at}, narrow it at station {self.lowest_at}, or "
-                "lower the stiffness ratio"
+                f"no bending stiffness (for K = 1) suits all stations: station {self.lowest_at} needs at "
+                f"least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N "
+                f"mm2. Widen the strip at station {self.highest_at}, narrow the strip at station "
+                f"{self.lowest_at}, or lower the stiffness ratio"
             )
         return self.highest
 

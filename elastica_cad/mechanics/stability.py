@@ -162,8 +162,8 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
         raise InputError(
-            "A conjugate point can be computed only if the angle at the end of the rod is held, but it is "
-            "free. If the angle at the start is held, reverse the rod."
+            "A conjugate point can be computed only if the angle at the end of the rod is held, but this "
+            "angle is free. If the angle at the start is held, reverse the rod."
         )
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
     count = _first_unstable_piece(rod)

@@ -291,8 +291,8 @@ class EndFixture(EqualByValue):
     def _extended(self) -> Iterator[Refusal]:
         if self.lowest > MOST_EXTENDED_MM:
             yield note(
-                "The block of {tab} is {height:.0f} high, because the floor is {extra:.0f} below its pocket. "
-                "Raise the floor, or leave it out.",
+                "The block of {tab} is {height:.0f} high, because the floor is {extra:.0f} below its "
+                "pocket. Raise the floor, or leave out the floor.",
                 tab=self.tab.name, height=Length(self.size[2]), extra=Length(self.lowest), severity="warning",
             )  # fmt: skip
 

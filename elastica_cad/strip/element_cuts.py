@@ -120,8 +120,8 @@ def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
         low, high = cut.span
         if low <= -ends[0].length or high >= rod.length + ends[1].length:
             raise InputError(
-                "The hole or notch for the {element} at {at} extends beyond the end of the strip. Move it, or "
-                "give the strip a longer tab there.",
+                "The hole or notch for the {element} at {at} extends beyond the end of the strip. Move the "
+                "hole or notch, or give the strip a longer tab there.",
                 element=cut.noun, at=Length(cut.at), where={"field": "between"},
             )  # fmt: skip
     for first, second in combinations(cuts, 2):

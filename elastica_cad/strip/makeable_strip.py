@@ -525,7 +525,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         return
     thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(
-        "{strains} To make it anyway, set {field}.",
+        "{strains} To make the strip anyway, set {field}.",
         field=FieldName("ignore_limits"),
         strains=sentences(strip.strain_warnings, " "),
         percent=judged.percent,

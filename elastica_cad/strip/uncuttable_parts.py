@@ -394,7 +394,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         places = [fault.at for fault in faults if fault.at is not None]
         raise InputError(
-            "{faults} To make it anyway, set {field}.",
+            "{faults} To make the parts anyway, set {field}.",
             faults=_faults_message(faults),
             field=FieldName("ignore_limits"),
             kind="fault",
@@ -586,7 +586,8 @@ def _suggestions_for_necks(
     field = outline_field(strip.style)
     if not wider:
         cure = note(
-            "Make it wider ({field}), or use the nearest curve with a smaller stiffness ratio", field=field
+            "Make the strip wider ({field}), or use the nearest curve with a smaller stiffness ratio",
+            field=field,
         )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
         wider = ()  # a wider strip would still have tips that are too thin
@@ -594,7 +595,8 @@ def _suggestions_for_necks(
     else:
         cure = note(
             (
-                "Make it {width:g} wide or wider ({field}), or use the nearest curve with a smaller stiffness ratio"
+                "Make the strip {width:g} wide or wider ({field}), or use the nearest curve with a smaller "
+                "stiffness ratio"
             ),
             field=field,
             width=Length(wider[0].value),
@@ -622,7 +624,9 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
             wide=wide, at=at, needed=needed, sheet=sheet.name,
         )  # fmt: skip
         return Fault(
-            name, what, note("Move the hole {shift} away from the edge, or make it smaller", shift=shift)
+            name,
+            what,
+            note("Move the hole {shift} away from the edge, or make the hole smaller", shift=shift),
         )
     what = note(
         "only {wide:g} of material between two holes {at} ({sheet} needs {needed:g})",

@@ -507,12 +507,13 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     strip = spec.make()
     if strip.rod.acting:
         raise InputError(
-            "The slider cannot bend a strip with rails, pins, ties or point forces. Remove them first."
+            "The slider cannot bend a strip with rails, pins, ties or point forces. Remove these elements "
+            "first."
         )
     start, end, angles = strip.rod.position[0], strip.rod.position[-1], strip.rod.angle[[0, -1]]
     chord = end - start
     if not np.hypot(*chord) > 0:
-        raise InputError("A closed strip has no ends to move. Open it to bend it here.")
+        raise InputError("A closed strip has no ends to move. Open the strip to bend it here.")
     out = np.arctan2(chord[1], chord[0])
     flat = start + NEARLY_FLAT * strip.rod.length * np.array([np.cos(out), np.sin(out)])
     clamped_ends = [support.angle for support in strip.rod.supports.ends]

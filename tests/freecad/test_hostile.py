@@ -199,7 +199,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     document.recompute()
     if lost == "cell":
         cells.set("A1", "=1/0")
-        says = r"^Numbers cannot be made \(.*\). Correct it first.$"
+        says = r"^Numbers cannot be made \(.*\). Correct this object first.$"
     else:
         document.removeObject(cells.Name)
         says = r"^The formula of MaxWidth cannot be computed \(.*Numbers.*\). Correct or remove the formula.$"

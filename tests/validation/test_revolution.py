@@ -342,7 +342,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "length = -10 mm: give positive"),
         (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
         (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two finite numbers"),
-        (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
+        (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "`ring` is 7"),
         (
             lambda: meridian(1e9, (1e9, 1e9), (50, 0), 1, 100),
             "to a radius of about .* but it is 100 mm long",
@@ -353,7 +353,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         (lambda: meridian_through([(1, 1), (2, 2)]), "three points"),
         (lambda: meridian_through("abc"), "give numbers"),
         (lambda: meridian_through([(0, 1), (2, 2), (1, 3)]), "point 1 at"),
-        (lambda: meridian_through([(3, 1), (2, 2), (1, 3)], ring=7), "ring=7"),
+        (lambda: meridian_through([(3, 1), (2, 2), (1, 3)], ring=7), "`ring` is 7"),
         (lambda: meridian_through([(1, 1), (-2, 2), (1, 3)]), "point 2"),
         (lambda: meridian_through([(1, 1), (1, 1), (1, 3)]), "are equal"),
         (lambda: ec.revolve(meridian(0, (0, 0), (50, 0), 1.5, 30), 2, sheet=CARD), "give 3 to 1000 for"),

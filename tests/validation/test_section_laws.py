@@ -132,7 +132,8 @@ def test_a_curve_beyond_the_limits_is_refused_with_the_size_it_asks_for():
     design = Design("thickness", WAVE, heavy=False, nearest=False)
     tight = type(design.section)(design.material, 6.0, 8.0, width=25.0)
     with pytest.raises(
-        InputError, match=r"if the largest thickness is 8 mm, the curve requires a thickness of \d\.\d+ mm at"
+        InputError,
+        match=r"with the largest thickness of 8 mm, the curve requires a thickness of \d\.\d+ mm at",
     ):
         optimal_rod(WAVE, section=tight)
     with pytest.raises(InputError, match="leave out bending_stiffness, largest_stiffness and law"):

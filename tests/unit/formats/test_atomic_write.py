@@ -29,7 +29,7 @@ def test_nothing_is_overwritten_unless_allowed(tmp_path):
 def test_folders_are_no_files(tmp_path):
     with pytest.raises(InputError, match="is a folder: give the name of a file"):
         write_atomically(tmp_path, b"x", force=True)
-    with pytest.raises(InputError, match=r"no folder .*missing: create it"):
+    with pytest.raises(InputError, match=r"no folder .*missing: create this folder"):
         write_atomically(tmp_path / "missing" / "a.txt", b"x")
     (tmp_path / "plain").write_text("")
     with pytest.raises(InputError, match="no folder"):

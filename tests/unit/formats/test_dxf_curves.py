@@ -688,8 +688,8 @@ def spaced_like(curve, points):
 
 
 @pytest.mark.parametrize(("points", "words"), [
-    ([(5, 5), (5, 5)], "fewer than two different fit points: draw it again"),
-    ([(5, 5), (9, 5), (5, 5)], "fewer than three different fit points: draw it again"),
+    ([(5, 5), (5, 5)], "fewer than two different fit points: draw the SPLINE again"),
+    ([(5, 5), (9, 5), (5, 5)], "fewer than three different fit points: draw the SPLINE again"),
 ])  # fmt: skip
 def test_fit_points_that_do_not_differ_are_told(drawing, points, words):
     def draw(space, _):

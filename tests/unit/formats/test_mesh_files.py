@@ -92,5 +92,5 @@ def test_without_trimesh(tmp_path, monkeypatch):
 
 def test_a_damaged_mesh_is_refused_without_words_of_python(tmp_path):
     file = written(tmp_path, "a.obj", "v 0 0 0\nv 9 0 0\nv 9 9 5\nf 1 2 ..\n")
-    with pytest.raises(InputError, match=r"a\.obj: is not a readable OBJ mesh: export it again$"):
+    with pytest.raises(InputError, match=r"a\.obj: is not a readable OBJ mesh: export the mesh again$"):
         read_mesh(file, unit="mm")

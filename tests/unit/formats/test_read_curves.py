@@ -96,7 +96,7 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
         (
             "far.svg",
             '<svg><path d="M 0 0 L 1e40 2"/></svg>',
-            "has the unusable number 1e40 in a path: export it again",
+            "has the unusable number 1e40 in a path: export the file again",
         ),
     ],
 )

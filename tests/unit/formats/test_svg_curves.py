@@ -512,7 +512,7 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
     for broken in (gzip.compress(text.encode())[:-12], b"\x1f\x8bnothing"):
         (tmp_path / "broken.svgz").write_bytes(broken)
         with pytest.raises(
-            InputError, match=r"broken\.svgz: is compressed and cannot be unpacked: save it again"
+            InputError, match=r"broken\.svgz: is compressed and cannot be unpacked: save the file again"
         ):
             read_curves(tmp_path / "broken.svgz")
     (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 65)

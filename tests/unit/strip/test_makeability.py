@@ -65,7 +65,7 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert fault.part == "A1"
     assert "only 0.513 mm wide at" in fault.what
     assert "birch-plywood-0.8 needs 3 mm" in fault.what
-    assert "Make it 120 mm wide or wider (max_width)" in fault.cure
+    assert "Make the strip 120 mm wide or wider (max_width)" in fault.cure
     assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
 
 
@@ -74,7 +74,7 @@ def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
     points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
     wavering = PlaneCurve.fit(points + np.random.default_rng(20).normal(0, 0.3, points.shape))
     for smooth, wider in (
-        (0.6, r"\. Make it 19.5 mm wide or wider \(max_width\), or use"),
+        (0.6, r"\. Make the strip 19.5 mm wide or wider \(max_width\), or use"),
         (0.33, r"\. Use"),
     ):
         cures = f"{wider} the nearest curve .*or smooth the points of the curve more"

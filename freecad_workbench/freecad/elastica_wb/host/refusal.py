@@ -197,5 +197,7 @@ def _message_of_other_object(obj: Any) -> str:
             file=file,
         )
     return note(
-        "{object} cannot be made ({why}). Correct it first.", object=obj.Label, why=" ".join(status.split())
+        "{object} cannot be made ({why}). Correct this object first.",
+        object=obj.Label,
+        why=" ".join(status.split()),
     )
