@@ -422,7 +422,9 @@ def test_clones_are_found_by_their_own_id(tmp_path):
     for asked, start in (("use1", (200, 0)), ("one", (0, -300)), ("use2/arch", (0, -400)), ("4", (0, -300))):
         assert drawing.one(asked, None, "--curve").curve.sample(2).position[0] == pytest.approx(start)
     assert len(drawing.chosen("arch")) == 2
-    with pytest.raises(InputError, match=r"contains 2 curves: choose a curve with --curve.*4 \(use2/one\), 5"):
+    with pytest.raises(
+        InputError, match=r"contains 2 curves: choose a curve with --curve.*4 \(use2/one\), 5"
+    ):
         drawing.one("use2", None, "--curve")
 
 
