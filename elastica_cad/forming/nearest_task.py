@@ -315,8 +315,8 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
     crossing = examine(curve, Supports(), request.natural_curvature).line
     if crossing is None:
         raise InputError(
-            "the drawn curve has no line through its inflections: set `keep.line` to two points ((x, y), "
-            "(x, y))"
+            "the drawn curve has no line through its inflections: set `keep.line` to two points "
+            "((x, y), (x, y))"
         )
     point, direction = np.asarray(crossing.point), np.asarray(crossing.direction)
     return point, point + direction * curve.length

@@ -577,8 +577,8 @@ def smooth_polyline(
     vertices = numbers(points, "points to smooth")
     if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
         raise InputError(
-            f"the points to smooth have the shape {vertices.shape} or are not finite: give finite rows (n, "
-            "2), in mm"
+            f"the points to smooth have the shape {vertices.shape} or are not finite: give finite rows "
+            "(n, 2), in mm"
         )
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: smoothing needs 4 to {MOST_SMOOTHED} points")

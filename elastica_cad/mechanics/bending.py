@@ -583,8 +583,8 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         )
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
         raise InputError(
-            f"the path of end positions has the shape {points.shape} or is not finite: give finite rows (k, "
-            "2)"
+            f"the path of end positions has the shape {points.shape} or is not finite: give finite rows "
+            "(k, 2)"
         )
     return [{"end": point} for point in points]
 

@@ -56,14 +56,14 @@ class Gravity:
     def __post_init__(self) -> None:
         if not (is_number(self.length) and self.length > 0):
             raise InputError(
-                f"the elasto-gravity length is {self.length!r}: give a positive number in mm (200 gsm card: "
-                "96)"
+                f"the elasto-gravity length is {self.length!r}: give a positive number in mm "
+                "(200 gsm card: 96)"
             )
         d = as_floats(self.direction)
         if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
-                f"the direction of gravity is {self.direction!r}: give two numbers, not both zero, e.g. (0, "
-                "-1)"
+                f"the direction of gravity is {self.direction!r}: give two numbers, not both zero, e.g. "
+                "(0, -1)"
             )
         d = d / np.hypot(*d)
         object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
