@@ -85,7 +85,7 @@ def test_reactions_balance():
     ("options", "words"),
     [
         ({}, "max_width or min_width"),
-        ({"max_width": 0.0}, "positive"),
+        ({"max_width": 0.0}, "a number above 0"),
         ({"max_width": float("nan")}, "a number above 0"),
         ({"max_width": 10.0, "min_width": 9.0}, "less than min_width"),
         ({"max_width": 10.0, "ends": (ec.Tab(5, corner_radius=6.0), ec.Tab(5))}, "corners"),

@@ -191,7 +191,7 @@ def test_steps_of_the_outline_become_steps_of_the_holes():
         (Perforated(width=lambda s: 30 - 0.09 * s), None, ["285.7 mm", "6 ligaments", "fewer columns"]),
         (Perforated(width=30.0, rows=200), 20.0, ["200 rows", "fewer rows"]),
         (Perforated(width=lambda s: 8 + 0.2 * s, columns=2), None, ["hole"]),
-        (Perforated(width=lambda s: 0 * s - 1.0), None, ["width of the outline", "positive"]),
+        (Perforated(width=lambda s: 0 * s - 1.0), None, ["width of the outline", "give numbers above 0"]),
         (Perforated(width=np.nan), None, ["width of the outline"]),
     ],
 )
