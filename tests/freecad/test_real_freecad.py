@@ -258,8 +258,8 @@ def test_a_maker_at_work(tmp_path):
     (narrow, offered), (none, useless), (fits, _) = found["refused"].values()
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
-    assert "Make the strip wider (MaxWidth" in narrow
-    assert none.startswith("There is no strip.\nA strip needs MaxWidth or MinWidth, in mm, because")
+    assert "wide or wider (MaxWidth)" in narrow
+    assert none.startswith("There is no strip.\nGive MaxWidth or MinWidth in mm, because")
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
     assert "Invalid" in found["without its sketch"][0]

@@ -105,6 +105,7 @@ def work():
     apart = np.subtract(*poles(drawn))
     answers["circles"] = float(np.abs(apart).max())
     press_on_card("keep")
+    until(lambda: not drawn.ElasticaKeep)
     moved(drawn, 2, start[2] + (0, -400))
     answers["off"] = [drawn.ElasticaKeep, verdict(drawn) != ""]
 

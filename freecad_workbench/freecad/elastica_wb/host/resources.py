@@ -70,11 +70,13 @@ def _has_right_wrappers(form: Any) -> bool:
     from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 
     for widget in vars(form).values():
-        if isinstance(widget, QtCore.QObject):
-            try:
-                kind = getattr(QtWidgets, widget.metaObject().className(), QtCore.QObject)
-            except RuntimeError:
-                return False
-            if not isinstance(widget, kind):
-                return False
+        if not isinstance(widget, QtCore.QObject):
+            return False
+        try:
+            name = widget.metaObject().className()
+        except RuntimeError:
+            return False
+        # Qt does not have FreeCAD's own widgets, such as Gui::QuantitySpinBox
+        if not isinstance(widget, getattr(QtWidgets, name, QtWidgets.QWidget)):
+            return False
     return True
