@@ -93,7 +93,7 @@ def test_a_refusal_is_a_record_too(folder):
     assert record["exit_code"] == done.exit_code == 2
     told = record["error"]
     assert f"! Error     {told['message']}" == done.stderr.strip()
-    assert set(told) == {"kind", "severity", "text", "values", "where", "changes", "message"}
+    assert set(told) == {"kind", "severity", "text", "values", "where", "changes", "message", "details"}
 
 
 @pytest.mark.campaign

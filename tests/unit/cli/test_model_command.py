@@ -471,7 +471,7 @@ def test_the_assembly_sheet_names_files_that_are_there(option, design, tmp_path,
     """Without single parts it named files of these."""
     shown = []
 
-    def write(model, path, *, holders, cut_list):
+    def write(model, path, *, holders, cut_list, language):
         shown.extend(row.file for row in cut_list.rows)
         path.write_bytes(b"%PDF")
 

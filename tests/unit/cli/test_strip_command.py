@@ -291,7 +291,9 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
         "slots = [{ at = 70, width = 1 }]",
     )
     told = run(*asked, "-o", tmp_path / "plain").stdout
-    left = float(re.search(r"^Change +use --compensate .*: about ([\d.]+) mm remain$", told, re.MULTILINE)[1])
+    left = float(
+        re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", told, re.MULTILINE)[1]
+    )
     made_up = run(*asked, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"^Accuracy +about ([\d.]+) mm", made_up, re.MULTILINE)[1]) == left
     assert "--compensate" not in made_up
@@ -304,7 +306,9 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
     path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (50, 120), 0, -0.4, np.pi + 0.4)]))
     asked = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
     told = run(*asked, "-o", tmp_path / "plain").stdout
-    left = float(re.search(r"^Change +use --compensate .*: about ([\d.]+) mm remain$", told, re.MULTILINE)[1])
+    left = float(
+        re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", told, re.MULTILINE)[1]
+    )
     assert left < 4e-3 * 370  # of which the sheet adds most
     made_up = run(*asked, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"^Accuracy +about ([\d.]+) mm", made_up, re.MULTILINE)[1]) == left
