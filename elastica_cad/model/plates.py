@@ -16,12 +16,12 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
-from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet
+from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet, distinct, lengths_along
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, no_bridge, refuse_other_ends
+from elastica_cad.refusals import FieldName, both_names, note
 from elastica_cad.refusals import Length as Mm
-from elastica_cad.refusals import both_names, note
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -35,6 +35,7 @@ from elastica_cad.strip.uncuttable_parts import (
     find_plate_faults,
     find_shoulder_faults,
     find_slot_faults,
+    limits_or_default,
 )
 
 FLATTEST_RAD = np.radians(15.0)
@@ -43,11 +44,20 @@ FLATTEST_RAD = np.radians(15.0)
 At smaller angles, slots would be over four plate thicknesses wide.
 """
 
-LEAST_OPENING_FRACTION = 0.4
-"""Least radius of the opening of a round plate, as a fraction of the radius of the plate."""
+LEAST_RING_FRACTION = 0.5
+"""Least ratio of the inner and the outer radius of the slots in a plate with the shape "ring" that is round."""
+
+LEAST_OPENING_MM = 20.0
+"""Least diameter of the opening of a round plate, mm."""
+
+PITCH_MM = 1.0
+"""Distance, mm, between points that represent a cut. Distances from the points are at most 0.05 mm too large."""
 
 LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""
+
+LABEL_SCALES = (1.0, 0.8, 0.6)
+"""Sizes of the name of a tab that are tried where cuts are near, as fractions of its usual size."""
 
 FLAT_MM = 0.01
 """Largest distance, mm, of holes from the polylines that represent them in tests of overlap."""
@@ -72,7 +82,8 @@ Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the outline around all slots. "ring" is round with a round opening, if the opening is large enough.
+    `shape` is the outline around all slots. "ring" is round if the slots are around a middle. A round plate has a
+    round opening, unless the opening would be smaller than 20 mm.
     `shop` contains the limits of the workshop, such as the width of bridges between slots and the largest
     sheet. With `ignore_limits`, a plate beyond these limits is made with warnings.
     """
@@ -217,13 +228,43 @@ class BasePlate:
                 self.name, self.sheet, self.outline, self._inner_loops, options.shop, called, drilled
             ),
         )
-        warnings = (*self._bridge_note(options.holes), *accept_faults(faults, options.ignore_limits))
+        warnings = (*self._opening_notes(options), *accept_faults(faults, options.ignore_limits))
         return replace(self, warnings=warnings, options=options)
 
-    def _bridge_note(self, holes: PlateHoles | None) -> tuple[str, ...]:
-        if holes is None or not (holes.bridge and holes.is_in(self.name)):
+    def _opening_notes(self, options: PlateOptions) -> tuple[str, ...]:
+        """Return a note if a bridge has no effect, or if a round plate is closed although its slots leave room."""
+        if self.opening is not None or any(map(is_window, self.holes)):
             return ()
-        return () if self.opening is not None or any(map(is_window, self.holes)) else (no_bridge(self.name),)
+        holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
+        if holes is not None and (holes.bridge or holes.bulb):
+            return (no_bridge(self.name),) if holes.bridge else ()
+        tabs = [slot.corners for slot in self.slots if slot.tab is not None]
+        bridge = limits_or_default(options.shop).bridge_for(self.sheet)
+        if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
+            return ()
+        return (
+            note(
+                "{name} has no opening, because less than {least:g} is free inside its slots, spacers and border "
+                "of {border:g}. For an opening, reduce the border, or move the ends of the strips outwards.",
+                name=self.name, least=Mm(LEAST_OPENING_MM), border=Mm(options.border),
+            ),
+        )  # fmt: skip
+
+    @property
+    def is_round(self) -> bool:
+        """True if the outline is a circle."""
+        return len(self.outline.segments) == 1
+
+    @property
+    def _middle(self) -> FloatArray:
+        return np.asarray(self.outline.bounds.mean(axis=0), dtype=float)
+
+    def resized(self, inner: float, outer: float) -> Self:
+        """Return the round plate with other radii, mm, of its opening and its rim. It is not checked."""
+        opening, holes = _with_holes(
+            self.options or PlateOptions(), self._middle, _opening(self._middle, inner)
+        )
+        return replace(self, outline=Path.circle(self._middle, outer), opening=opening, holes=holes)
 
     @property
     def solid(self) -> FlatSolid:
@@ -235,16 +276,17 @@ class BasePlate:
     def drawing(self) -> Drawing:
         """Cutting pattern seen from above, with the name of the tab at every slot."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
-        texts = (*(self._slot_label(slot) for slot in self.slots), *self._engraved_name())
-        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
+        labels = [self._slot_label(slot) for slot in self.slots]
+        name = self._name_inside_slots() or self._name_anywhere([label.box for label in labels])
+        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), (*labels, *name))
 
     @property
     def piece(self) -> Piece:
         """The plate as a piece to be cut."""
         return Piece(self.name, self.drawing, self.sheet)
 
-    def _engraved_name(self) -> tuple[Text, ...]:
-        """Return the engraved name, which is inside the slots. A plate without opening and holes has no name."""
+    def _name_inside_slots(self) -> tuple[Text, ...]:
+        """Return the name between the slots and the opening or the holes, or no text."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
@@ -253,26 +295,56 @@ class BasePlate:
         free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
+    def _name_anywhere(self, engraved: Sequence[FloatArray] = ()) -> tuple[Text, ...]:
+        """Return the name as the largest legible text clear of cuts and of `engraved` loops, or no text.
+
+        The name is above the middle of the plate, or turned around the middle by the least angle.
+        """
+        loops = [*(path.points(FLAT_MM) for path in self._inner_loops), *engraved]
+        edge, name = self.outline.points(FLAT_MM), engravable(self.name)
+        cuts = np.concatenate([dense_points(loop) for loop in (edge, *loops)]) - self._middle
+        for height in np.linspace(LABEL_MM, LEAST_LABEL_MM, 6).tolist():
+            half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
+            for turn in NAME_TURNS:
+                axes = np.array([(np.cos(turn), np.sin(turn)), (-np.sin(turn), np.cos(turn))])
+                x, y = axes @ cuts.T
+                y = np.sort(y[np.abs(x) <= half + CLEAR_MM])
+                room = np.diff(y) - height - below - 2 * CLEAR_MM
+                for k in np.argsort(-room)[: np.count_nonzero(room > 0)]:
+                    low = y[k] + room[k] / 2 + CLEAR_MM + below
+                    point = self._middle + low * axes[1]
+                    if encloses(edge, point) and not any(encloses(loop, point) for loop in loops):
+                        start = point - half * axes[0]
+                        return (Text((start[0], start[1]), name, height, float(turn), ENGRAVE),)
+        return ()
+
     def _slot_label(self, slot: TabSlot) -> Text:
-        """Return the engraved name of the tab, above the slot or, if a cut is too near above, below the slot."""
+        """Return the engraved name of the tab, above the slot or, if a cut is too near above, below the slot.
+
+        If cuts are too near on both sides, the name is smaller.
+        """
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along, off = -along, -off
-        height, name = min(LABEL_MM, 0.2 * slot.size[0]), engravable(slot.name)
-        long, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
         others = np.array([other.corners for other in self.slots if other is not slot])
-        bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
-        boxes = np.array([[p - long * along, p + long * along] for p in bases])
-        room = [1.0, 1.0]
-        if others.size:
-            labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
-            room = _least_distances(labels[:, None], others).min(axis=1).tolist()
-        cuts = self._hole_points
-        room = [
-            min(free, *(_distance_to(cut, box, height * off) for cut in cuts)) if cuts else free
-            for free, box in zip(room, boxes, strict=True)
-        ]
+        name, cuts = engravable(slot.name), self._hole_points
+        for scale in LABEL_SCALES:
+            height = scale * min(LABEL_MM, 0.2 * slot.size[0])
+            long, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
+            bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
+            boxes = np.array([[p - long * along, p + long * along] for p in bases])
+            low, up = boxes - DESCENDER_DEPTH * height * off, (1 + DESCENDER_DEPTH) * height * off
+            room = [1.0, 1.0]
+            if others.size:
+                labels = np.concatenate([low, low[:, ::-1] + up], axis=1)
+                room = _least_distances(labels[:, None], others).min(axis=1).tolist()
+            room = [
+                min(free, *(_distance_to(cut, box, up) for cut in cuts)) if cuts else free
+                for free, box in zip(room, low, strict=True)
+            ]
+            if max(room) > 0.2 * height:
+                break
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
         return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
@@ -315,12 +387,16 @@ def base_plate(
         raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
     standing = [tab for tab in tabs if _passes_through(tab, ground)]
     if not standing:
-        heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
+        least = min(float(ground.local(tab.tip)[2]) for tab in tabs)
         raise InputError(
-            f"{name}: no tab reaches down through the plate; their tips are {min(heights):.0f} to "
-            f"{Mm(max(heights)):.0f} above its upper face. Move the plate to the ends of the strips, give the "
-            "strips longer tabs, or hold ends that come from below by rings"
-        )
+            "{name}: no tab reaches down through the plate. The lowest tip is {least:.1f} above its upper face. "
+            "Move the plate up by {up:.0f} ({height}), give the strips longer tabs, or hold ends that come from "
+            "below by rings."
+            if least >= 0
+            else "{name}: the ends of the strips come from below the plate. Move the plate down ({height}), or "
+            "hold these ends by rings.",
+            name=name, least=Mm(least), up=Mm(np.ceil(least + sheet.thickness)), height=FieldName("base.height"),
+        )  # fmt: skip
     slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab in standing]
     return with_shoulders(plate_with(slots, sheet, ground, plate_options, BasePlate), plate_options)
 
@@ -343,6 +419,29 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
     return find_shoulder_faults(options.name, [(tab.name, depth(tab), tab.thickness) for tab in wide])
 
 
+STANDS_MM = 0.2
+"""Largest depth, mm, of the tips of tabs below the lowest plate of a base that is not reported."""
+
+
+def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
+    """Return a note if tabs extend below all plates of a base, so that the model would stand on their tips."""
+    lowest = min(plates, key=lambda plate: float(plate.frame.origin @ plate.frame.z_axis))
+    depths = [
+        -float(lowest.frame.local(slot.tab.tip)[2]) - lowest.sheet.thickness
+        for slot in lowest.slots
+        if slot.tab is not None
+    ]
+    if max(depths, default=0.0) <= STANDS_MM:
+        return ()
+    return (
+        note(
+            "{name}: the tips of the tabs are up to {depth:.1f} below the plate, so the model would stand on them. "
+            "Shorten the tabs, or put feet under the plate.",
+            name=lowest.name, depth=Mm(max(depths)),
+        ),
+    )  # fmt: skip
+
+
 def plate_with(
     slots: Sequence[TabSlot],
     sheet: Sheet,
@@ -357,13 +456,12 @@ def plate_with(
     Errors are those of `BasePlate.checked`.
     """
     loops = [slot.corners for slot in slots]
-    outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
     center = np.zeros(2) if kind is Ring else _mean_center(loops)
-    if kind is Ring:
+    nearest, farthest = around(loops, center, 0.0)
+    if kind is Ring or (options.shape == "ring" and nearest > LEAST_RING_FRACTION * farthest):
         outline, opening = _round_rim_and_opening(loops, center, options.border)
-    elif options.shape == "ring":
-        rim, hole = _round_rim_and_opening(loops, center, options.border)
-        outline, opening = (outline, None) if hole is None else (rim, hole)
+    else:
+        outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
     opening, holes = _with_holes(options, center, opening)
     plate = kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes)
     return plate.checked(options, moved=moved)
@@ -384,13 +482,16 @@ def _with_holes(
 def _round_rim_and_opening(
     loops: Sequence[FloatArray], center: FloatArray, border: float
 ) -> tuple[Path, Path | None]:
-    """Return a round rim and a round opening, `border` mm from all slots. The opening is None if it is too small.
+    """Return a round rim and a round opening or None, `border` mm from all slots.
 
     `loops` are the corners of the slots, (4, 2) each.
     """
     inner, outer = around(loops, center, border)
-    opening = Path.circle(center, inner) if inner > LEAST_OPENING_FRACTION * outer else None
-    return Path.circle(center, outer), opening
+    return Path.circle(center, outer), _opening(center, inner)
+
+
+def _opening(center: FloatArray, radius: float) -> Path | None:
+    return Path.circle(center, radius) if 2 * radius >= LEAST_OPENING_MM else None
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
@@ -401,6 +502,14 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)
     return float(away.min()) - border, float(away.max()) + border
+
+
+def dense_points(loop: FloatArray) -> FloatArray:
+    """Return points (n, 2) on a polygon, at most `PITCH_MM` apart."""
+    closed = np.concatenate([loop, loop[:1]])
+    s = lengths_along(closed)
+    at = distinct(np.append(s, np.linspace(0.0, s[-1], int(np.ceil(s[-1] / PITCH_MM)) + 1)))
+    return np.column_stack([np.interp(at, s, closed[:, k]) for k in (0, 1)])
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
@@ -538,6 +647,9 @@ DESCENDER_DEPTH = 1 / 3
 SAME_LEVEL_MM = 1.0
 """Difference of heights, mm, below which two plates count as level, so that neither is the upper plate."""
 
+NAME_TURNS = np.radians(sorted(range(-165, 181, 15), key=abs))
+"""Angles, rad, by which the name of a plate is turned around its middle, in the order of preference."""
+
 LEAST_LABEL_MM = 1.5
 """Least height of engraved names, mm. Smaller names would not be legible and are omitted."""
 
@@ -568,16 +680,16 @@ class Ring(BasePlate):
 
     @cached_property
     def drawing(self) -> Drawing:
-        """Cutting pattern, seen from the strips, with the name of the ring if there is room near the rim."""
+        """Cutting pattern, seen from the strips, with the name of the ring, near the rim if there is room."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
-        return Drawing(self.name, tuple(paths), self._engraved_name())
-
-    def _engraved_name(self) -> tuple[Text, ...]:
-        loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
-        inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
-        return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
+        seats = [seat.points(FLAT_MM) for seat in self.seats]
+        inner = max(
+            float(np.hypot(*loop.T).max()) for loop in [*(slot.corners for slot in self.slots), *seats]
+        )
+        name = _rim_text(self.name, inner + CLEAR_MM, self.radii[1] - CLEAR_MM) or self._name_anywhere(seats)
+        return Drawing(self.name, tuple(paths), name)
 
 
 Plate = TypeVar("Plate", bound=BasePlate)
@@ -587,7 +699,7 @@ def _rim_text(
     name: str, inner: float, outer: float, center: Sequence[float] | FloatArray = (0.0, 0.0)
 ) -> tuple[Text, ...]:
     """Return the name as the largest legible text between two radii above the centre, or no text."""
-    largest = min(LABEL_MM, 0.4 * (outer - inner))
+    largest, name = min(LABEL_MM, 0.4 * (outer - inner)), engravable(name)
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
         # height at which the upper corners of the name are on the outer circle

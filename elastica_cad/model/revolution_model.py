@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
-from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
+from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.forming.meridians import Meridian
 from elastica_cad.forming.meridians import meridian as make_meridian
@@ -22,7 +22,7 @@ from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import ring_pair
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
-from elastica_cad.model.spacers import add_spacers, border_with_spacers
+from elastica_cad.model.spacers import add_spacers
 from elastica_cad.refusals import Length
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
@@ -317,10 +317,6 @@ class _Request:
         plates: list[Ring] = []
         for end in ENDS:
             tabs, called = tabs_to_hold(placed, [end]), names[end]
-            if self.spacers is not None and self.gap is not None:
-                rise = max(abs(float(tabs[0].frame.x_axis[2])), np.sin(FLATTEST_RAD))
-                offset = (self.gap + self.rings.thickness) * float(np.sqrt(1 / rise**2 - 1))
-                options["border"] = max(BORDER, border_with_spacers(self.rings, self.shop, offset))
             if self.gap is None:
                 plates.append(ring_plate(tabs, self.rings, name=called, **options))
             else:

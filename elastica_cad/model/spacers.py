@@ -12,10 +12,18 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import lengths_along, near_pairs
+from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.frames import Rib
-from elastica_cad.model.plates import BasePlate, PlateOptions, Ring, TabSlot
+from elastica_cad.model.plates import (
+    LEAST_OPENING_MM,
+    PITCH_MM,
+    BasePlate,
+    PlateOptions,
+    TabSlot,
+    around,
+    dense_points,
+)
 from elastica_cad.refusals import FieldName, Length
 from elastica_cad.strip.lettering import centred_text
 from elastica_cad.strip.strip import Placed, require_placed
@@ -32,14 +40,14 @@ WIDTHS_MM = (24.0, 18.0, 12.0)
 BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
-PITCH_MM = 1.0
-"""Distance, mm, between points that represent an edge. Distances from the points are at most 0.05 mm too large."""
+KEPT_OPENING = 0.5
+"""Least ratio of the radii of an opening with and without spacers if the spacers are inside the slots."""
 
 GRID_MM, GRID_LINES = 2.0, 60
 """Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
 
-GRID_TURN = np.radians(2.0)
-"""Angle between places that are tried around a round plate, rad."""
+GRID_RADIUS_MM, GRID_TURN = 1.0, np.radians(2.0)
+"""Distance, mm, and angle, rad, between places that are tried in a round plate, along the radius and around."""
 
 MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
@@ -85,7 +93,8 @@ def add_spacers(
     """Return the plates with slots for spacers, and the spacers between the two plates of each pair.
 
     A spacer is perpendicular to its plates and as high as their gap. Its tongues end at the outer faces of the
-    plates. Spacers are distributed over the plates, clear of strips, tabs, holes and edges.
+    plates. Spacers are distributed over the plates, clear of strips, tabs, holes and edges. Round plates become
+    as wide as their spacers need: inwards if their openings remain large enough, else outwards.
 
     Parameters
     ----------
@@ -113,11 +122,12 @@ def add_spacers(
     require_declared(add_spacers, {"count": count}, "spacers")
     slotted, spacers = {id(plate): plate for plate in plates}, list[Spacer]()
     for first, second, gap in pairs_of_plates(plates):
-        width, places = _free_places(placed, (first, second), gap, count)
+        width, places = _places(placed, (first, second), gap, count)
         sheet, options = first.sheet, first.options or PlateOptions()
         size = np.array([width / 2 + 2 * options.play, sheet.thickness + options.clearance])
         slots = tuple(TabSlot(_rectangle(place, size), "spacer", sheet.thickness) for place in places)
-        slotted |= {id(plate): _with_slots(plate, slots, options) for plate in (first, second)}
+        bodies = [_rectangle(place, np.array([width, sheet.thickness])) for place in places]
+        slotted |= {id(plate): _with_slots(plate, slots, bodies) for plate in (first, second)}
         spacers += [_spacer((first, second), gap, width, place).checked(options) for place in places]
     if not spacers:
         raise InputError(
@@ -127,7 +137,20 @@ def add_spacers(
     return tuple(slotted.values()), tuple(spacers)
 
 
-def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], options: PlateOptions) -> Plate:
+def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], bodies: Sequence[FloatArray]) -> Plate:
+    """Return the plate with slots for spacers. A round plate is made wide enough for the slots and the bodies."""
+    options = plate.options or PlateOptions()
+    if plate.is_round:
+        center, bridge = (
+            plate.outline.bounds.mean(axis=0),
+            limits_or_default(options.shop).bridge_for(plate.sheet),
+        )
+        inner, outer = np.transpose([
+            _radii(plate),
+            around([slot.corners for slot in slots], center, bridge + PITCH_MM / 2),
+            around(bodies, center, BESIDE_MM),
+        ])  # fmt: skip
+        plate = plate.resized(float(inner.min()), float(outer.max()))
     checked = replace(plate, slots=(*plate.slots, *slots)).checked(options, moved=True)
     return replace(checked, warnings=tuple(dict.fromkeys((*plate.warnings, *checked.warnings))))
 
@@ -154,10 +177,55 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
     return Spacer(spacer_name(first), first.sheet, frame, Path.polygon(np.array(corners)), label)
 
 
-def _free_places(
+def _places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> tuple[float, FloatArray]:
     """Return the largest possible width, mm, of spacers, and their places (count, 3): x, y and angle."""
+    most = 0
+    for tried in _sizes(plates):
+        for width, places in _free_places(placed, tried, gap):
+            if len(places) >= count:
+                return width, _far_apart(places, count)
+            most = max(most, len(places))
+    first, options = plates[0], plates[0].options or PlateOptions()
+    slots = [slot.corners for slot in first.slots], [slot.corners for slot in plates[1].slots]
+    offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
+    raise InputError(
+        "{name}: there is room for {most} spacers between the two plates, not for {count}. Use fewer spacers."
+        if first.is_round
+        else "{name}: there is room for {most} spacers between the two plates, not for {count}. Use fewer spacers, "
+        "or a {border} of more than {wide:.0f}.",
+        name=first.name, most=most, count=count, border=FieldName("border"),
+        wide=Length(max(options.border, _border_with_spacers(first.sheet, options.shop) + np.ceil(offset))),
+    )  # fmt: skip
+
+
+def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, BasePlate]]:
+    """Yield the plates, and round plates also with room inside the slots, outside, and on both sides."""
+    yield plates
+    first, second = plates
+    if not (first.is_round and second.is_round):
+        return
+    options, radii = first.options or PlateOptions(), np.array([_radii(plate) for plate in plates])
+    room = _border_with_spacers(first.sheet, options.shop) + GRID_RADIUS_MM - options.border
+    inner, outer = float(radii[:, 0].min()) - room, float(radii[:, 1].max()) + room
+    inside, outside = np.minimum(radii, [inner, np.inf]), np.maximum(radii, [-np.inf, outer])
+    kept = inner >= max(KEPT_OPENING * float(radii[:, 0].min()), LEAST_OPENING_MM / 2)
+    one_side = (inside, outside) if kept else (outside, inside)
+    for sizes in (*one_side, np.column_stack([inside[:, 0], outside[:, 1]])):
+        yield first.resized(*sizes[0]), second.resized(*sizes[1])
+
+
+def _radii(plate: BasePlate) -> tuple[float, float]:
+    """Return the radii, mm, of the opening and the rim of a round plate without spacers."""
+    loops = [slot.corners for slot in plate.slots if slot.tab is not None]
+    return around(loops, plate.outline.bounds.mean(axis=0), (plate.options or PlateOptions()).border)
+
+
+def _free_places(
+    placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float
+) -> Iterator[tuple[float, FloatArray]]:
+    """Yield the widths, mm, of spacers, from wide to narrow, and all free places (n, 3): x, y and angle."""
     first, options = plates[0], plates[0].options or PlateOptions()
     bridge = limits_or_default(options.shop).bridge_for(first.sheet)
     closed, cuts, bodies = _obstacles(placed, plates, gap)
@@ -168,35 +236,20 @@ def _free_places(
     tried = tried[inside & ~np.logical_or.reduce([_enclosed(loop, tried) for loop in closed])]
     near, _ = near_pairs(tried[:, :2], cuts, bridge + first.sheet.thickness / 2)
     tried = np.delete(tried, near, axis=0)
-    most = 0
     for width in WIDTHS_MM:
         body = np.array([width, first.sheet.thickness]) / 2
         margin = np.minimum(
             _margins(tried, cuts, np.array([width / 4, body[1]]) + bridge + PITCH_MM / 2),
             _margins(tried, np.concatenate([cuts, bodies]), body + BESIDE_MM),
         )
-        places = _thinned(tried[margin > 0], margin[margin > 0], float(np.hypot(*(body + bridge))) * 2)
-        if len(places) >= count:
-            return width, _far_apart(places, count)
-        most = max(most, len(places))
-    slots = [slot.corners for slot in first.slots], [slot.corners for slot in plates[1].slots]
-    offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
-    raise InputError(
-        "{name}: there is room for {most} spacers between the two plates, not for {count}. Use fewer spacers, "
-        "or a {border} of more than {wide:.0f}.",
-        name=first.name, most=most, count=count, border=FieldName("border"),
-        wide=Length(max(options.border, border_with_spacers(first.sheet, options.shop, offset))),
-    )  # fmt: skip
+        apart = float(np.hypot(*(body + bridge))) * 2
+        yield width, _thinned(tried[margin > 0], margin[margin > 0], apart)
 
 
-def border_with_spacers(sheet: Sheet, shop: FabricationLimits | None, offset: float) -> float:
-    """Return the width, mm, of a border between slots and edge in which spacers fit.
-
-    `offset` is the distance, mm, seen from above, between the slots of the same tab in the two plates. Edges
-    have the same offset.
-    """
+def _border_with_spacers(sheet: Sheet, shop: FabricationLimits | None) -> float:
+    """Return the width, mm, of a border between slots and edge in which spacers fit."""
     bridge = limits_or_default(shop).bridge_for(sheet)
-    return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM + offset))
+    return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM))
 
 
 def _tried_places(plate: BasePlate) -> FloatArray:
@@ -205,16 +258,17 @@ def _tried_places(plate: BasePlate) -> FloatArray:
     Spacers are radial or tangential in a round plate, and parallel to the x or y axis in other plates.
     """
     low, high = plate.outline.bounds
-    step = max(GRID_MM, float((high - low).max()) / GRID_LINES)
-    if isinstance(plate, Ring) or plate.opening is not None:
+    if plate.is_round:
         r, turn = (
             np.ravel(grid)
             for grid in np.meshgrid(
-                np.arange(step, float((high - low).max()) / 2, step), np.arange(0.0, 2 * np.pi, GRID_TURN)
+                np.arange(GRID_RADIUS_MM, (high - low)[0] / 2, GRID_RADIUS_MM),
+                np.arange(0.0, 2 * np.pi, GRID_TURN),
             )
         )
         x, y = (low + high)[:, None] / 2 + r * np.array([np.cos(turn), np.sin(turn)])
     else:
+        step = max(GRID_MM, float((high - low).max()) / GRID_LINES)
         x, y = (
             np.ravel(grid)
             for grid in np.meshgrid(*(np.arange(*ends, step) for ends in zip(low, high, strict=True)))
@@ -240,9 +294,9 @@ def _obstacles(
                 np.concatenate([slot.corners, places[slot.tab.key]]) @ axes.T, (0, 1), axis=0
             )
             tabs.append(np.array([low, (high[0], low[1]), high, (low[0], high[1])]) @ axes)
-    edges = [_dense(plate.outline.points(PITCH_MM / 10)) for plate in plates]
-    cuts = np.concatenate([*edges, *map(_dense, loops)])
-    between = [_dense(tab) for tab in tabs]
+    edges = [dense_points(plate.outline.points(PITCH_MM / 10)) for plate in plates]
+    cuts = np.concatenate([*edges, *map(dense_points, loops)])
+    between = [dense_points(tab) for tab in tabs]
     for member in placed:
         rod = member.strip.rod
         across = np.linspace(-0.5, 0.5, 9)[:, None, None] * member.strip.width(rod.s)[:, None]
@@ -252,14 +306,6 @@ def _obstacles(
         depth = -points[:, 2] - first.sheet.thickness
         between.append(points[(depth > 0) & (depth < gap), :2])
     return [*loops, *tabs], cuts, np.concatenate(between)
-
-
-def _dense(loop: FloatArray) -> FloatArray:
-    """Return points (n, 2) on a polygon, at most `PITCH_MM` apart."""
-    closed = np.concatenate([loop, loop[:1]])
-    s = lengths_along(closed)
-    at = np.union1d(s, np.linspace(0.0, s[-1], int(np.ceil(s[-1] / PITCH_MM)) + 1))
-    return np.column_stack([np.interp(at, s, closed[:, k]) for k in (0, 1)])
 
 
 def _enclosed(loop: FloatArray, places: FloatArray) -> BoolArray:

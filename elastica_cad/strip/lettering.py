@@ -61,6 +61,13 @@ class Text:
         widths = [_glyphs()[c][0] for c in self.text]
         return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
 
+    @property
+    def box(self) -> FloatArray:
+        """Corners (4, 2) of the box around the capital letters, anticlockwise from `position`, mm."""
+        along = np.array([np.cos(self.angle), np.sin(self.angle)])
+        far, up = self.length * along, self.height * np.array([-along[1], along[0]])
+        return np.asarray(self.position + np.array([0 * far, far, far + up, up]), dtype=float)
+
 
 def require_engravable(text: object) -> None:
     """Raise InputError if the value is not a text or contains characters that the alphabet lacks."""

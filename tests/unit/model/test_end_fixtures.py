@@ -226,7 +226,11 @@ def test_labels_keep_off_the_slots(arch):
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_a_label_goes_where_no_slot_is_in_the_way(side):
-    """Beside one other slot: away from it, and above where both sides are free."""
+    """Beside one other slot: away from it, and above where both sides are free. The name is clear of all."""
+    import shapely
+
+    from elastica_cad.strip import text_strokes
+
     slots = [
         TabSlot(np.array([(0, y), (20, y), (20, y + 3), (0, y + 3)], dtype=float), f"A:{k}", 0.8)
         for k, y in enumerate((0.0, side * 6.0, 100.0))
@@ -234,9 +238,16 @@ def test_a_label_goes_where_no_slot_is_in_the_way(side):
     plate = BasePlate(
         MDF, Frame(), Path.polygon([(-50, -50), (70, -50), (70, 150), (-50, 150)]), tuple(slots)
     )
-    first, _, lone = plate.drawing.texts
+    first, _, lone, name = plate.drawing.texts
     assert (first.position[1] < 0) == (side == 1)
     assert lone.position[1] > 103
+    assert (name.text, name.height) == ("base", 4.0)
+    strokes = shapely.MultiLineString(
+        [stroke.points(0.05) for text in (first, lone) for stroke in text_strokes(text)]
+    )
+    cuts = [plate.outline.points(0.1), *(slot.corners for slot in slots)]
+    written = shapely.MultiLineString([stroke.points(0.05) for stroke in text_strokes(name)])
+    assert min(written.distance(shape) for shape in (strokes, *map(shapely.LinearRing, cuts))) > 0.4
 
 
 def test_least_slot_width_and_height_of_the_plate(arch):
@@ -247,9 +258,14 @@ def test_least_slot_width_and_height_of_the_plate(arch):
     tips = [
         PlacedTab.of(one.strip, end, one.frame).tip[2] for one in model.placed for end in ("start", "end")
     ]
-    told = f"no tab reaches down through the plate; their tips are {min(tips) + 50:.0f} to "
+    least = min(tips) + 50
+    told = (
+        f"lowest tip is {least:.1f} mm above .* Move the plate up by {np.ceil(least + 3):.0f} mm .base.height"
+    )
     with pytest.raises(InputError, match=told):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
+    with pytest.raises(InputError, match=r"come from below the plate. Move the plate down .base\.height"):
+        base_plate(model.placed, MDF, frame=Frame((0, 0, 500)))
     with pytest.raises(InputError, match="has no strip to hold"):
         base_plate([], MDF)
 

@@ -1,5 +1,6 @@
 """Spacers between two plates, compared with shapely: positions, fit in their slots, and clearance."""
 
+import re
 from itertools import combinations
 
 import numpy as np
@@ -88,14 +89,57 @@ def test_spacers_fit_between_the_plates_of_a_base(count, arches):
     assert {spacer.name for spacer in spacers} == {"base-spacer"}
 
 
-def test_the_rings_of_a_lamp_are_as_wide_as_their_spacers_need(lamp):
-    rings, spacers = lamp.plates[:4], lamp.plates[4:]
+def assert_rings_with_spacers(rings, spacers, placed):
     assert len(spacers) == 6
     for k in (0, 2):
         mine = [spacer for spacer in spacers if spacer.name == f"{rings[k].name}-spacer"]
-        assert_spaced(*rings[k : k + 2], mine, lamp.placed)
+        assert_spaced(*rings[k : k + 2], mine, placed)
         feet = MultiPoint([spacer.frame.origin[:2] for spacer in mine])
         assert feet.convex_hull.contains(MultiPoint([(0, 0)]))
+
+
+def test_the_rings_of_a_lamp_are_as_wide_as_their_spacers_need(lamp):
+    """The spacers are inside the slots, so only the openings are smaller than without spacers."""
+    rings, spacers = lamp.plates[:4], lamp.plates[4:]
+    assert_rings_with_spacers(rings, spacers, lamp.placed)
+    plain = revolve(meridian_through(LAMP), 12, sheet="polypropylene-0.8", rings="mdf-3", gap=GAP).plates
+    for ring, wide in zip(plain, rings, strict=True):
+        assert wide.radii[1] == pytest.approx(ring.radii[1])
+        slots = np.concatenate([slot.corners for slot in wide.slots if slot.tab is None])
+        # half the length of a slot makes its middle nearer to the axis than its corners
+        assert wide.radii[0] == pytest.approx(np.hypot(*slots.T).min() - BRIDGE, abs=1.5)
+        assert wide.radii[0] > 0.7 * ring.radii[0]
+        assert [text.text for text in wide.drawing.texts] == [ring.name]
+
+
+@pytest.mark.parametrize("border", [8, 34])
+def test_end_plates_of_any_border_are_rings_with_spacers(lamp, border):
+    ends = end_plates(lamp.placed, "mdf-3", gap=GAP, border=border)
+    rings, spacers = add_spacers(lamp.placed, ends, 3)
+    assert_rings_with_spacers(rings, spacers, lamp.placed)
+    assert all(ring.is_round for ring in (*ends, *rings))
+    assert all(ring.name in [text.text for text in ring.drawing.texts] for ring in rings)
+
+
+def test_spacers_are_outside_the_slots_where_the_opening_would_be_lost():
+    narrow = meridian_through([(x - 35, y) for x, y in LAMP])
+    small = revolve(narrow, 8, **SMALL).plates
+    spaced = revolve(narrow, 8, spacers=3, **SMALL).plates
+    for ring, wide in zip(small, spaced, strict=False):
+        assert ring.radii[0] > 10
+        assert wide.radii[0] == pytest.approx(ring.radii[0])
+        assert wide.radii[1] > ring.radii[1] + 1
+
+
+SMALL = {"sheet": "polypropylene-0.8", "rings": "mdf-3", "gap": 6.0}
+
+
+def test_a_closed_ring_says_so(lamp):
+    _, outer, *_ = end_plates(lamp.placed, "mdf-3", gap=GAP, border=44)
+    (note,) = outer.warnings
+    assert re.match(
+        r"ring-bottom-outer has no opening, because less than 20 mm is free .* border of 44 mm", note
+    )
 
 
 def test_spacers_keep_clear_of_holes(arches):
@@ -106,12 +150,15 @@ def test_spacers_keep_clear_of_holes(arches):
     assert_spaced(*plates, spacers, arches)
 
 
-def test_one_sentence_if_there_is_no_room(lamp):
-    rings = end_plates(lamp.placed, "mdf-3", gap=GAP)
+def test_one_sentence_if_there_is_no_room(lamp, arches):
     with pytest.raises(
-        InputError, match=r"ring-bottom: there is room for 0 spacers .* border of more than 18 mm"
+        InputError, match=r"ring-bottom: there is room for \d+ spacers .* Use fewer spacers\.$"
     ):
-        add_spacers(lamp.placed, rings, 3)
+        add_spacers(lamp.placed, end_plates(lamp.placed, "mdf-3", gap=GAP), 50)
+    with pytest.raises(
+        InputError, match=r"base: there is room for \d+ .* fewer spacers, or a border of more"
+    ):
+        add_spacers(arches[:1], plate_pair(arches[:1], "mdf-3", gap=GAP), 50)
 
 
 def test_spacers_need_two_plates(arches):
