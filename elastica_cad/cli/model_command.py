@@ -110,11 +110,17 @@ def model(
         if (number := next(files)) < total:
             say_step(f"writing {in_writing_order(kit.files)[number].name}", number + 1, total)
 
-    result = requested.model(
-        lambda label: say_step(f"made strip {label}", next(strips), len(requested.entries))
-    )
-    say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
-    contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
+    try:
+        result = requested.model(
+            lambda label: say_step(f"made strip {label}", next(strips), len(requested.entries))
+        )
+        say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
+        contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
+    except ElasticaError:
+        # an assumption such as the position of the axis may be the reason
+        for text in requested.reports:
+            say_row(warning_row(text, "Note"))
+        raise
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
     say_step(f"writing {in_writing_order(kit.files)[0].name}", 1, len(kit.files))
     kit.write(

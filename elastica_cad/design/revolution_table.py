@@ -131,7 +131,7 @@ class RevolutionTable:
 
     @property
     def reports(self) -> tuple[str, ...]:
-        """Messages on an assumed axis, and on a meridian that deviates from its points."""
+        """Messages on an assumed axis, and on a meridian that deviates from its points or curve."""
         reports = []
         if self.curve is not None and self.axis is None and self.axis_x is None:
             width = Length(2 * float(self.meridian.curve.bounds[1, 0]))
@@ -143,6 +143,9 @@ class RevolutionTable:
         if self.meridian.deviation > NEAR_MM:
             reports.append(note(
                 "The meridian deviates by up to {far} from its points, because strips cannot cover the "
+                "surface of a closer curve without gaps."
+                if self.points
+                else "The meridian deviates by up to {far} from the drawn curve, because strips cannot cover the "
                 "surface of a closer curve without gaps.",
                 far=Length(self.meridian.deviation),
             ))  # fmt: skip

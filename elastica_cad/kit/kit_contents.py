@@ -25,6 +25,7 @@ from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
+from elastica_cad.model.plates import BasePlate, tips_below
 from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.held_shape import HeldShape
@@ -123,6 +124,7 @@ def kit_contents(
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
+        bases = [plate for plate in plates if request.kind == "base" and isinstance(plate, BasePlate)]
         cut = tuple(
             replace(piece, name=f"{model.name}-{piece.name}")
             for piece in count_pieces(plate.piece for plate in plates)
@@ -130,6 +132,7 @@ def kit_contents(
         shared.setdefault((request.kind, request.sheet, request.nesting), []).append((request.name, cut))
         pieces, holders = (*pieces, *cut), [*holders, *new_holders]
         messages += [sentence] if sentence else []
+        messages += tips_below(bases) if bases else ()
     for (_, _, nesting), parts in shared.items():
         names = "-".join(name for name, _ in parts)
         laid = [piece for _, cut in parts for piece in cut]

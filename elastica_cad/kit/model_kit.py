@@ -19,7 +19,7 @@ from elastica_cad.formats.write_files import File, check_folder, write_json, wri
 from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
-from elastica_cad.model.assembly import single_holders
+from elastica_cad.model.assembly import engraved_marks, single_holders
 from elastica_cad.model.cut_rows import CutList, Stock
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
@@ -340,8 +340,7 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
         ),
         *(f"To buy: {item}{_sawn(item)}." for item in listed.stock),
         *_block_lines(contents, report["files"]),
-        "The start (1) of a strip is where its label begins, and its end (2) where it ends. Slot A:1 takes the "
-        "start of A."
+        " ".join(engraved_marks(contents.model, (*contents.model.plates, *contents.holders)))
         if not contents.spec.cutting.service
         else "Nothing is written on the parts: write the name of its file on each when they arrive.",
     ]

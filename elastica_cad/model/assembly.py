@@ -225,6 +225,17 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
     return {i: ends for i, ends in by_hand.items() if ends}
 
 
+def engraved_marks(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
+    """Yield sentences on the text engraved at the ends of strips and on slots and blocks."""
+    if any(strip.engraved for strip in model.strips):
+        yield note("A strip starts (1) where its label starts.")
+    if holders and not all(strip.engraved for strip in model.strips):
+        yield note("A strip without a label has the numbers 1 and 2 at its start and its end.")
+    if any(isinstance(holder, EndFixture | BasePlate) and not isinstance(holder, Ring)
+           for holder in single_holders(holders)):  # fmt: skip
+        yield note("Each slot and block has the name of its end, such as A:1.")
+
+
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
     """Map the name of each tab to its places in holders, and each place to a short text."""
     places = defaultdict[str, dict[str, str]](dict)

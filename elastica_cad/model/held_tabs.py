@@ -158,7 +158,7 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         else:
             across = 0.0 if shift < NO_PLAY_MM else shift
             messages.append(note(
-                "{name} has a clearance of {across:.2g} across its tabs, which can turn by {turn:.2g} degrees",
+                "In the {name}, a tab can shift by {across:.2g} and tip within a range of {turn:.2g} degrees",
                 name=name, across=Length(across), turn=turn,
             ))  # fmt: skip
     for holder in holders:

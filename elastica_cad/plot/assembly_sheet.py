@@ -20,6 +20,7 @@ from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
     SingleHolder,
+    engraved_marks,
     list_assembly_steps,
     single_holders,
 )
@@ -249,7 +250,7 @@ def _plate_sentences(
             )  # fmt: skip
         else:
             yield note(
-                "Stack {second}, spacers {gap:.3g} high, and {first}.",
+                "Put pieces {gap:.3g} high, which are not among the parts, between {second} and {first}.",
                 second=second.name, gap=Length(gap), first=first.name,
             )  # fmt: skip
     rails = [
@@ -317,10 +318,7 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
         yield note("Glue or bolt each tab to its engraved outline on {rings}.", rings=_joined(seats))
     if any(plate.glued for plate in plates):
         yield note("Glue each foot into the angle of its plate and the tab whose name it has.")
-    if holders:
-        yield note(
-            "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
-        )
+    yield from engraved_marks(model, holders) if holders else ()
     # keep one plate of a pair, the plate next to the strips
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:

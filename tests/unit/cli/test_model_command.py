@@ -423,6 +423,20 @@ def test_the_start_page_of_a_single_strip_counts_one(tmp_path):
     page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
     assert "1 strip; 1 piece, " in page
     assert ": 1 piece takes " in page
+    assert "<p>A strip starts (1) where its label starts.</p>" in page
+
+
+def test_an_error_comes_with_the_assumed_axis(tmp_path):
+    profile = ec.PlaneCurve.fit([(50, 0), (62, 20), (65, 35), (60, 60)])
+    ec.write_curves([profile], tmp_path / "profile.json")
+    vase = tmp_path / "vase.toml"
+    vase.write_text(
+        "[revolution]\nsheet = 'card-200gsm'\ncurve = { file = 'profile.json' }\n[nest]\nsheet_size = [50, 50]\n"
+    )
+    result = run("model", vase, "-o", tmp_path / "out", "--no-effects", code=2)
+    assert re.search(
+        r"The axis is x = 0 .*\n.*does not fit on a sheet of 50 by 50 mm", result.output, re.DOTALL
+    )
 
 
 def test_base_and_strips_carry_matching_numbers(design):
@@ -430,7 +444,8 @@ def test_base_and_strips_carry_matching_numbers(design):
     kit = kit_contents(read.model(), read.kit)
     engraved = {piece.name: [text.text for text in piece.drawing.texts] for piece in kit.pieces}
     assert engraved["K1"] == ["K1", "1", "2"]
-    assert engraved["kit-base"] == ["K1:1", "K1:2", "K2:1", "K2:2"]
+    assert engraved["kit-base"] == ["K1:1", "K1:2", "K2:1", "K2:2", "base"]
+    assert any(text.startswith("base: the tips of the tabs are up to ") for text in kit.notes)
     (piece,) = (piece for piece in kit.pieces if piece.name == "K1")
     first, second = (text.position[0] for text in piece.drawing.texts[1:])
     assert 0 < first < 15
