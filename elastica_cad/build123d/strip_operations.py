@@ -287,7 +287,7 @@ def _placed_part(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:
-            # equal strips share shapes, but a child has only one parent
+            # equal strips share one shape object, but an object has only one parent in the tree
             layers = [Layer(solid.wrapped) for solid in solids]
             for layer, name, color in zip(layers, part.names, part.colors, strict=True):
                 layer.label, layer.color = name, bd.Color(*color)

@@ -351,7 +351,7 @@ class FixtureSolid(_Jointed, cq.Solid):
 
 
 class FlexureSolid(FlexureBody, _Moved, cq.Solid):
-    """Two-state part, either unloaded or in one of its states, with properties `flexure` and `state`."""
+    """Two-state part as a solid, unloaded as cut or bent into a state, with properties `flexure` and `state`."""
 
     @property
     def joints(self) -> Mapping[str, cq.Location]:
@@ -424,7 +424,7 @@ def strip_outline(
     Raises
     ------
     NotRealizable
-        No strip bends into the curve, and neither limits nor keep permit a change of the curve.
+        No strip bends into the curve, and the options `limits` and `keep` do not permit a change of the curve.
     InputError
         The path is not an open, plane, smooth curve, or a value is out of range.
 

@@ -191,7 +191,9 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
         least = max(least, largest / chosen["leaves"])
     if strip is not None:
         if chosen["bore"]:
-            raise InputError("--bore applies to tubes only. Add --rod DIAMETER, or leave out --bore.")
+            raise InputError(
+                "--bore is the inner diameter of a tube. Add the outer one, --rod DIAMETER, or leave out --bore."
+            )
         return ThicknessLaw(sheet, least, largest, width=strip[0])
     return RoundLaw(sheet, least, largest, bore=chosen["bore"])
 

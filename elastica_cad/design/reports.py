@@ -324,7 +324,7 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
 def report_held(shape: HeldShape) -> dict[str, Any]:
     """Return the deviation of a held strip and its causes as plain data.
 
-    Expected values are rounded to two digits.
+    Predicted deviations are rounded to two significant digits.
     """
     return {
         "expected": float(f"{shape.expected:.2g}"),

@@ -58,7 +58,7 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class BinaryBrep:
-    """A shape in the format of OpenCASCADE's BinTools. FreeCAD's files differ in their last numbers.
+    """A shape in the format of OpenCASCADE's BinTools. Files of FreeCAD end with other numbers.
 
     Attributes
     ----------

@@ -145,7 +145,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """This task, or the task without a limit of the margin if the margin depends on a scale still unknown."""
+        """This task; without the limit of the stability margin if this margin depends on an unknown scale."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)

@@ -92,7 +92,7 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
 DEGREE = 4  # with simple knots, the curvature and its slope are continuous
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""Default largest distance between a curve and its smooth curve: in mm, and as a fraction of the length."""
+"""Default for the largest movement by smoothing: `USUAL` in mm, `USUAL_SHARE` as a fraction of the length."""
 
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768

@@ -113,7 +113,7 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
         if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
             raise InputError(
-                "An edge that was made by an offset has an irregular curve. Draw the curve itself."
+                "An edge that was made by an offset has a kink or a cusp. Draw the wanted curve without an offset."
             )
         spline = followed.Curve()
     if spline.IsPeriodic():

@@ -323,7 +323,8 @@ def _bar_messages(spec: KitSpec) -> list[str]:
         return []
     return [
         note(
-            "The files are for a service and have no reference bar. Such a bar checks only your own machine."
+            "The files are for a cutting service and have no bar of known length. Such a bar checks only your own "
+            "machine."
         )
     ]
 

@@ -105,8 +105,8 @@ class Creep:
         after = self.stability
         if not self.stays:
             snaps = note(
-                "The strip then snaps into another shape under its load. Use a stiffer sheet, or support "
-                "the strip."
+                "After creep the strip snaps into another shape under its load. Use a stiffer sheet, or "
+                "support the strip."
             )
             return sentences([summary, snaps], " ")
         if after.margin < SAFE_MARGIN <= stability(self.rod).margin:

@@ -66,7 +66,7 @@ def _compare_fits(
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
-    ):  # an outlier must be corrected before fits are compared
+    ):  # correct an outlier first, because it would decide the comparison of the fits
         return None
     distance = _largest_distance(points, drawn)
     for curve in _other_curves(points, distance):
@@ -347,7 +347,7 @@ def _with_line(
     )
     reason = note(
         "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line at "
-        "these places, or support the strip between them and the inflections.",
+        "these places, or support the strip between each of them and the next inflection of the curve.",
         line=note(_LINES[_kind_of(normal)][1]),
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip

@@ -736,7 +736,7 @@ class ConditionedRows:
 
     @cached_property
     def pushed(self) -> IntArray:
-        """Indices (k,) of the unknown numbers that may not be negative: the pulls of ties."""
+        """Indices (k,) of the unknowns that must be 0 or more: the tensions of ties."""
         kinds = [
             isinstance(placed.element, Tie)
             for placed in self.request.elements

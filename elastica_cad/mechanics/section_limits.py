@@ -215,7 +215,7 @@ class ScaleRange:
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
         )
         if not K.size:
-            raise InputError("there is no station to scale: give at least one stiffness")
+            raise InputError("the array of stiffnesses is empty: give at least one stiffness")
         c_min, c_max = low_EI / K, high_EI / K
         low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
         return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)

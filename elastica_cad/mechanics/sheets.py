@@ -550,7 +550,7 @@ class Sheet:
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(
-                "sheet {name!r}: stock is {stock!r}; write two sides, in mm",
+                "sheet {name!r}: stock is {stock!r}; write the length and the width of the sheet, mm",
                 name=self.name,
                 stock=self.stock,
             )

@@ -125,7 +125,7 @@ class Undecided:
 
     @property
     def details(self) -> str:
-        """Sentences on the accuracy of the points and on both curves."""
+        """Sentences on the accuracy of the points, on the curve through them, and on its smoothed curve."""
         return note(
             "The points are exact to {resolution} only. The fitted curve has {count} inflections; another curve "
             "that fits them too has {others}."

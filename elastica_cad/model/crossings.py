@@ -246,7 +246,7 @@ class Ruling:
         return np.linspace(-self.reach, self.reach, 9)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
-        """Return points on the ruling."""
+        """Return the points with the parameters q on this ruling."""
         s_a, s_b = np.full(q.size, self.s_a), np.full(q.size, self.s_b)
         on_curves = self.strips[0].in_plane(s_a), self.strips[1].in_plane(s_b)
         return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
@@ -372,7 +372,10 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield the branch for a strip of constant height. The arc length on the other strip is constant."""
+    """Yield a branch of points of equal height: pairs of arc lengths on both strips.
+
+    One strip has the same height everywhere, so the arc length on the other strip is constant.
+    """
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():

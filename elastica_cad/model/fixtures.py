@@ -274,7 +274,7 @@ class EndFixture(EqualByValue):
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """Return the fixture with its pocket shifted and rotated against the load at the end of the strip.
 
-        The loaded tab bends between the walls. In drawings it is straight and overlaps the walls slightly.
+        The loaded tab bends between the walls. Drawings show the tab straight, so it overlaps the walls slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])

@@ -160,13 +160,15 @@ def slotted_frame(
         Depth of the ribs behind the rails, mm.
     tongue : float
         Length of the ribs' tongues along the slots of the rails, mm.
-    play, clearance : float
-        Clearance on each side of tabs and tongues, and amount added to the width of slots, mm.
+    play : float
+        Gap on each side of tabs and tongues, mm.
+    clearance : float
+        Amount added to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
     gap : float, optional
         If given, two rails at this distance, mm, replace each single rail and hold inclined tabs at their
-        angle. Steps of the tongues keep this distance.
+        angle. Shoulders on the tongues hold both rails at this distance.
     shop : FabricationLimits, optional
         Limits of the workshop, such as the width of bridges between slots, and the largest sheet.
     ignore_limits : bool

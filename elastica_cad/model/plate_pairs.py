@@ -368,7 +368,7 @@ def end_plates(
 
 
 UPRIGHT_COSINE = 0.9
-"""Least cosine between the mean direction of tabs and the vertical, for plates named bottom and top."""
+"""Plates are named bottom and top if the cosine of the angle between mean tab and vertical is larger."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:

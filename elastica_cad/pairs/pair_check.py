@@ -253,8 +253,8 @@ def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
         yield note(
             "Both curves have the same curvature from {start} to {end}, so the stiffness beside this piece "
-            "would have to be 0. Bend one of the curves a little more there, or give both curves the same "
-            "curvature everywhere.",
+            "would have to be 0. Draw one of the curves with a little more curvature there. Two curves with the "
+            "same curvature everywhere are also possible.",
             start=Length(start),
             end=Length(end),
         )
@@ -398,9 +398,9 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros of the curvature difference that are too many.
+        """Zeros of the curvature difference beyond the possible number.
 
-        A moment difference can only have the zeros before them.
+        A difference of moments has at most as many zeros as come before them along the curve.
         """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])

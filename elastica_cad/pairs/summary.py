@@ -66,7 +66,8 @@ def _stability_row(part: Flexure) -> Row:
     ratings = (first.rating, second.rating, *(side.rating for side in sides))
     details = [
         note(
-            "The stability margins are {first:.3g} and {second:.3g}; sideways {left:.3g} and {right:.3g}.",
+            "The stability margins of both states are {first:.3g} and {second:.3g}, sideways {left:.3g} and "
+            "{right:.3g}. A state is stable if its margin is positive.",
             first=first.margin, second=second.margin, left=sides[0].margin, right=sides[1].margin,
         )
     ]  # fmt: skip

@@ -362,7 +362,7 @@ def _lengths_added_by_tabs(
 
 
 def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return (position, added length), mm, of each step of the width, due to unstressed corners."""
+    """Return (position, added length), mm, for each step of the width, whose corners carry no stress."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     places = []

@@ -280,8 +280,7 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Least angle, rad, at a corner, from which bridges are kept away. Curves fitted to points have smaller
-angles."""
+"""Least angle, rad, of a corner. Bridges are kept away from corners. Fitted curves have smaller angles."""
 
 SAME_PLACE_MM = 1e-9
 """Arc lengths that differ by less than this, mm, are equal."""

@@ -243,7 +243,7 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # `ElementForce.element` may also be a mass, which its type excludes
+    mass: Any  # `ElementForce.element` can be a mass, although its annotation does not list masses
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])

@@ -382,7 +382,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    # the rows differ only in y, so all are graphs y(x)
+    # the first row is a graph y(x), and the other rows have the same x, so they are graphs too
     return [Spline(curve) for curve in first.siblings(points)]
 
 

@@ -71,7 +71,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
         return sheet.gravity(direction), 1.0
     if frame is None:
         raise InputError(
-            f"gravity {direction} is a direction in space: give the plane of the curve as frame, or the "
+            f"gravity {direction} is a direction in space: also give `frame`, the plane of the curve, or give the "
             "direction in the drawing as two numbers",
             where={"field": "gravity"},
         )
@@ -688,7 +688,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Limits of the width, if the loads on a solid strip determine its stiffness; otherwise None."""
+        """Limits of the width, if the strip has no holes and its loads determine its stiffness in N mm2."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None

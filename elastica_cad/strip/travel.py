@@ -300,7 +300,8 @@ def bend_strip(
 ) -> Travel:
     """Return forces, energy, strain and stability of a strip whose ends are moved along a path.
 
-    Forces follow from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
+    Forces follow from the internal force -lambda B, where lambda is that of the rod (paper, Eq. 2) and B is the
+    bending stiffness for K = 1. The
     stiffness of each step includes anticlastic bending of sheets with a known Poisson's ratio, and the
     curling of the borders of laminates. If the widths do not compensate these effects, the strip deviates
     from its design before its ends are moved, as `Strip.held` reports. Other effects of `Strip.held`, such as

@@ -235,7 +235,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
             ("--stock", 25, 8, "--least", 6, "--at", 70),
             r"Move the largest camber to at most \d\d\.\d % of the chord",
         ),
-        (("--stock", 25, 8, "--bore", 0.5), "--bore applies to tubes"),
+        (("--stock", 25, 8, "--bore", 0.5), "--bore is the inner diameter of a tube"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves applies to strips"),

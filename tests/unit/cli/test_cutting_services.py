@@ -58,7 +58,7 @@ def test_a_kit_for_a_service_holds_parts_alone_and_packs_what_is_cut(tmp_path):
     out = tmp_path / "out"
     words = ("model", tmp_path / "kit.toml", "--no-step", "--no-pictures", "--no-effects", "--zip")
     result = run(*words, "-o", out)
-    assert "have no reference bar" in result.output
+    assert "have no bar of known length" in result.output
     parts = ["parts/K_birch-plywood-0.8_0.8mm_x1-mm.dxf", "parts/kit-base_mdf-3_3mm_x1-mm.dxf"]
     assert sorted(path.relative_to(out).as_posix() for path in out.rglob("*.dxf")) == parts
     for part in parts:

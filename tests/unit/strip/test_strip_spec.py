@@ -108,7 +108,7 @@ class TestGravity:
         assert felt.length == pytest.approx(CARD.elasto_gravity_length * 2 ** (1 / 6), rel=1e-12)
 
     def test_in_space_without_a_plane(self):
-        with pytest.raises(InputError, match="plane of the curve as frame"):
+        with pytest.raises(InputError, match="also give `frame`, the plane of the curve"):
             spec(gravity=(0, 0, -1))
 
     @pytest.mark.parametrize("given", ["down", (0, 0), (0, 0, 0), (1,), (0, math.nan), (0, "x"), 5])

@@ -175,7 +175,7 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 def strips_model(
     strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), as_displayed: bool = False
 ) -> Model:
-    """Return one model of strips and models in their positions. With `options`, slots are cut.
+    """Combine strips and models in their positions into one model. If `options` is given, cut slots.
 
     Copies, such as links and arrays, are included. With `as_displayed`, the strips are those from which the
     displayed shapes were made.

@@ -76,7 +76,7 @@ def report_left_out(obj: Any) -> None:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a nest of strips, models and base plates in front of all objects, without recomputing the
+    """Make a nest of strips, models and base plates at smaller y than all objects, without recomputing the
     document.
     """
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)

@@ -215,7 +215,7 @@ def _put(coordinates: Any, rows: FloatArray) -> FloatArray:
 
 
 def plane_node(placement: Any) -> Any:
-    """Return a Coin transformation from x and y to points of a plane."""
+    """Return a node of Coin, FreeCAD's 3D library, that transforms (x, y) to points of a plane in space."""
     node = coin.SoMatrixTransform()
     rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
     node.matrix.setValue(*rows.ravel().tolist())
