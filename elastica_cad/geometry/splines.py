@@ -725,7 +725,7 @@ class _Problem:
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
-        """Return the correlation of the deviations of neighbouring points: about 0 for noise, 1 for a missed shape."""
+        """Return the correlation of the deviations of neighbouring points: 0 for noise, 1 for a missed shape."""
         gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0

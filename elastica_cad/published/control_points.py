@@ -184,7 +184,7 @@ class CurveChanges:
 
     @cached_property
     def margin(self) -> FloatArray:
-        """Derivatives (r,) of the stability margin with respect to the parameters u, for a constant moment scale."""
+        """Derivatives (r,) of the stability margin with respect to the parameters u, for a constant moment."""
         state, rod, nodes = self.state, self.state.rod, self.state.nodes
         panels, curve = state.balance.panels, state.curve
         panel, x = panels.locate(nodes.t)
