@@ -646,9 +646,15 @@ def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
 def _faults_at(
     name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
 ) -> Iterator[Fault]:
-    for k, place in enumerate(places[:MOST_LISTED]):
-        rest = len(places) - MOST_LISTED
-        more = note(" (and {rest} more places)", rest=rest) if k == MOST_LISTED - 1 and rest > 0 else ""
+    # equal gaps between holes, as of slots around a ring, are one entry
+    alike: dict[object, list[ThinPlace]] = {}
+    for k, place in enumerate(places):
+        alike.setdefault(f"{place.width:.3g}" if loops else k, []).append(place)
+    listed = list(alike.values())[:MOST_LISTED]
+    for k, (place, *others) in enumerate(listed):
+        unlisted = len(places) - sum(map(len, listed)) if k == MOST_LISTED - 1 else 0
+        rest = len(others) + unlisted
+        more = note(" (and {rest} more places)", rest=rest) if rest > 1 else note(" (and 1 more place)")
         at = (
             note("at {s} from the start of the curve", s=Length(place.x))
             if abs(place.y) < 1e-9 and place.x >= 0
@@ -666,7 +672,7 @@ def _faults_at(
         what = note(
             "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
             "only {wide:g} wide {at}{more} ({sheet} needs {needed:g})",
-            wide=wide, loops=between, at=at, more=more, needed=needed, sheet=sheet.name,
+            wide=wide, loops=between, at=at, more=more if rest else "", needed=needed, sheet=sheet.name,
         )  # fmt: skip
         yield Fault(name, what, cure)
 

@@ -219,6 +219,24 @@ def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
         assert len(studio.all("g.points circle")) == len(CURVE)
         assert np.hypot(*(studio.point(7) - studio.point(1))) > 1.5 * np.hypot(*wide)
 
+        # over the picture of the bent strip, a finger scrolls the page upwards and turns the view sideways
+        studio.browser.execute_script("document.querySelector('.space').scrollIntoView({block: 'center'})")
+        scrolled = studio.browser.execute_script("return scrollY")
+        low = studio.center(".scene")
+        studio.touch([np.add(low, (0, 40 - 10 * k)) for k in range(12)])
+        studio.until(lambda: studio.browser.execute_script("return scrollY") > scrolled)
+        studio.browser.execute_script("document.querySelector('.space').scrollIntoView({block: 'center'})")
+        seen, low = studio.scene(), studio.center(".scene")
+        studio.touch([np.add(low, (10 * k - 60, 0)) for k in range(12)])
+        studio.until(lambda: studio.scene() != seen)
+
+        # beside the settings, the verdict is a line that leads back to it
+        studio.browser.execute_script("document.querySelector('#field-max_width').scrollIntoView()")
+        (line,) = studio.until(lambda: [one for one in studio.all(".sum") if one.is_displayed()])
+        assert line.text == studio.verdict()
+        line.click()
+        studio.until(lambda: not line.is_displayed())
+
 
 @pytest.mark.campaign
 @pytest.mark.filterwarnings("ignore:The copy of curve 1 in arch.svg")
@@ -368,14 +386,25 @@ def test_all_that_is_needed_is_in_view(server, tmp_path, language):
             assert x >= 0
             assert x + wide <= 1366
             assert y + high <= 768
+            studio.press(studio.center(".plane > svg"))  # beside the menu
+            assert not studio.all(".menu[open]")
             studio.all(f".{menu} summary")[0].click()
+            studio.browser.switch_to.active_element.send_keys("\ue00c")  # Escape
+            assert not studio.all(".menu[open]")
         sides = "const box = document.querySelector('.settings'); return [box.offsetHeight, box.clientHeight]"
         outer, inner = studio.browser.execute_script(sides)
         assert outer - inner <= 2  # no scroll bar along the bottom
-        studio.press(studio.point(2), (-300, 0))
+        before = studio.box(".plane"), studio.box(".space")
+        studio.type("#field-Copies-around-the-axis-x-0", "16")  # too many: a long verdict
         studio.until(lambda: studio.all(".verdict.no"))
+        assert (studio.box(".plane"), studio.box(".space")) == before
         words = studio.text(".told")
         assert words.count(studio.all(".verdict p")[0].text) == 1
+        studio.all(".verdict .link")[0].click()  # the setting that the verdict names
+        assert studio.browser.switch_to.active_element.get_attribute("id") == "field-ignore_limits"
+        studio.press(studio.point(2), (-300, 0))
+        studio.until(lambda: studio.all(".no-strip"))
+        assert (studio.box(".plane"), studio.box(".space")) == before
 
 
 @pytest.mark.campaign

@@ -45,7 +45,7 @@ const titleOf = (table) => LABELS[table.word ?? table.table] ?? table.word ?? ta
 export class Form {
   // Groups are titles with their fields; others are behind one step. get(path) and set(path, value) reach into the design; undefined is what is not given.
   constructor(host, groups, others, { t, get, set, sheets, begin }) {
-    Object.assign(this, { t, get, set, sheets, begin, controls: [] });
+    Object.assign(this, { t, get, set, sheets, begin, controls: [], named: new Map() });
     const made = (fields) => fields.map((field) => this.control(field, [field.name])), by = new Map();
     for (const field of others) by.set(field.group, [...(by.get(field.group) ?? []), field]);
     host.replaceChildren(...groups.map(([title, fields]) => html("fieldset", { class: title.toLowerCase() }, html("legend", {}, t(title)), ...made(fields))),
@@ -59,6 +59,18 @@ export class Form {
   control(field, path) {
     const tables = valuesOf(field).filter((value) => value.fields);
     return tables.length ? this.table(field, tables, path) : listed(field).length ? this.list(field, listed(field), path) : this.plain(field, path);
+  }
+
+  // A text in which the quoted names of settings lead to them.
+  linked(text) {
+    return text.split(/([“„].+?[”“])/).map((part, k) => {
+      const input = k % 2 ? this.named.get(part.slice(1, -1)) : null;
+      return input ? html("button", { type: "button", class: "link", onclick: () => {
+        for (let box = input.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
+        input.scrollIntoView({ block: "center" });
+        (input.id ? input : input.firstChild).focus();
+      } }, part) : part;
+    });
   }
 
   // Controls of a part of the form that is made anew: those before are dropped.
@@ -99,6 +111,7 @@ export class Form {
   // The help is also printed where names say little, among the limits and the other settings, and everywhere on a phone.
   row(field, input, id) {
     const { t } = this, help = t(field.help);
+    this.named.set(t(field.name.replaceAll("_", " ")), input);
     (input.id ? input : input.firstChild).title = help; // read as its description
     return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit),
       field.help ? html("p", { class: "help", "aria-hidden": "true" }, help) : null);

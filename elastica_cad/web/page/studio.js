@@ -64,6 +64,20 @@ class Studio {
       event.preventDefault();
       event.shiftKey ? history.redo() : history.undo();
     });
+    // A press beside an open menu, or Escape, closes it; a press on the drawing does nothing else.
+    const opened = () => [...root.querySelectorAll(".menu[open]")];
+    root.addEventListener("pointerdown", (event) => {
+      const left = opened().filter((menu) => !menu.contains(event.target));
+      for (const menu of left) menu.open = false;
+      if (left.length && event.target.closest(".plane > svg")) event.stopPropagation();
+    }, { capture: true });
+    root.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      for (const menu of opened()) {
+        menu.open = false;
+        menu.firstChild.focus();
+      }
+    });
     root.addEventListener("dragover", (event) => event.preventDefault());
     root.addEventListener("drop", (event) => {
       event.preventDefault();
@@ -97,9 +111,11 @@ class Studio {
     const select = (label, options, onchange, value) => html("select", { "aria-label": t(label), title: t(label), onchange: (event) => onchange(event.target.value) },
       ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
     this.say = html("p", { class: "said", role: "status" });
-    this.verdict = html("div", { class: "verdict", "aria-live": "polite" });
+    this.verdict = html("div", { class: "verdict", "aria-live": "polite", tabindex: "0" });
+    this.sum = html("button", { type: "button", class: "sum", hidden: true, onclick: () => this.verdict.scrollIntoView({ block: "center" }) }); // on a phone, while the verdict is out of view
+    new IntersectionObserver(([{ isIntersecting }]) => { this.sum.hidden = isIntersecting; }).observe(this.verdict);
     this.offers = html("div", { class: "offers" });
-    this.numbers = html("dl", { class: "numbers" });
+    this.numbers = html("dl", { class: "numbers", tabindex: "0" });
     this.empty = html("p", { class: "empty" });
     this.point = html("div", { class: "point", role: "group", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
@@ -146,13 +162,13 @@ class Studio {
       html("section", { class: "plane", "aria-label": t("Draw") }, html("div", { class: "view" }, this.point,
         select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
         sign("fit", "Fit", () => this.drawing.fit()), sign("zoom-in", "Zoom in", () => this.drawing.zoom(1.25)), sign("zoom-out", "Zoom out", () => this.drawing.zoom(0.8))), plane, this.legend()),
-      html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
+      html("section", { class: "told", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend", onpointerenter: () => this.framed(), onfocusin: () => this.framed() }, html("label", {}, t("Bend"), html("span", {}, this.bar, this.marks)), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
       html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
       html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields),
-      this.dialog);
+      this.sum, this.dialog);
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
@@ -491,7 +507,9 @@ class Studio {
     const said = [title, ...texts].join();
     if (said !== this.verdict.said) { // a reader of the screen hears what is new
       this.verdict.className = `verdict ${state}`;
-      this.verdict.replaceChildren(html("strong", {}, t(title)), ...(state === "care" ? [this.offers] : []), ...texts.map((text) => html("p", {}, text)), ...(state === "care" ? [] : [this.offers]));
+      this.sum.className = `sum ${state}`;
+      this.sum.replaceChildren(html("strong", {}, t(title)));
+      this.verdict.replaceChildren(html("strong", {}, t(title)), ...(state === "care" ? [this.offers] : []), ...texts.map((text) => html("p", {}, ...this.form.linked(text))), ...(state === "care" ? [] : [this.offers]));
     }
     this.verdict.said = said;
     this.offerFiles(title);
@@ -716,14 +734,19 @@ class Studio {
   scale() {
     const { t } = this, frames = this.frames ?? [], most = Math.max(...frames.map(({ force }) => force)), left = (part) => (100 * part) / this.bar.max;
     const line = (some) => element("path", { d: some.map(({ part, force }, k) => `${k ? "L" : "M"}${left(part)},${22 - (20 * force) / (most || 1)}`).join(""), class: some.at(-1).stable ? "" : "snaps" });
-    const mark = (part, text) => {
-      const frame = frames.find((one) => one.part === part), made = html("span", {}, text, ...(frame ? [html("br"), `${this.number(frame.force)} N`] : []));
-      made.style.left = `${left(part)}%`;
-      return made;
+    const mark = (part, ...text) => {
+      const frame = frames.find((one) => one.part === part);
+      return html("span", {}, ...text, ...(frame ? [html("br"), `${this.number(frame.force)} N`] : []));
     };
+    const back = html("button", { type: "button", class: "link", onclick: () => {
+      this.bar.value = 1;
+      this.bent();
+    } }, t("as drawn"));
+    const before = html("span", {}, mark(0, t("flat")), mark(1, back)); // ends below the drawn shape, or before the label of the last one
+    before.style.flexBasis = `calc(${left(1)}% + 8px)`;
     const snap = frames.find(({ part, stable }) => part && !stable);
     this.marks.replaceChildren(element("svg", { viewBox: "0 0 100 24", preserveAspectRatio: "none", "aria-hidden": "true" }, ...frames.slice(1).map((frame, k) => line([frames[k], frame]))),
-      html("p", {}, mark(0, t("flat")), mark(1, t("as drawn")), ...(this.bar.max > 1 && frames.length ? [mark(+this.bar.max, t("pressed"))] : [])),
+      html("p", {}, before, ...(this.bar.max > 1 && frames.length ? [mark(+this.bar.max, t("pressed"))] : [])),
       ...(snap ? [html("span", { class: "snaps" }, t("it snaps"))] : []));
     if (snap) this.marks.lastChild.style.left = `${Math.min(left(snap.part), 75)}%`;
     else this.marks.append(html("p", { class: "caption" }, frames.length ? t("does not snap on the way") : ""));
