@@ -429,9 +429,9 @@ def test_rings_are_cut_with_their_lamp(document, lamp):
         ("Rings-bottom", 1),
         ("Rings-top", 1),
     ]
-    assert [line.partition(" has ")[0] for line in rings.Reports] == [
-        "slot of Rings-bottom",
-        "slot of Rings-top",
+    assert [line.partition(",")[0] for line in rings.Reports] == [
+        "In the slot of Rings-bottom",
+        "In the slot of Rings-top",
     ]
     change(rings, Ends="end", Gap=4)
     assert [cut.piece.name for cut in cuts_of([rings])] == ["Rings", "Rings-outer"]
