@@ -163,7 +163,7 @@ class TestWhatHoldsTheStrips:
         assert [body.name for body in assembly_parts((), [frame])] == [name for name, _ in frame.solids]
 
     def test_something_else(self, crown):
-        with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not str"):
+        with pytest.raises(InputError, match="a str is not a holder: give base plates"):
             step.model_shapes(crown, ["plate"])
         with pytest.raises(InputError, match=r"a tuple is not a model: give ec\.Model"):
             require_model(crown.placed)
