@@ -105,8 +105,10 @@ class ReadUnit:
     def __str__(self) -> str:
         if self.known == "stated":
             source = note("the file") if self.source in KEYS_OF_FILES else self.source
-            return note("{unit}, from {source}", unit=self.name, source=source)
-        return note("{unit}, {known}", unit=self.name, known=self.known)
+            text = "unit from {source}" if self.name == "mm" else "unit: {unit}, from {source}"
+            return note(text, unit=self.name, source=source)
+        text = "unit {known}" if self.name == "mm" else "unit: {unit}, {known}"
+        return note(text, unit=self.name, known=self.known)
 
 
 @dataclass(frozen=True)
@@ -139,7 +141,7 @@ class ReadReport:
         if self.distance > EXACT_MM:
             away = note("within {distance:.2g} of the drawing", distance=Length(self.distance))
             return sentences([size, *kinds, *self.done, away], ", ")
-        exact = "curve through all points" if "fitted" in self.done else "exact"
+        exact = "curve through all points" if "fitted" in self.done else "read without approximation"
         return sentences([size, *kinds, *(name for name in self.done if name != "fitted"), exact], ", ")
 
     def as_dict(self) -> dict[str, Any]:

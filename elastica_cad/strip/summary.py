@@ -189,9 +189,9 @@ def hold_row(strip: Strip) -> Row:
     text = "{apart:.1f} apart, where the tabs begin," if has_tabs else "{apart:.1f} apart"
     distance = note(text, apart=Length(distance_between(ends)))
     apart = note(
-        "ends {distance} at {start:.1f} and {end:.1f} degrees"
+        "ends {distance} at {start:.1f} and {end:.1f} degrees to the line between them"
         if all(end.support.angle for end in ends)
-        else "ends {distance} turn freely and rest at {start:.1f} and {end:.1f} degrees",
+        else "ends {distance} turn freely and rest at {start:.1f} and {end:.1f} degrees to the line between them",
         distance=distance, start=ends[0].tilt, end=ends[1].tilt,
     )  # fmt: skip
     if strip.rod.supports.is_free:
@@ -202,7 +202,7 @@ def hold_row(strip: Strip) -> Row:
             apart = note("{ends}; the {end} is free: nothing holds it", ends=apart, end=note(name))
     forces = strip.reactions()
     start, end = (
-        note("{force:.2g} N and {moment:.2g} N mm", force=np.hypot(*force), moment=abs(moment))
+        note("force {force:.2g} N and moment {moment:.2g} N mm", force=np.hypot(*force), moment=abs(moment))
         for force, moment in (
             (forces.start_force, forces.start_moment), (forces.end_force, forces.end_moment),
         )
@@ -232,7 +232,7 @@ def hold_row(strip: Strip) -> Row:
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
     return note(
         "This distance is measured between the places where the bend begins; the tips of the tabs are "
-        "{tips:.1f} apart. Angles are measured from the line between the ends.",
+        "{tips:.1f} apart.",
         tips=Length(distance_of_tips(ends)),
     )
 
@@ -379,9 +379,9 @@ def not_computed_row() -> Row:
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
     text = {
-        "computed": "about {far}, mostly from tabs, slots, curling and holders",
-        "model": "about {far}, mostly from the model",
-        "sheet": "about {far}, mostly from material, cut and clamps",
-        None: "about {far}",
+        "computed": "about {far} from the design, mostly from tabs, slots, curling and holders",
+        "model": "about {far} from the design, mostly from the model",
+        "sheet": "about {far} from the design, mostly from material, cut and clamps",
+        None: "about {far} from the design",
     }[held.main_source]
     return Row(note("Accuracy"), note(text, far=about(held.expected)), (str(held),))

@@ -25,9 +25,9 @@ def dxf(tmp_path):
 
 
 @pytest.mark.parametrize(("unit", "line"), [
-    (4, "180.0 x 60.0 mm (mm, from the file), 1 spline, exact"),
-    (1, "4572.0 x 1524.0 mm (in, from the file), 1 spline, exact"),
-    (0, "180.0 x 60.0 mm (mm, assumed), 1 spline, exact"),
+    (4, "180.0 x 60.0 mm (unit from the file), 1 spline, read without approximation"),
+    (1, "4572.0 x 1524.0 mm (unit: in, from the file), 1 spline, read without approximation"),
+    (0, "180.0 x 60.0 mm (unit assumed), 1 spline, read without approximation"),
 ])  # fmt: skip
 def test_a_spline_is_read_exactly_in_the_unit_of_its_file(dxf, unit, line):
     drawing = read_drawing(dxf(lambda space: space.add_open_spline(SPLINE), unit))
@@ -75,7 +75,7 @@ def test_a_report_is_of_the_chosen_curves(dxf):
 def test_points_are_counted_and_their_unit_is_assumed(tmp_path):
     file = tmp_path / "a.csv"
     file.write_text("\n".join(f"{x:.2f},{50 * np.sin(x / 60):.2f}" for x in range(0, 181, 9)))
-    assert str(read_drawing(file).report()).startswith("180.0 x 50.0 mm (mm, assumed), 21 points, fitted, ")
+    assert str(read_drawing(file).report()).startswith("180.0 x 50.0 mm (unit assumed), 21 points, fitted, ")
 
 
 def test_a_fit_that_leaves_the_points_by_far_is_refused(tmp_path):
