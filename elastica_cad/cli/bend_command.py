@@ -91,8 +91,16 @@ OF_A_CURVE = {
 @click.option("--gravity", is_flag=True, help="Include the weight of the strip (needs --sheet).")
 @click.option("--down", type=(float, float), metavar="X Y",
               help="Direction of gravity  [default: 0 -1].")  # fmt: skip
-@click.option("--from", "start", type=POINT, metavar="X Y", help="New position of the start, mm, y up.")
-@click.option("--to", "end", type=POINT, metavar="X Y", help="New position of the end, mm, y up.")
+@click.option(
+    "--from",
+    "start",
+    type=POINT,
+    metavar="X Y",
+    help="New position of the start, in mm of the drawing, y up.",
+)
+@click.option(
+    "--to", "end", type=POINT, metavar="X Y", help="New position of the end, in mm of the drawing, y up."
+)
 @click.option("--start-angle", type=float, metavar="DEG", help="New direction of the start.")
 @click.option(
     "--end-angle", type=float, metavar="DEG", help="New direction of the end, measured along the strip."

@@ -177,7 +177,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
         f"{result.pull * rod.youngs_modulus / MPA_PER_GPA:.2g} N as a {name}" for name, rod in rods.items()
     ]
     force = f"{result.pull:.3g} N" if in_newtons else (
-        f"{result.pull:.3g} N per GPa of Young's modulus ({', '.join(per_rod)})"
+        f"{', '.join(per_rod)} ({result.pull:.3g} N per GPa of Young's modulus)"
     )  # fmt: skip
     shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees to the cord"
     verdict = stability(strip.rod)
@@ -202,7 +202,11 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
 
 def _curve_row(result: Bow) -> Row:
     noun = "strip" if result.strip.layout.size is None else "rod"
-    even = f"; an even {noun} cannot follow it exactly" if isclose(result.strip.rod.ratio, 1) else ""
+    even = (
+        f"; a {noun} of constant section cannot follow it exactly"
+        if isclose(result.strip.rod.ratio, 1)
+        else ""
+    )
     text = f"the bent {noun} is at most {result.deviation:.3g} mm from the drawn curve{even}"
     if result.deviation <= FAR_SHARE * result.length:
         return Row("Curve", text)

@@ -273,9 +273,9 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting)
+        _first_names(fitting, "first the most strained of each kind")
         if fitting
-        else f"none at this size; if the curve is enlarged, {_first_names(larger)}",
+        else f"none at this size; if the curve is enlarged, {_first_names(larger, 'first the least enlarged')}",
         details,
     )
 
@@ -285,9 +285,9 @@ def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
     return [sheet.name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
 
 
-def _first_names(names: Sequence[str]) -> str:
+def _first_names(names: Sequence[str], order: str) -> str:
     shown = ", ".join(names[:MOST_SHEETS])
-    return f"{len(names)} can take it: {shown}, ... (-v lists all)" if names[MOST_SHEETS:] else shown
+    return f"{len(names)} can take it; {order}: {shown}, ... (-v lists all)" if names[MOST_SHEETS:] else shown
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:

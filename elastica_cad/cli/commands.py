@@ -66,7 +66,7 @@ FILES = {
 
 EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable: ", NOT_REALIZABLE),
-    StrainError: ("Would break: ", NOT_REALIZABLE),
+    StrainError: ("", NOT_REALIZABLE),
     NotMetError: ("Not within these limits: ", NOT_REALIZABLE),
     ElasticaError: ("", BAD_INPUT),
 }
@@ -211,7 +211,13 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         keys = paths_of(record)
         printed_keys = [path for path in keys if path.count(".") <= DEEPEST]
         if path := near_path(name, printed_keys):
-            return f"use --set {path}=VALUE instead of {typed}: `elastica help {path}` explains it"
+            key = f"pair.{path}" if context is not None and context.info_name == "pair" else path
+            if path.rpartition(".")[2] == name:
+                return f"use --set {path}=VALUE instead of {typed}: `elastica help {key}` explains it"
+            return (
+                f"`{command}` has no option {typed}. Did you mean --set {path}=VALUE? "
+                f"`elastica help {key}` explains it."
+            )
     near = near_names(word, words)
     advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists its options."
     return f"`{command}` has no option {typed}. {advice}"
@@ -278,8 +284,8 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v, and the options below in
     any position. `elastica help` lists all keys of a strip, `elastica help KEY` explains a key. Exit codes: 0 done,
-    1 not realizable (or too much strain with --set files.strict=true), 2 bad input, 130 stopped by Ctrl-C,
-    141 the output was closed.
+    1 not realizable, not within the limits, or the strip would break (with --set files.strict=true also for strain
+    above the limit of the sheet), 2 bad input, 130 stopped by Ctrl-C, 141 the output was closed.
     """
 
 

@@ -124,8 +124,8 @@ def _map_of_options(
         options = ", ".join(map(option_name, CORNERS))
         raise InputError(
             (
-                "No corner moves. Set the new position of a corner of the curve's bounding box ({options}), or "
-                "use --handle four times."
+                "The new shape is missing. Set the new position of a corner of the curve's bounding box "
+                "({options}), or use --handle four times."
             ),
             options=options,
         )

@@ -2,6 +2,7 @@
 
 import click
 
+from elastica_cad._values import counted
 from elastica_cad.cli.voice import answer, say, warn
 from elastica_cad.mechanics.sheets import (
     PLYWOOD_SOURCE,
@@ -45,7 +46,9 @@ def sheets(name: str | None) -> None:
             "largest advisable strain;\nradius: least advisable bending radius; kerf: width of a laser cut, - if "
             "not known. All properties: elastica sheets NAME"
         )
-        say(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
+        count = len(library_sheets()[0])
+        folders = ", ".join(map(str, library_folders()))
+        say(f"library, for your own sheets: {folders} ({counted(count, 'sheet') if count else 'empty'})")
         for problem in library_sheets()[1]:
             warn(f"Note: {problem}")
         return
@@ -63,7 +66,8 @@ def sheets(name: str | None) -> None:
         **_published_radii(sheet),
         "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
         "grain": sheet.grain if sheet.grain == "none" else f"{sheet.grain} the strip",
-        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm; longer strips sag visibly by their weight",
+        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm; a strip of this length, held level at one "
+        "end, sags by about 1/8 of it",
         "source": sheet.source,
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")
@@ -75,5 +79,7 @@ def _published_radii(sheet: Sheet) -> dict[str, str]:
     along, across = (least_plywood_radius(sheet.thickness, direction) for direction in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}
-    radii = f"{along:.3g} mm along the face grain, {across:.3g} mm across it ({PLYWOOD_SOURCE})"
+    # the table has two digits
+    along, across = (float(f"{radius:.2g}") for radius in (along, across))
+    radii = f"{along:g} mm along the face grain, {across:g} mm across it ({PLYWOOD_SOURCE})"
     return {"published radius": radii}

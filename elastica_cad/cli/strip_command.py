@@ -278,6 +278,6 @@ def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, s
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
-    cut = [f"cut, {kerf:g} mm kerf included" if kerf else "cut, without kerf"]
+    cut = [f"cut, {kerf:g} mm kerf included" if kerf else "cut, kerf not corrected"]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
     wrote(written, {f"{result.name}.dxf": ", ".join(cut), f"{result.name}-holding.dxf": "template"})

@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie, noun_of
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
 from elastica_cad.mechanics.section_limits import thinner_on_sale
@@ -22,7 +22,7 @@ from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
-from elastica_cad.refusals import FieldName, Length, Refusal, note, sentences
+from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -102,7 +102,18 @@ class Suggestion:
             values["length"] = Length(float(f"{self.strips[0].rod.length:.3g}"))
         else:
             text = "the curve as drawn, {used} % of the allowed strain"
-        return note(text, distance=about(self.deviation), **values)
+        effect = note(text, distance=about(self.deviation), **values)
+        match self.change.value:
+            case Rail(float(at)) | Pin(float(at)) as element:
+                places = [at]
+            case Tie(float(start), float(end)) as element:
+                places = [start, end]
+            case _:
+                return effect
+        return note(
+            "{effect}; you build the support ({element}) at {places} from the start of the curve",
+            effect=effect, element=noun_of(element), places=Listed(map(Length, places)),
+        )  # fmt: skip
 
     def __str__(self) -> str:
         return f"{self.title} ({self.effect})"

@@ -29,7 +29,9 @@ def feature(document, *curves):
 def test_a_sketched_spline_is_read_exactly(document, sketch):
     points = sketch.Shape.Edges[0].discretize(2001)
     width, height = (max(p[i] for p in points) - min(p[i] for p in points) for i in (0, 1))
-    line = f"Read: {width:.1f} x {height:.1f} mm (mm, from the document), 1 spline, exact."
+    line = (
+        f"Read: {width:.1f} x {height:.1f} mm (unit from the document), 1 spline, read without approximation."
+    )
     assert read_line((sketch, ())) == line
 
 
@@ -43,9 +45,11 @@ def test_edges_that_are_picked_are_counted_joined_and_turned(document):
     line = Part.LineSegment(App.Vector(180, 0, 0), App.Vector(220, 0, -80))
     circle = Part.Circle(App.Vector(900, 0, 0), App.Vector(0, 0, 1), 50)
     made = feature(document, bezier([(x, 0, y) for x, y in SPLINE]), line, circle)
-    joined = "220.0 x 140.0 mm (mm, from the document), 1 spline, 1 line, joined, turned, exact"
-    assert read_line((made, ("Edge1", "Edge2"))) == f"Read: {joined}."
-    assert "100.0 x 100.0 mm (mm, from the document), 1 arc, exact" in read_line((made, ("Edge3",)))
+    joined = "(unit from the document), 1 spline, 1 line, joined, turned, read without approximation"
+    assert read_line((made, ("Edge1", "Edge2"))) == f"Read: 220.0 x 140.0 mm {joined}."
+    assert "100.0 x 100.0 mm (unit from the document), 1 arc, read without approximation" in read_line(
+        (made, ("Edge3",))
+    )
     with pytest.raises(InputError, match="separate chains"):
         read_line((made, ()))
 
@@ -60,5 +64,5 @@ def test_the_distance_of_a_bounded_end_is_reported(document):
 def test_the_line_is_in_german_with_commas(document, sketch, monkeypatch):
     monkeypatch.setattr(words, "user_language", lambda: "de")
     monkeypatch.setattr(words, "decimal_point", lambda: ",")
-    german = "Gelesen: 150,0 x 60,0 mm (mm, aus dem Dokument), 1 Spline, exakt."
+    german = "Gelesen: 150,0 x 60,0 mm (Einheit aus dem Dokument), 1 Spline, ohne Näherung gelesen."
     assert worded(read_line((sketch, ()))) == german

@@ -29,7 +29,10 @@ def test_an_even_rod_prints_what_a_shorter_cord_does(arch):
     done = run("bow", "arch.json", "--rod", 8, "--sheet", "pom-2", "-o", "out", cwd=arch)
     report = json.loads((arch / "out" / "arch-bow.json").read_text())
     assert f"{report['length_mm']:.1f} mm long, 8 mm in diameter" in done.output
-    assert f"at most {report['deviation_mm']:.3g} mm from the drawn curve; an even rod cannot" in done.output
+    assert (
+        f"at most {report['deviation_mm']:.3g} mm from the drawn curve; a rod of constant section cannot"
+        in done.output
+    )
     assert f"Cord        800.0 mm long, pulls with {report['pull_N']:.3g} N; rise" in done.output
     rows = list(csv.DictReader((arch / "out" / "arch-bow.csv").read_text().splitlines()))
     assert [float(row["shorter_percent"]) for row in rows] == [0, 2, 5, 10, 20]
@@ -88,7 +91,8 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
     write_curves(wave, tmp_path / "wave.json")
     done = run("bow", "wave.json", "--rod", "1/4in", "-o", "out", cwd=tmp_path)
     assert (
-        "! Curve     the bent rod is at most 87.6 mm from the drawn curve; an even rod cannot follow it exactly. "
+        "! Curve     the bent rod is at most 87.6 mm from the drawn curve; a rod of constant section cannot "
+        "follow it exactly. "
         "Draw a curve that is more like an arch." in done.stderr
     )
     assert "6.35 mm in diameter" in done.output

@@ -379,10 +379,14 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     [
         ("check arch.csv --sheet pom-1", "no option --sheet. `elastica check --help` lists its options.\n"),
         ("strip arch.csv --max-widht 1", "Did you mean --max-width?"),
-        ("bend arch.csv --to 380", "--to needs X Y. New position of the end, mm"),
+        ("bend arch.csv --to 380", "--to needs X Y. New position of the end, in mm of the drawing"),
         ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
         ("help rails", "did you mean rail?"),
+        (
+            "pair arch.csv --sheet pom-1 --max-width 20",
+            "Did you mean --set pad.width=VALUE? `elastica help pair.pad.width` explains it.\n",
+        ),
         ("sheets birch", "use one of birch-plywood-0.6, birch-plywood-0.8, "),
     ],
 )

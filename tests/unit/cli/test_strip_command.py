@@ -124,7 +124,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
         "T",
     )
     broken = run(*arguments, code=1)
-    assert broken.stderr.startswith("! Error     Would break: The strain is 2 % at")
+    assert broken.stderr.startswith("! Error     The strain is 2 % at")
     loose = run(*arguments, "--ignore-limits")
     assert "! Strain    The strain is 2 % at" in loose.stderr
     run(*arguments, "--ignore-limits", "--force", "--set", "files.strict=true", code=1)
