@@ -244,7 +244,8 @@ class Change:
     ----------
     field : str
         Name of the field, as in a design file: "max_width", "smooth". "nearest" lets the curve change, within
-        the limits of sheet and widths. "join" closes gaps between drawn edges up to a width.
+        the limits of sheet and widths, or forbids it. "elements" removes rails, pins, ties and loads. "join"
+        closes gaps between drawn edges up to a width.
     value : object
         Suggested value. Lengths are in mm.
     """

@@ -898,7 +898,7 @@ class ConditionedRows:
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
         """Raise `NotRealizable` with the reason and with positions on the curve."""
-        held = bool(self.request.elements)
+        held = bool(self.request.elements or self.request.forces)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
                 "With these supports and elements between the ends, the moment cannot be 0 at every place "

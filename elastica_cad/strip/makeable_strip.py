@@ -27,7 +27,12 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cuts, mating_marks, slot_cut
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
+from elastica_cad.strip.uncuttable_parts import (
+    FabricationLimits,
+    accept_faults,
+    change_to_nearest,
+    find_strip_faults,
+)
 
 # knot spacing of a width correction as a fraction of the length; wide spacing keeps outlines smooth
 SPACING_SHARE = 1 / 24
@@ -530,7 +535,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         strains=sentences(strip.strain_warnings, " "),
         percent=judged.percent,
         where={"at": judged.at},
-        changes=[*([] if thinner is None else [Change("thickness", thinner)]), Change("nearest", True)],
+        changes=[*([] if thinner is None else [Change("thickness", thinner)]), *change_to_nearest(strip.rod)],
     )
 
 

@@ -164,6 +164,9 @@ def _check_section_law(
         )
 
 
+NEAREST_OFF, NO_ELEMENTS = Change("nearest", False), Change("elements", ())
+
+
 def _check_conflicts(spec: RodSpec) -> None:
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
@@ -197,6 +200,7 @@ def _check_conflicts(spec: RodSpec) -> None:
             limits=FieldName("limits"),
             loads=FieldName("loads"),
             where={"field": ("limits", "loads")},
+            changes=(NEAREST_OFF, NO_ELEMENTS),
         )
 
 
@@ -560,9 +564,10 @@ class StripSpec(EqualByValue):
     def _require_alone(self) -> None:
         """Raise InputError for fields that cannot be combined with rails, pins, ties and point forces."""
         curve = self._curve_from_seam
+        nearest = "a nearest curve"
         conflicts = {
             "a law": ("law", self.law is not None),
-            "a nearest curve": ("limits" if self.limits is not None else "keep", self.may_change),
+            nearest: ("limits" if self.limits is not None else "keep", self.may_change),
             "a style other than plain": ("style", not isinstance(self.style, Plain)),
             "creep": ("creep", bool(self.creep)),
             "compensation of the widths": ("compensate", bool(self.compensate)),
@@ -576,6 +581,7 @@ class StripSpec(EqualByValue):
                     what=note(what),
                     field=FieldName(name),
                     where={"field": (name, "between", "loads")},
+                    changes=(NEAREST_OFF, NO_ELEMENTS) if what == nearest else (NO_ELEMENTS,),
                 )
 
     @property
@@ -832,14 +838,18 @@ class StripSpec(EqualByValue):
         """
         require_record(change, Change, "a change", "a Change")
         if change.field == "nearest":
-            if self.may_change:
+            if self.may_change == bool(change.value):
                 return None
+            if not change.value:
+                return self.changed(limits=None, keep=None)
             return self.changed(limits=Limits(margin=SAFE_MARGIN), keep=self.keep or Keep())
         if change.field == "thickness":
             sheet, law = self.material.with_thickness(change.value), self.law
             if isinstance(law, ThicknessLaw | RoundLaw | LeavesLaw):
                 law = law.with_sheet(sheet)
             return self.changed(sheet=sheet, law=law)
+        if change.field == "elements":
+            return self.changed(between=(), loads=())
         if change.field == "lap":
             return self.changed(shop=replace(self.shop, lap=change.value))
         if change.field not in {option.name for option in fields_of(self)}:

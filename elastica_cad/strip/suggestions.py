@@ -148,8 +148,12 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
             return note("Move control point {number} to {place}.", number=index + 1, place=shown)
         case "smooth", _:
             return note("Smooth the curve by {distance}.", distance=Length(value))
-        case "nearest", _:
+        case "nearest", True:
             return note("Take the nearest curve that a strip can take.")
+        case "nearest", _:
+            return note("Switch the nearest curve off.")
+        case "elements", _:
+            return note("Remove the rails, pins, ties and loads.")
         case "split_corners", _:
             return note("Cut one strip from corner to corner.")
         case "between", Rail(float(at)):

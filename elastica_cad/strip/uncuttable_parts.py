@@ -14,6 +14,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.geometry.segments import Arc
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import FieldName, Length, Point, both_names, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
@@ -582,28 +583,43 @@ def _suggestions_for_necks(
     strip: Strip, times: float, least: float, noisy: bool
 ) -> tuple[str, tuple[Change, ...]]:
     """Return suggestions that make a strip wider by the factor `times`, so that it is `least` mm wide."""
-    wider = _change_of_width(strip, times)
+    wider, nearest = _change_of_width(strip, times), change_to_nearest(strip.rod)
     field = outline_field(strip.style)
     if not wider:
         cure = note(
-            "Make the strip wider ({field}), or use the nearest curve with a smaller stiffness ratio",
+            "Make the strip wider ({field}), or use the nearest curve with a smaller stiffness ratio"
+            if nearest
+            else "Make the strip wider ({field}), or move its rails, pins, ties or loads",
             field=field,
         )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
         wider = ()  # a wider strip would still have tips that are too thin
-        cure = note("Use the nearest curve with a smaller stiffness ratio")
+        cure = note(
+            "Use the nearest curve with a smaller stiffness ratio"
+            if nearest
+            else "Move the rails, pins, ties or loads of the strip"
+        )
     else:
         cure = note(
-            (
-                "Make the strip {width:g} wide or wider ({field}), or use the nearest curve with a smaller "
-                "stiffness ratio"
-            ),
+            "Make the strip {width:g} wide or wider ({field}), or use the nearest curve with a smaller "
+            "stiffness ratio"
+            if nearest
+            else "Make the strip {width:g} wide or wider ({field}), or move its rails, pins, ties or loads",
             field=field,
             width=Length(wider[0].value),
         )
     smoothing = note("or smooth the points of the curve more ({field})", field=FieldName("smooth"))
     more = [smoothing] if noisy else []
-    return sentences([cure, *more], ", "), (*wider, Change("nearest", True))
+    return sentences([cure, *more], ", "), (*wider, *nearest)
+
+
+def change_to_nearest(rod: Rod) -> tuple[Change, ...]:
+    """Return the change to the nearest curve.
+
+    The result is empty for a rod with elements or masses, because a nearest curve has none.
+    """
+    masses = rod.weight is not None and rod.weight.masses
+    return () if rod.acting or masses else (Change("nearest", True),)
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:

@@ -16,7 +16,7 @@ from elastica_cad._values import SEEN_APART
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
-from elastica_cad.errors import ElasticaError, InputError, StrainError
+from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.forming.nearest_record import NearestRod
@@ -47,7 +47,7 @@ from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends, Plain
-from elastica_cad.strip.suggestions import Suggestion, suggest
+from elastica_cad.strip.suggestions import Suggestion, instruction, suggest
 from elastica_cad.strip.summary import strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
@@ -90,7 +90,11 @@ DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that can be downloaded, in addition to the design."""
 
 FILE_KEYS = ("file", "mesh", "sheets_file")
-CURVE_KEYS = ("curve", "first", "second")
+STATES = ("first", "second")
+CURVE_KEYS = ("curve", *STATES)
+
+REMOVED = {"nearest": ("limits", "keep"), "elements": ("between", "loads")}
+"""Keys that a change removes from a design, by its field, if settings of the design cannot be combined."""
 
 CHANGED = "{name} was changed since this page read it"
 
@@ -173,7 +177,12 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("The design has no strip. Add a strip.")
     alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
-    return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+    try:
+        return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+    except InputError as problem:
+        while problem.refusal.text == "{place}: {why}":  # the page shows this strip
+            problem.refusal = problem.refusal.values["why"]
+        raise
 
 
 def _spec(request: Mapping[str, Any]) -> StripSpec:
@@ -207,8 +216,14 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
 def _bare_curve(request: Mapping[str, Any]) -> Record:
     """Return the drawn curve of a strip with invalid options. If the curve is invalid too, return {}."""
+    with suppress(LookupError, TypeError):
+        return _drawn_table(request["design"]["strips"][request.get("strip", 0)]["curve"])
+    return {}
+
+
+def _drawn_table(curve: object) -> Record:
     with suppress(ElasticaError, LookupError, TypeError):
-        strip = {"curve": request["design"]["strips"][request.get("strip", 0)]["curve"], "max_width": 10.0}
+        strip = {"curve": curve, "max_width": 10.0}
         return _drawn_points(requested_spec({"schema": 1, "sheet": "birch-plywood-0.8", "strips": [strip]}))
     return {}
 
@@ -430,7 +445,10 @@ def _flat_loops(drawings: Iterable[Drawing]) -> list[Record]:
 
 
 def _suggestions(request: Mapping[str, Any]) -> Record:
-    spec = _spec(request)
+    try:
+        spec = _spec(request)
+    except ElasticaError as problem:
+        return {"cures": list(_removals(request, problem.refusal.changes))}
     try:
         spec.make()
     except ElasticaError as problem:
@@ -444,6 +462,27 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
         ]
         return {"cures": changes}
     return {"cures": []}
+
+
+def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
+    """Yield the changes that each remove one of two settings that cannot be combined."""
+    design, k = request["design"], request.get("strip", 0)
+    for change in changes:
+        removed = REMOVED.get(change.field, ())
+        strips = [*design["strips"]]
+        strips[k] = {key: value for key, value in strips[k].items() if key not in removed}
+        rest = {key: value for key, value in design.items() if key not in removed}
+        try:
+            spec = requested_spec(rest | {"strips": strips}, k)
+        except ElasticaError:
+            continue
+        effect = note("then the strip needs another change")
+        with suppress(ElasticaError):
+            rod = solve_rod(spec.rod_spec)
+            strip = spec.make(rod)
+            deviation = rod.deviation if isinstance(rod, NearestRod) else 0.0
+            effect = Suggestion(change, (spec,), deviation, strip.strain_verdict.percent, (strip,)).effect
+        yield {"text": instruction(change), "effect": effect, "removed": list(removed)}
 
 
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
@@ -636,7 +675,12 @@ def _matrix(frame: Frame) -> list[float]:
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
-    part = _pair_spec(request).make()
+    try:
+        part = _pair_spec(request).make()
+    except ElasticaError as problem:
+        pair = request["design"]["pair"]
+        curves = [pair.get(key) for key in STATES] if isinstance(pair, Mapping) else []
+        return {"states": [_drawn_table(curve) for curve in curves]} | refused(problem)
     pair, limit, places = part.pair, part.sheet.max_strain, []
     for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
         k = np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int)

@@ -197,6 +197,110 @@ def test_a_dragged_point_stops_at_the_border_of_what_can_be_made(server, tmp_pat
         studio.until(lambda: studio.verdict() == "It cannot be made")
 
 
+FIVE = [(0.15, 0.8), (0.3, 0.45), (0.5, 0.3), (0.7, 0.45), (0.85, 0.8)]
+"""An arch of five points, in shares of the drawing."""
+
+
+def set_on_curve(studio, noun, place):
+    studio.all(".holding summary")[0].click()
+    studio.all(f"[data-put='{noun}']")[0].click()
+    studio.press(place)
+    studio.until(lambda: studio.text(".settings").count(f"{noun} 1") or "combined" in studio.verdict())
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("noun", ["rail", "pin", "point mass", "point force"])
+def test_a_nearest_curve_or_what_holds_the_strip(server, tmp_path, noun):
+    """Both cannot be combined: each of two buttons takes one of them away."""
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        drawn(studio, FIVE)
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.tool("draw")
+        down = studio.point(1) - studio.point(3)
+        studio.press(studio.point(3), (0, down[1] / 2), (0, 1.1 * down[1]))
+        nearest = studio.until(lambda: [one for one in studio.all(".cure") if "Take the nearest" in one.text])
+        nearest[0].click()
+        studio.until(lambda: studio.verdict() == "It can be made")
+        set_on_curve(studio, noun, studio.center("g.strip path:nth-child(1)"))
+        studio.until(lambda: studio.verdict() == "These settings cannot be combined" and studio.all(".cure"))
+        off, rid = studio.all(".cure")
+        assert off.text.startswith("Switch the nearest curve off.")
+        assert rid.text.startswith("Remove the rails, pins, ties and loads.\n")
+        assert "strips[" not in studio.text(".told")
+        rid.click()
+        studio.until(lambda: studio.verdict() == "It can be made" and not studio.all(".cure"))
+        studio.click("Undo")
+        studio.until(lambda: studio.all(".cure"))[0].click()
+        studio.until(lambda: "combined" not in studio.verdict() and "…" not in studio.text(".told"))
+        assert studio.all("[data-do=nearest]")[0].get_attribute("aria-pressed") == "false"
+        assert "nearest" not in studio.text(".told")
+
+
+@pytest.mark.campaign
+def test_without_two_states_the_design_is_as_before(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.start("lamp")
+        studio.until(lambda: "16 pieces" in studio.text(".told"))
+        before = tomllib.loads(studio.download("design", "lamp.toml").read_text())
+        (tmp_path / "lamp.toml").unlink()
+        studio.tool("pair")
+        studio.until(lambda: "State" in studio.text(".settings") and studio.verdict() == "It cannot be made")
+        assert studio.shape("drawn"), "the curve is drawn, though the part is refused"
+        assert studio.shape("ghost")
+        studio.browser.refresh()
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        studio.press(studio.point(2), (5, 5))
+        studio.tool("pair")
+        studio.until(lambda: studio.verdict() == "It can be made")
+        assert tomllib.loads(studio.download("design", "lamp.toml").read_text()) == before
+        studio.click("Undo")
+        studio.until(lambda: studio.all("[data-do=pair]")[0].get_attribute("aria-pressed") == "true")
+
+
+@pytest.mark.campaign
+def test_a_part_of_two_states_that_was_opened_becomes_its_first_strip(server, tmp_path):
+    curve = {"spline": ARCH, "degree": 4}
+    pair = {"schema": 1, "pair": {"sheet": "pom-1", "first": curve, "second": curve}}
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{link(pair)}")
+        studio.until(studio.verdict)
+        studio.tool("pair")
+        studio.until(lambda: studio.verdict() and studio.all("#field-sheet"))
+        assert studio.all("#field-sheet")[0].get_property("value") == "pom-1"
+        assert len(studio.all("g.points circle")) == len(ARCH)
+
+
+@pytest.mark.campaign
+def test_a_clicked_point_is_added_only_if_the_strip_stays_possible(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        drawn(studio, FIVE)
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.tool("keep")
+        drawn(studio, [(0.4, 0.6)])  # back into the arch
+        studio.until(lambda: studio.text(".said").startswith("Not changed:"))
+        assert (len(studio.all("g.points circle")), studio.verdict()) == (5, "It can be made")
+        drawn(studio, [(0.95, 0.95)])  # farther out
+        studio.until(lambda: len(studio.all("g.points circle")) == 6)
+        studio.until(lambda: studio.verdict() == "It can be made" and not studio.text(".said"))
+
+
+@pytest.mark.campaign
+def test_holders_that_no_longer_fit_are_said_to_be_unchecked(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.start("lamp")
+        studio.until(lambda: "16 pieces" in studio.text(".told"))
+        studio.tool("keep")
+        studio.press(studio.point(4), *((40 * k, 0) for k in range(1, 9)))
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        assert "checks each strip alone" in studio.text(".verdict")
+        studio.tool("keep")
+        studio.until(lambda: "checks each strip alone" not in studio.text(".verdict"))
+
+
 @pytest.mark.campaign
 def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
     with chromium(tmp_path, (500, 900)) as studio:

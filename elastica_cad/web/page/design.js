@@ -63,6 +63,13 @@ export class History {
     this.keep();
   }
 
+  // The last design that one of the designs that `made` makes of it followed.
+  before(made) {
+    const states = [...this.past, this.now], isNext = (k) => made(JSON.parse(states[k])).some((design) => JSON.stringify(design) === states[k + 1]);
+    const last = states.findLastIndex((_, k) => k + 1 < states.length && isNext(k));
+    return last < 0 ? null : JSON.parse(states[last]);
+  }
+
   undo() { this.go(this.past, this.future); }
   redo() { this.go(this.future, this.past); }
 

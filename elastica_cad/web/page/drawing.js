@@ -91,9 +91,8 @@ export class Drawing {
       this.on.grab(hit);
       this.focus(hit);
     } else if (this.mode === "draw") {
-      this.on.append(this.place(event));
-      this.appended = true;
-      this.grabbed = this.points.length - 1;
+      this.appended = this.on.append(this.place(event));
+      this.grabbed = this.appended ? this.points.length - 1 : null; // null while it is checked
     } else if (held) {
       this.on.grab();
       this.sliding = held;

@@ -135,7 +135,7 @@ class Studio {
     new ResizeObserver(() => this.flatten()).observe(this.flat);
     const space = html("div", { class: "scene" }, this.empty);
     this.pairing = tool("pair", "Two states", () => this.twoStates(), { class: "rare" });
-    this.keeping = tool("keep", "Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { class: "rare", "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what can be made.") });
+    this.keeping = tool("keep", "Keep it possible", () => { this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)); this.judge(); }, { class: "rare", "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what a strip can take. A point that makes the strip impossible is not added. Copies and holders are not checked.") });
     this.nearing = tool("nearest", "Nearest curve", () => this.nearest(), { class: "rare", title: t("The strip takes the nearest curve that is stable and within the strain limit.") });
     this.mode = tool("draw", "Draw", () => this.draws(this.drawing.mode !== "draw"));
     const all = tool("more", "More", () => all.setAttribute("aria-expanded", tools.classList.toggle("all")), { class: "more", "aria-expanded": "false" });
@@ -180,12 +180,13 @@ class Studio {
         this.history.change((design) => { tableOf(design, this.strip, key)[key][index][name] = Array.isArray(table[name]) ? point : s; }, { step: this.fresh });
         this.fresh = false;
       },
-      append: (point) => this.edit((curve) => {
+      append: (point) => this.checked((design) => {
+        const curve = this.curve(design);
         curve.spline.push(point);
         delete curve.knots;
         delete curve.weights;
         curve.degree = Math.max(2, Math.min(4, curve.spline.length - 1));
-      }, true),
+      }),
       add: (point) => this.counted({ near: point }),
       remove: (k) => this.counted({ remove: k }),
       undo: () => this.history.undo(),
@@ -236,24 +237,12 @@ class Studio {
 
   curve(design = this.design) { return design.pair ? design.pair[STATES[this.strip]] : design.strips?.[this.strip]?.curve; }
 
-  // A part that rests in two curves is asked for in a table of its own; the second begins as the first, turned over.
+  // A part that rests in two curves is asked for in a table of its own. Without it, the design is the one of before, or the first curve of a part that was opened.
   twoStates() {
-    this.history.change((design) => {
-      if (design.pair) {
-        design.strips = [{ label: "A1", curve: design.pair.first }];
-        delete design.pair;
-        return;
-      }
-      const first = this.curve(design), second = structuredClone(first), [a, b] = [first.spline[0], first.spline.at(-1)];
-      const [dx, dy] = [b[0] - a[0], b[1] - a[1]], size = Math.hypot(dx, dy) || 1;
-      second.spline = second.spline.map(([x, y]) => {
-        const off = ((x - a[0]) * -dy + (y - a[1]) * dx) / size;
-        return [x + (2 * off * dy) / size, y - (2 * off * dx) / size];
-      });
-      for (const key of Object.keys(design)) if (!["schema", "name", "sheet"].includes(key)) delete design[key];
-      design.pair = { first, second, sheet: design.sheet };
-      delete design.sheet;
-    });
+    const { design, history, strip } = this, { pair } = design;
+    if (!pair && this.points().length < 2) return this.tell(this.t("Draw at least three points"));
+    this.strip = 0;
+    history.replace(!pair ? paired(design, strip) : history.before((one) => (one.strips ?? []).map((_, k) => paired(one, k))) ?? { ...EMPTY, sheet: pair.sheet ?? EMPTY.sheet, strips: [{ label: "A1", curve: pair.first }] });
     this.drawing.fit();
   }
 
@@ -299,10 +288,30 @@ class Studio {
     if (this.drawing.grabbed == null) this.released();
   }
 
-  // Until the next change.
+  // Keep it possible: a change of the number of points is made only if the strip stays possible. True if it was made at once.
+  checked(change) {
+    const { design, strip, answer } = this, changed = this.design;
+    if (!this.keeps || design.pair || !answer?.position) {
+      this.reshape(change);
+      return true;
+    }
+    change(changed);
+    const strain = Math.max(...answer.shares) <= 1;
+    this.following.then(() => this.channel.ask({ do: "strip", design: changed, strip, live: true })).then((tried) => {
+      if (!tried || !same(design, this.design)) return;
+      if (tried.position && !(strain && Math.max(...tried.shares) > 1)) this.reshape(change);
+      else this.stopped("Not changed: the strip could not be made then.");
+    });
+    return false;
+  }
+
   held(answer) {
-    if (!answer?.point) return;
-    this.tell(this.t("Stopped: the strip cannot be made beyond this place."));
+    if (answer?.point) this.stopped("Stopped: the strip cannot be made beyond this place.");
+  }
+
+  // Until the next change.
+  stopped(text) {
+    this.tell(this.t(text));
     this.say.classList.add("held");
   }
 
@@ -374,11 +383,11 @@ class Studio {
 
   choose(design) {
     const strips = design.pair ? STATES.map((state) => ({ label: design.pair[`${state}_state`] || this.t(state) })) : design.strips ?? [];
-    this.which.replaceChildren(...(strips.length > 1 ? [html("select", { "aria-label": this.t("Strip"), onchange: (event) => {
+    this.which.replaceChildren(...(strips.length > 1 ? [html("label", {}, `${this.t(design.pair ? "State" : "Strip")} `, html("select", { onchange: (event) => {
       this.strip = +event.target.value;
       this.changed();
       this.drawing.fit();
-    } }, ...strips.map((one, k) => html("option", { value: k, selected: k === this.strip }, one.label ?? `S${k + 1}`)))] : []));
+    } }, ...strips.map((one, k) => html("option", { value: k, selected: k === this.strip }, one.label ?? `S${k + 1}`))))] : []));
   }
 
   async follow(design) {
@@ -415,8 +424,11 @@ class Studio {
     const answer = await this.channel.ask({ do: "cures", design, strip });
     if (!answer || !same(design, this.design) || strip !== this.strip) return;
     if (!answer.cures?.length) return this.offers.replaceChildren(html("p", {}, this.t("No change was found that makes the strip possible. Follow the instruction above.")));
-    this.offers.replaceChildren(...answer.cures.map(({ text, effect, strips }) => {
-      const change = (one) => { one.strips.splice(strip, 1, ...strips); }, changed = structuredClone(design);
+    this.offers.replaceChildren(...answer.cures.map(({ text, effect, strips, removed }) => {
+      const change = (one) => {
+        if (strips) one.strips.splice(strip, 1, ...strips);
+        else for (const key of removed) for (const table of [one, one.strips[strip]]) delete table[key];
+      }, changed = structuredClone(design);
       change(changed);
       const [show, hide] = [() => this.preview(changed), () => this.preview(null)];
       return html("button", { type: "button", class: "cure", onpointerenter: show, onfocus: show, onpointerleave: hide, onblur: hide, onclick: () => this.history.change(change) }, text, html("small", {}, effect));
@@ -477,7 +489,7 @@ class Studio {
 
   paint(answer) {
     const { t } = this;
-    if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip].position });
+    if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip]?.position ?? answer.states[1 - this.strip]?.drawn });
     this.answer = answer;
     this.drawing.show({ answer, ghost: answer?.other ?? null });
     if (answer && this.refit) this.drawing.fit(); // the tabs are known now
@@ -500,8 +512,10 @@ class Studio {
     const stops = (answer?.rows ?? []).filter((row) => row.stops).map((row) => row.text);
     const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
-    const title = { yes: "It can be made", care: "Read the warnings before you cut", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
-    const all = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
+    const clashes = Array.isArray(refused?.where?.field); // of several settings
+    const title = { yes: "It can be made", care: "Read the warnings before you cut", no: clashes ? "These settings cannot be combined" : "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
+    const unchecked = this.keeps && refused && !answer?.refused ? [t("“Keep it possible” checks each strip alone, not its copies and holders.")] : [];
+    const all = refused ? [refused.message, ...unchecked] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const texts = [...new Set(all)].filter((text) => !all.some((other) => other !== text && other.includes(text)));
     const said = [title, ...texts].join();
@@ -632,7 +646,7 @@ class Studio {
 
   async counted(which) {
     const answer = await this.ask({ do: "edit", design: this.design, strip: this.strip, ...which });
-    if (answer) this.reshape((design) => { put(design, this.place(design), answer.curve); });
+    if (answer) this.checked((design) => { put(design, this.place(design), answer.curve); });
   }
 
   place(design) { return design.pair ? ["pair", STATES[this.strip]] : ["strips", this.strip, "curve"]; }
@@ -839,6 +853,18 @@ function thumbnail(points) {
   path.setAttribute("d", `M${points.map((p) => [(100 * (p[0] - x0)) / size, (100 * (y1 - p[1])) / size]).join("L")}`);
   svg.append(path);
   return svg;
+}
+
+// A part with two states: the second begins as the curve of a strip, turned over.
+function paired({ schema, name, sheet, strips }, strip = 0) {
+  const first = strips?.[strip]?.curve, [a, b] = [first?.spline?.[0], first?.spline?.at(-1)];
+  if (!a) return null;
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]], size = Math.hypot(dx, dy) || 1;
+  const second = { ...first, spline: first.spline.map(([x, y]) => {
+    const off = ((x - a[0]) * -dy + (y - a[1]) * dx) / size;
+    return [x + (2 * off * dy) / size, y - (2 * off * dx) / size];
+  }) };
+  return { schema, name, pair: { first, second, sheet: strips[strip].sheet ?? sheet } };
 }
 
 // More than one strip: the model has a kit of all.

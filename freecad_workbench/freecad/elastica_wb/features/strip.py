@@ -233,6 +233,10 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
     match change:
         case Change("max_width", width):
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
+        case Change("nearest", False):
+            return {"Follow": FOLLOW[0]}
+        case Change("elements"):
+            return acting_lines(())
         case Change("nearest"):
             has_width = obj.MaxWidth.Value or obj.MinWidth.Value
             # the suggested curve was found without a limit of the ratio
