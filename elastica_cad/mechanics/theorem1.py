@@ -373,19 +373,26 @@ class PairCheck:
         return f"<PairCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        return " ".join([self._verdict(), *self.reasons])
+        return sentences([self._verdict(), *self.reasons], " ")
 
     def _verdict(self) -> str:
         if not self.realizable:
             return note("No strip can rest in both curves of {length}.", length=Length(self.length))
         if self.any_stiffness:
-            return "Both curves have the same shape: a strip of that shape rests in them without being bent."
-        held = "in the same clamps" if self.bistable else "each in its own clamps"
-        alike = (
-            "their curvatures are equal at {places}" if self.zeros else "their curvatures are equal nowhere"
+            return note(
+                "Both curves have the same shape: a strip of that shape rests in them without being bent."
+            )
+        return note(
+            "One strip can rest in both curves of {length}, {held}; {alike}.",
+            length=Length(self.length),
+            held=note("in the same clamps" if self.bistable else "each in its own clamps"),
+            alike=note(
+                "their curvatures are equal at {places}"
+                if self.zeros
+                else "their curvatures are equal nowhere",
+                places=lengths(z.s for z in self.zeros),
+            ),
         )
-        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
-        return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
 
     def _repr_html_(self) -> str:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
