@@ -175,6 +175,9 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, cut_list = contents.model, contents.cut_list
+    if scaled := [entry for entry in contents.entries if entry.scale != 1]:
+        factors = Listed(f"{entry.label} to {100 * entry.scale:.0f} %" for entry in scaled)
+        say_row(Row("Scaled", f"{factors} of the drawn size, to reach the lengths that the design sets"))
     sizes: dict[str, list[EqualStrips]] = {}
     for part in model.parts:
         shape = contents.held.get(model.single_name_of(part.members[0]))
@@ -186,9 +189,6 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         loads = (hold_row(part.strip).text for part in parts)
         details = [f"{name}: {load}" for name, load in zip(names, loads, strict=True)]
         say_row(Row(label, text, [f"These are {', '.join(names)}.", *details] if names[1:] else details))
-    if scaled := [entry for entry in contents.entries if entry.scale != 1]:
-        factors = Listed(f"{entry.label} to {100 * entry.scale:.0f} %" for entry in scaled)
-        say_row(Row("Scaled", f"{factors} of the drawn size, to reach the lengths that the design sets"))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
     metres = cut_list.cut_length / 1000
     mass = f"{cut_list.mass / 1000:.3g} kg" if cut_list.mass >= 1000 else f"{cut_list.mass:.3g} g"

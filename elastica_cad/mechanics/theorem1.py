@@ -499,8 +499,8 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
-                    "the points do not decide between a corner and a sharp bend at {shown}, where they turn by "
-                    "{angle:.3g} degrees. Give more points there, or draw two curves{smooth}",
+                    "the points leave open whether there is a corner or a tight bend at {shown}, where they "
+                    "turn by {angle:.3g} degrees. Give more points there, or draw two curves{smooth}",
                     angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
