@@ -180,7 +180,7 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     try:
         return design_of(alone, FilePath("design"), _no_file).entries[0].spec
     except InputError as problem:
-        while problem.refusal.text == "{place}: {why}":  # the page shows this strip
+        while {"place", "why"} == set(problem.refusal.values):  # the page shows this strip
             problem.refusal = problem.refusal.values["why"]
         raise
 

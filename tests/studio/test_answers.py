@@ -451,3 +451,19 @@ def test_a_corner_has_its_place():
     bent["strips"][0]["curve"] |= {"degree": 3, "knots": [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2]}
     ((x, y),) = answer({"do": "strip", "design": bent})["places"]
     assert (x, y) == pytest.approx((120, 0))
+
+
+@pytest.mark.parametrize("above", [True, False])
+def test_settings_that_cannot_be_combined_have_a_change_each(above):
+    """A key above all strips is removed, too."""
+    keys = {"limits": {"margin": 5}}
+    drawn = wave(**(keys if above else {}))
+    drawn["strips"][0] |= {"between": [{"at": 197}]} | ({} if above else keys)
+    refused = answer({"do": "strip", "design": drawn})["refused"]
+    assert refused["message"].startswith(
+        "Rails, pins, ties and point forces cannot be combined with a nearest"
+    )
+    assert refused["where"]["field"] == ["limits", "between", "loads"]
+    cures = answer({"do": "cures", "design": drawn})["cures"]
+    assert [cure["removed"] for cure in cures] == [["limits", "keep"], ["between", "loads"]]
+    assert cures[0]["effect"].startswith("the curve as drawn")
