@@ -43,7 +43,7 @@ def sheets(name: str | None) -> None:
                 )
         say(
             "\n--sheet: the word to type after --sheet; E: Young's modulus, the stiffness of the material; strain: "
-            "largest advisable strain;\nradius: least advisable bending radius; kerf: width of a laser cut, - if "
+            "largest allowed strain;\nradius: least allowed bending radius; kerf: width of a laser cut, - if "
             "not known. All properties: elastica sheets NAME"
         )
         count = len(library_sheets()[0])
