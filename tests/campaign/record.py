@@ -18,7 +18,7 @@ PAGE = ROOT / "docs" / "trust.md"
 HEAD = """# What the long test runs found
 
 The tests of `make test` are run for every change. Long test runs are called *campaigns*. A campaign is run when a
-change affects the code that it tests, and before a release. [CONTRIBUTING.md](../CONTRIBUTING.md#campaigns) says
+change affects the code that it tests, and before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says
 what each campaign proves.
 
 *Passed*: the run found nothing wrong. *Failed*: it found something; the figures say how much. Such a fault is
