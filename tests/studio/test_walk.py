@@ -423,7 +423,7 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
         studio.open(server.address)
         drawn(studio, [(0.2, 0.9), (0.23, 0.8), (0.34, 0.65), (0.34, 0.35), (0.23, 0.2), (0.2, 0.1)])
         studio.until(lambda: studio.verdict() == "It can be made")
-        studio.type("#field-Copies-around-the-axis-x-0", "12")
+        studio.type("#field-Number-of-strips-around-the-axis", "12")
         studio.choose("#field-Holders", "rings")
         studio.until(lambda: "12 strips" in studio.text(".told") and "2 sheets" in studio.text(".told"))
         studio.until(
@@ -499,7 +499,7 @@ def test_all_that_is_needed_is_in_view(server, tmp_path, language):
         outer, inner = studio.browser.execute_script(sides)
         assert outer - inner <= 2  # no scroll bar along the bottom
         before = studio.box(".plane"), studio.box(".space")
-        studio.type("#field-Copies-around-the-axis-x-0", "16")  # too many: a long verdict
+        studio.type("#field-Number-of-strips-around-the-axis", "16")  # too many: a long verdict
         studio.until(lambda: studio.all(".verdict.no"))
         assert (studio.box(".plane"), studio.box(".space")) == before
         words = studio.text(".told")

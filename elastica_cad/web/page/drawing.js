@@ -272,7 +272,7 @@ export class Drawing {
     };
     const across = lines(x0, x1, (x) => `M${this.toScreen([x, 0])[0].toFixed(1)},0V${height}`);
     const up = lines(y0, y1, (y) => `M0,${this.toScreen([0, y])[1].toFixed(1)}H${width}`);
-    const told = element("text", { x: 8, y: height - 8 }, `${this.t("grid")} ${+step.toPrecision(3)} mm`);
+    const told = element("text", { x: 8, y: height - 8 }, `${this.t("grid")} ${this.on.number(+step.toPrecision(3))} mm`);
     return [element("path", { d: across[0] + up[0] }), element("path", { d: across[1] + up[1], class: "coarse" }), told];
   }
 
@@ -321,7 +321,7 @@ export class Drawing {
     const shape = { rail: () => [bar(1), ...(slot ? [bar(-1)] : [])], pin: () => [circle(x, y, BAR)],
       tie: () => [drawn(this.path(places)), ...at.map(([cx, cy]) => circle(cx, cy, 4, "solid"))],
       "point force": () => [arrow()], "point mass": () => [drawn(`M${x},${y}v14`), element("rect", { x: x - 8, y: y + 14, width: 16, height: 14 })] }[noun]();
-    const said = size ? `${+size.toPrecision(2)} N` : mass ? `${+mass.toPrecision(4)} g` : "";
+    const said = size ? `${this.on.number(+size.toPrecision(2))} N` : mass ? `${this.on.number(+mass.toPrecision(4))} g` : "";
     const [lx, ly] = noun === "tie" ? at[0].map((v, i) => (3 * v + at[1][i]) / 4) : noun === "point mass" ? [x + 6, y + 22] : [x - dx * (noun === "point force" ? ARROW : 2 * BAR), y - dy * (noun === "point force" ? ARROW : 2 * BAR)];
     return element("g", { class: noun.replace(" ", "-") }, ...shape, element("title", {}, `${this.t(noun)} ${said}`), element("text", { x: (lx + 8).toFixed(1), y: (ly + 4).toFixed(1) }, said));
   }
@@ -330,7 +330,7 @@ export class Drawing {
     const mark = (kind, r) => (point, k) => {
       const [cx, cy] = this.toScreen(point).map((v) => v.toFixed(1));
       const name = kind === "inflection" ? `${k + 1}` : "";
-      const said = kind === "inflection" ? `${this.t("Inflection")} ${k + 1}, ${at[k]} mm` : this.t({ off: "Not on the line", crossing: "The line meets the curve", place: "Place of the refusal" }[kind]);
+      const said = kind === "inflection" ? `${this.t("Inflection")} ${k + 1}, ${this.on.number(at[k])} mm` : this.t({ off: "Not on the line", crossing: "The line meets the curve", place: "Place of the refusal" }[kind]);
       return element("g", { class: kind }, element("circle", { cx, cy, r }, element("title", {}, said)),
         element("text", { x: +cx + 9, y: +cy - 9 }, name));
     };

@@ -6,6 +6,7 @@ const ABSENT = { // what holds where nothing is set, as the server decides it
   limits: "no", keep: "nothing", natural_curvature: "flat sheet", law: "by width", tolerance: "usual", shop: "usual", between: "none", loads: "none", Holders: "none",
 };
 const TITLES = { between: "rails, pins and ties", loads: "masses and forces", limits: "curve may change", keep: "curve keeps", gravity: "own weight", match: "equal length of" }; // of fields whose names say little
+const HELPS = { sheet: "Material of the strip." }; // where the declared text is about files
 const PER = { mm: 1, cm: 10, m: 1000, in: 25.4, inch: 25.4, '"': 25.4 };
 
 export function html(name, attributes = {}, ...children) {
@@ -110,7 +111,7 @@ export class Form {
 
   // The help is also printed where names say little, among the limits and the other settings, and everywhere on a phone.
   row(field, input, id) {
-    const { t } = this, help = t(field.help);
+    const { t } = this, help = t(HELPS[field.name] ?? field.help);
     this.named.set(t(field.name.replaceAll("_", " ")), input);
     (input.id ? input : input.firstChild).title = help; // read as its description
     return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit),

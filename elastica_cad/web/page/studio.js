@@ -93,8 +93,12 @@ class Studio {
     const words = this.hello.words[language] ?? {}, t = this.t = (text) => words[`page|${text}`] ?? words[text] ?? text, digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
     this.language = language;
     this.number = (value) => digits.format(value);
+    this.sheetsOf = this.hello.sheets.map(([kind, titles]) => [kind, titles.map(([name, title]) => { // the words of a title, and its thickness
+      const [, material, size, unit] = title.match(/^(.*) ([\d.]+) (\S+)$/) ?? [];
+      return [name, size ? `${t(material)} ${this.number(+size)} ${unit}` : title];
+    })]);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
-    const drawn = (icon) => element("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" }, element("path", { d: ICONS[icon] }));
+    const drawn = this.drawn = (icon) => element("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" }, element("path", { d: ICONS[icon] }));
     const tool = (icon, text, onclick, more = {}) => html("button", { type: "button", onclick, "data-do": icon, ...more }, drawn(icon), html("span", {}, t(text)));
     const sign = (icon, text, onclick) => html("button", { type: "button", onclick, "aria-label": t(text), title: t(text) }, drawn(icon)); // without words
     const menu = (name, icon, text, ...items) => {
@@ -171,6 +175,7 @@ class Studio {
       this.sum, this.dialog);
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
+      number: this.number,
       grab: () => { this.fresh = true; },
       move: (k, point) => (this.keeps && !this.design.pair && this.answer?.position ? this.lead(k, point) : this.edit((curve) => movePoint(curve, k, point), this.fresh)),
       release: () => { if (!this.leading) this.released(); },
@@ -203,13 +208,13 @@ class Studio {
   // The fields of a strip and its copies, or of a part with two states.
   formFor(design) {
     const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
-    const { fields, pair_fields, sheets } = this.hello, all = pair ? pair_fields : [...fields, ...COPIES];
+    const { fields, pair_fields } = this.hello, all = pair ? pair_fields : [...fields, ...COPIES];
     const groups = Object.entries(GROUPS).map(([title, names]) => [title, names.flatMap((name) => all.filter((field) => field.name === name))]);
     for (const field of COPIES) if (field.held) field.when = () => Boolean(holding(this.design));
       else if (field.many) field.when = () => isModel(this.design);
     const shown = groups.flatMap(([, of]) => of);
     this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
-      t: this.t, sheets, begin: (table) => this.begin(table),
+      t: this.t, sheets: this.sheetsOf, begin: (table) => this.begin(table),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
@@ -504,7 +509,7 @@ class Studio {
     }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
   }
 
-  flatten() { showFlat(this.flat, this.answer?.flat, this.answer && `${this.t("Flat strip")}, ${this.answer.length} mm`); }
+  flatten() { showFlat(this.flat, this.answer?.flat, this.answer && `${this.t("Flat strip")}, ${this.number(this.answer.length)} mm`); }
 
   // One verdict on the strip and, where the whole model is shown, on what holds it.
   judge() {
@@ -683,7 +688,7 @@ class Studio {
   async sheets() {
     const { t, design, strip } = this, fitting = html("tbody", {}), progress = html("p", { role: "status" }), others = new Map();
     this.ask1(t("Suitable sheets"), progress, html("table", {}, fitting));
-    const kinds = this.hello.sheets, percent = ({ used }) => `${Math.round(100 * used)} %`;
+    const kinds = this.sheetsOf, percent = ({ used }) => `${Math.round(100 * used)} %`;
     for (const [k, [, titles]] of kinds.entries()) {
       progress.textContent = `${t("Working")} … ${Math.round((100 * k) / kinds.length)} %`;
       const answer = await this.channel.ask({ do: "sheets", names: titles.map(([name]) => name), design, strip });
@@ -695,7 +700,7 @@ class Studio {
         else fitting.append(html("tr", {}, html("td", {}, html("button", { type: "button", onclick: () => {
           this.history.change((design) => { tableOf(design, strip, "sheet").sheet = row.name; });
           this.dialog.close();
-        } }, title)), html("td", {}, `${percent(row)} ${t("of the sheet's limit")}, ${row.mass} g`)));
+        } }, title)), html("td", {}, `${percent(row)} ${t("of the sheet's limit")}, ${this.number(row.mass)} g`)));
       }
     }
     const suits = [...others].some(([kind, rows]) => kind !== "strain" && (others.size > 1 || new Set(rows.map(([, text]) => text)).size > 1)); // with a change that depends on the sheet
@@ -724,12 +729,14 @@ class Studio {
       this.draws(!this.points().length);
       this.changed();
       this.drawing.fit();
-    } }, html("span", { class: "picture" }), design.name));
+    } }, html("span", { class: "picture" }), t(design.name)));
+    cards[0].firstChild.append(this.drawn("draw"));
     this.ask1(t("Start from"), html("div", { class: "cards" }, ...cards));
-    for (const [k, design] of STARTS.entries()) {
-      const answer = await this.channel.ask({ do: "strip", design, strip: 0 });
+    for (const [k, design] of all.entries()) {
+      const answer = design.revolution ? null : await this.channel.ask({ do: "strip", design, strip: 0 });
       if (!this.dialog.open) return;
-      if (answer) cards[k + 1].firstChild.append(thumbnail(answer.position ?? answer.drawn));
+      const half = design.revolution?.points ?? [], points = answer?.position ?? answer?.drawn ?? [...half, ...half.map(([x, y]) => [-x, y]).reverse()];
+      if (points.length) cards[k + 1].firstChild.append(thumbnail(points));
     }
   }
 
@@ -759,7 +766,7 @@ class Studio {
     const before = html("span", {}, mark(0, t("flat")), mark(1, back)); // ends below the drawn shape, or before the label of the last one
     before.style.flexBasis = `calc(${left(1)}% + 8px)`;
     const snap = frames.find(({ part, stable }) => part && !stable);
-    this.marks.replaceChildren(element("svg", { viewBox: "0 0 100 24", preserveAspectRatio: "none", "aria-hidden": "true" }, ...frames.slice(1).map((frame, k) => line([frames[k], frame]))),
+    this.marks.replaceChildren(element("svg", { viewBox: "0 0 100 24", preserveAspectRatio: "none", "aria-hidden": "true" }, ...frames.slice(1).map((frame, k) => line([frames[k], frame])), ...(frames.length ? [element("path", { d: `M${left(1)},0V24`, class: "place" })] : [])),
       html("p", {}, before, ...(this.bar.max > 1 && frames.length ? [mark(+this.bar.max, t("pressed"))] : [])),
       ...(snap ? [html("span", { class: "snaps" }, t("it snaps"))] : []));
     if (snap) this.marks.lastChild.style.left = `${Math.min(left(snap.part), 75)}%`;
@@ -880,10 +887,10 @@ function put(table, path, value) {
 // Copies and what holds them: keys of the whole design, not of a strip.
 const holderOf = (design) => HOLDERS.find((key) => key in design);
 const holding = (design) => design.revolution ?? design[holderOf(design)];
-const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
+const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", default: null, ...value });
 const COPIES = [
-  copyField("Copies around the axis x = 0", {
-    kind: "count", default: 1,
+  copyField("Number of strips around the axis", {
+    kind: "count", default: 1, help: "Copies of the strip, evenly around the vertical axis x = 0 of the drawing.",
     get: (design) => design.patterns?.find((one) => one.rotate)?.rotate.count,
     set: (design, count) => {
       design.patterns = [...(design.patterns ?? []).filter((one) => !one.rotate), ...(count > 1 ? [{ rotate: { count } }] : [])];
@@ -891,7 +898,7 @@ const COPIES = [
     },
   }),
   copyField("Holders", {
-    kind: "choice", choices: HOLDERS, get: holderOf,
+    kind: "choice", choices: HOLDERS, help: "Parts that hold the ends of the strips.", get: holderOf,
     set: (design, holder) => {
       const sheet = design[holderOf(design)]?.sheet ?? "mdf-3";
       for (const key of HOLDERS) delete design[key];
@@ -899,11 +906,11 @@ const COPIES = [
     },
   }),
   copyField("Sheet of the holders", {
-    kind: "choice", sheets: true, held: true, get: (design) => design[holderOf(design)]?.sheet,
+    kind: "choice", sheets: true, held: true, help: "Material of the rings or plates that hold the ends.", get: (design) => design[holderOf(design)]?.sheet,
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
   }),
   copyField("sheet_size", {
-    kind: "number", unit: "mm", many: true, help: "Width and height of the sheets that all parts are cut from, such as 1200 x 600.", default: [600, 400], get: (design) => design.nest?.sheet_size,
+    kind: "number", unit: "mm", many: true, help: "Width and height of the sheets that all parts are cut from, such as 600; 400.", default: [600, 400], get: (design) => design.nest?.sheet_size,
     set: (design, size) => {
       put(design, ["nest", "sheet_size"], size);
       if (!Object.keys(design.nest).length) delete design.nest;
@@ -917,6 +924,6 @@ const COPIES = [
 // The settings that most designs need, as a maker calls them; all others are one step away.
 const GROUPS = {
   Material: ["sheet", "thickness", "printed"], Size: ["max_width", "min_width", "style", "least_thickness", "fillet"], Ends: ["supports", "ends", "match", "free", "pad"],
-  Holders: ["between", "loads", ...COPIES.map(({ name }) => name)], Limits: ["limits", "keep", "objective"],
+  Holders: [...COPIES.map(({ name }) => name), "between", "loads"], Limits: ["limits", "keep", "objective"],
 };
 const copyOf = ([name]) => COPIES.find((one) => one.name === name);
