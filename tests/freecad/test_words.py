@@ -135,7 +135,10 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
         "sich selbst (bei 58,4 und 195 mm): zwei Teile des Streifens müssen dort nebeneinander vorbei."
     )
     thin = Fault("A1", note("Made anyway: {fault}", fault=note("a hole")), note("Make it wider, or split it"))
-    assert worded(str(thin)) == "A1: Trotzdem hergestellt: einem Loch. Den Streifen breiter machen oder zerteilen"
+    assert (
+        worded(str(thin))
+        == "A1: Trotzdem hergestellt: einem Loch. Den Streifen breiter machen oder zerteilen"
+    )
     assert worded(note("{place}", place=Point((25.4, -50.8)))) == "(25,4; -50,8) mm"
     assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
     tips = SidewaysStability(-24.1, -40.2, 0.1, 100.0)
