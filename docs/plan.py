@@ -51,7 +51,7 @@ WAY = {
     2: ("formats.dxf_curves", "the drawing is read: splines stay splines"),
     3: ("strip.strip_spec", "the request, a StripSpec, is made"),
     4: ("mechanics.equilibrium_check", "Theorem 1: can it be bent, and if not, where"),
-    5: ("forming.nearest_search", "only with limits: the nearest curve that meets them"),
+    5: ("forming.nearest_search", "if the curve may change: the nearest within limits"),
     6: ("mechanics.least_ratio", "the stiffness with the least ratio"),
     7: ("mechanics.rod", "the rod: shape, stiffness, moment and force"),
     8: ("strip.drawing", "stiffness is width: outline, marks, kerf"),

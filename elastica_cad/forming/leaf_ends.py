@@ -1,4 +1,4 @@
-"""Search for the ends of the plies of a glued stack whose rest shape is nearest to a curve."""
+"""Search for the ends of glued plies whose rest shape is nearest to a curve."""
 
 from dataclasses import dataclass, replace
 from functools import partial

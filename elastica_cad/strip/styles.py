@@ -1,4 +1,4 @@
-"""Styles of a strip, which convert the stiffness of a rod into a flat pattern: interface and solid style."""
+"""Styles of a strip, which convert the stiffness of a rod into a flat pattern: interface, and the plain style."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

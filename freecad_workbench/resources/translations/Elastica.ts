@@ -2188,7 +2188,7 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
+        <source>Draw a strip of given length between two clamps, as a curve in the open sketch</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2269,7 +2269,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
+        <source>Rebuild the selected strips as two glued layers: a base of even width and a narrower backing</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2184,8 +2184,8 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
-        <translation>In die offene Skizze die Kurve zeichnen, die ein Streifen gegebener Länge zwischen zwei Klemmen annimmt</translation>
+        <source>Draw a strip of given length between two clamps, as a curve in the open sketch</source>
+        <translation>Einen Streifen gegebener Länge zwischen zwei Klemmen zeichnen, als Kurve in der offenen Skizze</translation>
     </message>
     <message>
         <source>Curve of given length</source>
@@ -2265,8 +2265,8 @@
         <translation>Laminieren</translation>
     </message>
     <message>
-        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
-        <translation>Die gewählten Streifen aus zwei Schichten machen: eine Grundschicht gleichmäßiger Breite und eine schmalere, die die Steifigkeit bestimmt</translation>
+        <source>Rebuild the selected strips as two glued layers: a base of even width and a narrower backing</source>
+        <translation>Die gewählten Streifen aus zwei verleimten Schichten neu aufbauen: einer Grundschicht gleichmäßiger Breite und einer schmaleren Verstärkung</translation>
     </message>
 </context>
 <context>

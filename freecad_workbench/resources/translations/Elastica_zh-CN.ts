@@ -2184,8 +2184,8 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
-        <translation>在打开的草图中绘制给定长度的条带在两个夹具之间形成的曲线</translation>
+        <source>Draw a strip of given length between two clamps, as a curve in the open sketch</source>
+        <translation>在两个夹具之间绘制给定长度的条带，作为打开的草图中的曲线</translation>
     </message>
     <message>
         <source>Curve of given length</source>
@@ -2265,8 +2265,8 @@
         <translation>层压</translation>
     </message>
     <message>
-        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
-        <translation>把所选条带改为两层：等宽的基层，以及决定刚度的较窄的一层</translation>
+        <source>Rebuild the selected strips as two glued layers: a base of even width and a narrower backing</source>
+        <translation>把所选条带改为两层胶合：等宽的基层和较窄的背层</translation>
     </message>
 </context>
 <context>

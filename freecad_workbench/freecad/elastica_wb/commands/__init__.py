@@ -36,7 +36,7 @@ DRAW = (
         text=QT_TRANSLATE_NOOP("Elastica_Between", "Curve of given length"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Between",
-            "Add to the open sketch the curve that a strip of given length takes between two clamps",
+            "Draw a strip of given length between two clamps, as a curve in the open sketch",
         ),
         run=between_clamps.switch,
         has_subject=is_sketch_open,
@@ -128,7 +128,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Laminate",
-            "Make the selected strips of a base of even width and a narrower layer that sets the stiffness",
+            "Rebuild the selected strips as two glued layers: a base of even width and a narrower backing",
         ),
         run=actions.laminate,
         has_subject=HAS_STRIP,
