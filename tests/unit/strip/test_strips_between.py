@@ -98,6 +98,14 @@ def test_other_tasks_refuse_elements_in_one_sentence(options, what):
             ec.StripSpec(**request, **element)
 
 
+@pytest.mark.parametrize(("width", "sheet"), [(4, SHEET), (40, "mdf-3")])
+def test_no_nearest_curve_is_suggested_for_a_strip_with_elements(width, sheet):
+    with pytest.raises(InputError) as refused:
+        ec.make_strip(WAVE, sheet, max_width=width, between=ec.Rail(200))
+    assert "nearest" not in {change.field for change in refused.value.refusal.all_changes}
+    assert "nearest" not in str(refused.value)
+
+
 def test_a_bow_may_have_free_ends():
     flat = ec.Rod.straight(500.0)
     bent = ec.bend(flat, end=(400.0, 0.0), supports=ec.Supports("pinned", "pinned")).curve
