@@ -1,7 +1,8 @@
 """Single plates in the best plane for their tabs, and pairs of plates that hold inclined tabs at their angle."""
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -37,17 +38,23 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
-LEAN_ROUNDS = 6
-"""Largest number of rounds in which slots are moved. Three rounds usually suffice."""
+LEAN_ROUNDS = 16
+"""Largest number of rounds in which slots are moved. Five rounds usually suffice."""
+
+MOST_BENT_RAD = np.radians(20.0)
+"""Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
 """Least fraction by which reversing a strip must shorten the distances to the ends of its neighbour."""
 
-SETTLED_MM = 0.03
+PRESSED_MM = 0.01
+"""Largest gap, mm, between a tab and a wall that the load presses it against."""
+
+SETTLED_MM = 0.01
 """Largest movement of slots, mm, in the last round. The movement decreases tenfold in each round."""
 
 
@@ -128,14 +135,9 @@ def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
     """Return the plate and a second plate, `gap` mm behind it. Their slots are moved against the loads of tabs."""
-    tabs = [slot.tab for slot in first.slots if slot.tab is not None]
-    short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
-    if short:
-        raise InputError(
-            "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
-            name=first.name, name_2=short[0].name, cures=_cures_of_short_tabs(placed, first, tabs, gap),
-        )  # fmt: skip
-    return lean_pair(placed, (first, _plate_behind(first, options, gap)))
+    cures = partial(_tested_cures, placed, first, gap)
+    _refuse_short(first, {tab.key: needed_length(tab, first, gap) for tab in _tabs_of(first)}, cures)
+    return lean_pair(placed, (first, _plate_behind(first, options, gap)), cures)
 
 
 def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
@@ -149,45 +151,69 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
     return plate_with(slots, sheet, ground, options, type(first))
 
 
-def _cures_of_short_tabs(
-    placed: Sequence[Placed], first: BasePlate, tabs: Sequence[PlacedTab], gap: float
-) -> str:
-    length = max(needed_length(tab, first, gap) for tab in tabs)
-    width = fitting_width(placed, [first], gap, length)
-    reach = min(-float(first.frame.local(tab.tip)[2]) for tab in tabs)
-    nearer = float(np.floor(reach - 2 * first.sheet.thickness))
+Cures = Callable[[float], str]
+"""Function that returns the instruction for tabs that need a length, mm, or that bend too far (infinity)."""
+
+
+def _with_endless_tabs(plate: Plate) -> Plate:
+    slots = (
+        slot if slot.tab is None else replace(slot, tab=replace(slot.tab, length=np.inf))
+        for slot in plate.slots
+    )
+    return replace(plate, slots=tuple(slots))
+
+
+def _untested_cures(length: float) -> str:
+    """Return the instruction for a tab that needs this length, mm, or that bends too far (infinity)."""
+    if length == np.inf:
+        return note("hold the strips by single plates")
+    return note("make the tab {needed:.0f} long", needed=Length(length))
+
+
+def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length: float) -> str:
+    """Return the instruction of `_untested_cures`, and a smaller gap, if they work with these strips."""
     cures = []
-    if width == np.inf:
-        cures.append(note("make the tab {needed:.0f} long", needed=Length(length)))
-    elif width is not None:
+    sized = None if length == np.inf else fitting_tabs(placed, [first], gap, length)
+    if sized is not None:
+        long, wide = sized
         text = "make the tab {needed:.0f} long and {width:.0f} wide"
-        cures.append(note(text, needed=Length(length), width=Length(width)))
-    if nearer >= 1 and pair_with_tabs(placed, first, nearer):
+        cures.append(
+            note("make the tab {needed:.0f} long", needed=Length(long))
+            if wide == np.inf
+            else note(text, needed=Length(long), width=Length(wide))
+        )
+    tips = [-float(first.frame.local(tab.tip)[2]) for tab in _tabs_of(first)]
+    largest = min(gap, min(tips) - 2 * first.sheet.thickness)
+    tested = dict.fromkeys(float(np.floor(fraction * largest)) for fraction in TESTED_FRACTIONS)
+    works = (nearer for nearer in tested if 1 <= nearer < gap and pair_with_tabs(placed, first, nearer))
+    if (nearer := next(works, None)) is not None:
         cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
     return sentences(cures, note(", or ")) or note("hold the strips by single plates")
 
 
-TESTED_WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
-"""Widths of tabs that are tested, as fractions of the width of the narrowest tab."""
+TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+"""Tested widths of tabs and gaps, as fractions of the width of the narrowest tab and of the largest gap."""
 
 
-def fitting_width(
+def fitting_tabs(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
-) -> float | None:
-    """Return the largest tested width of tabs, mm, with which two plates can replace each plate, or None.
+) -> tuple[float, float] | None:
+    """Return length and width of tabs, mm, with which two plates can replace each plate, or None.
 
-    All tabs get the given length. With `keep`, the present widths are tested first, and give infinity.
+    The length is at least `length`, and the width is the largest that works of those that are tested. With
+    `keep`, the present widths are tested first, and give an infinite width.
     """
-    narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
-    for fraction in TESTED_WIDTHS:
+    narrowest = min(tab.width for plate in plates for tab in _tabs_of(plate))
+    for fraction in TESTED_FRACTIONS:
         width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
         try:
-            sized = with_tabs(placed, length, width)
-            _require_makeable({member.strip: None for member in sized}, plates[0].options)
-        except InputError:
+            _require_makeable(placed, length, width, plates[0].options)
+            tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
+            longer = max(length, *(np.ceil(max(needed.values())) for _, needed in tried))
+            _require_makeable(placed, longer, width, plates[0].options)
+        except (InputError, NotConvergedError):
             continue
-        if all(pair_with_tabs(sized, plate, gap) for plate in plates):
-            return width
+        return float(longer), width
     return None
 
 
@@ -206,9 +232,11 @@ def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Pla
     return [replace(member, strip=strips[member.strip]) for member in placed]
 
 
-def _require_makeable(strips: Iterable[Strip], options: PlateOptions | None) -> None:
+def _require_makeable(
+    placed: Sequence[Placed], length: float, width: float, options: PlateOptions | None
+) -> None:
     shop, ignore_limits = (None, False) if options is None else (options.shop, options.ignore_limits)
-    for strip in strips:
+    for strip in {member.strip: None for member in with_tabs(placed, length, width)}:
         refuse_broken(strip, ignore_limits)
         accept_faults(find_strip_faults(strip, shop), ignore_limits)
 
@@ -218,47 +246,78 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
 
     They hold the tabs of `placed`, which have the positions of the tabs in `first` but may have another size.
     """
-    options = first.options
-    if options is None:
-        return ()
-    tabs = {tab.key: tab for tab in place_tabs(placed)}
     try:
-        slots = [
-            slot
-            if slot.tab is None
-            else tab_slot(tabs[slot.tab.key], first.frame, first.sheet.thickness, options)
-            for slot in first.slots
-        ]
-        inner = plate_with(slots, first.sheet, first.frame, options, type(first))
-        held = [slot.tab for slot in slots if slot.tab is not None]
-        accept_faults(shoulder_faults(held, first.frame, options), options.ignore_limits)
-        return lean_pair(placed, (inner, _plate_behind(inner, options, gap)))
+        plates, needed = _tried_pair(placed, first, gap)
     except (InputError, NotConvergedError):
         return ()
+    return () if any(tab.length < needed[tab.key] for tab in _tabs_of(plates[1])) else plates
 
 
-def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
+def _tried_pair(
+    placed: Sequence[Placed], first: Plate, gap: float
+) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
+    """Return two plates as in `pair_with_tabs`, for tabs of any length, and the lengths, mm, that they need."""
+    options = first.options or PlateOptions()
+    tabs = {tab.key: tab for tab in place_tabs(placed)}
+    slots = [
+        slot
+        if slot.tab is None
+        else tab_slot(tabs[slot.tab.key], first.frame, first.sheet.thickness, options)
+        for slot in first.slots
+    ]
+    inner = plate_with(slots, first.sheet, first.frame, options, type(first))
+    accept_faults(shoulder_faults(_tabs_of(inner), first.frame, options), options.ignore_limits)
+    return _leaned(placed, (inner, _plate_behind(inner, options, gap)), _untested_cures)
+
+
+def lean_pair(
+    placed: Sequence[Placed], plates: tuple[Plate, Plate], cures: Cures = _untested_cures
+) -> tuple[Plate, Plate]:
     """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
-    The movement compensates the play and the bending of tabs under the load of the strips as cut. Then each
-    plate is made again around its moved slots.
+    The movement compensates the play and the bending of tabs under the load of the strips as cut. Each slot is as
+    wide as the bent tab needs. Then each plate is made again around its moved slots.
+
+    Raises
+    ------
+    InputError
+        A tab bends too far, or is too short. `cures` returns the instruction.
     """
+    leaned, needed = _leaned(placed, plates, cures)
+    _refuse_short(leaned[0], needed, cures)
+    return leaned
+
+
+def _leaned(
+    placed: Sequence[Placed], plates: tuple[Plate, Plate], cures: Cures
+) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
+    """Return the plates of `lean_pair` for tabs of any length, and the lengths, mm, that the bent tabs need."""
+    leaned = plates
     for _ in range(LEAN_ROUNDS):
-        leans = _displacements(placed, tab_seats(plates))
-        first, second = (replace(plate, slots=_moved_slots(plate, leans)) for plate in plates)
+        leans = _displacements(placed, tab_seats(map(_with_endless_tabs, leaned)))
+        first, second = (replace(plate, slots=_moved_slots(plate, leans, cures)) for plate in leaned)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
-                    for pair in (plates, (first, second)))  # fmt: skip
-        plates = first, second
+                    for pair in (leaned, (first, second)))  # fmt: skip
+        leaned = first, second
         if np.abs(new - old).max(initial=0.0) <= SETTLED_MM:
             break
-    first, second = (_around_moved(plate) for plate in plates)
-    return first, second
+    else:
+        raise _bends_too_far(plates[0], _tabs_of(plates[0])[0], cures)
+    back = plates[1].frame.shifted(z=-plates[1].sheet.thickness)
+    tabs = [tab for tab in _tabs_of(plates[1]) if tab.key in leans]
+    needed = {tab.key: _bent_length(tab, leans[tab.key], back) for tab in tabs}
+    first, second = (_around_moved(plate) for plate in leaned)
+    return (first, second), needed
+
+
+def _tabs_of(plate: BasePlate) -> list[PlacedTab]:
+    return [slot.tab for slot in plate.slots if slot.tab is not None]
 
 
 def _around_moved(plate: Plate) -> Plate:
     if plate.options is None:
         return plate
-    return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate), moved=True)
+    return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate))
 
 
 def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
@@ -278,29 +337,84 @@ def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> di
     return leans
 
 
-def _moved_slots(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
-    slots, walls = list(plate.slots), slot_walls(plate)
-    # slots move to the left of the curve, in direction -z of the tab, projected on the plate
-    ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
-    for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
+def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple[TabSlot, ...]:
+    slots = list(plate.slots)
+    for k, tab, walls in slot_walls(plate):
         if (lean := leans.get(tab.key)) is not None:
-            slots[k] = _moved_slot(slots[k], wall, into, left, lean)
+            places, slopes, distances = np.transpose([lean.touched(wall) for wall in walls])
+            bent = _turned_left(tab, float(slopes.mean()))
+            angle = float(np.arcsin(-(bent.frame.x_axis @ plate.frame.z_axis)))
+            if lean.bend > MOST_BENT_RAD or angle < FLATTEST_RAD:
+                raise _bends_too_far(plate, tab, cures)
+            offsets, pressed = lean.shift + lean.turn * places, distances <= tab.thickness / 2 + PRESSED_MM
+            slots[k] = _moved_slot(plate, slots[k], tab, bent, offsets, pressed)
     return tuple(slots)
 
 
-def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
-    """Return the slot with its two walls, (n, 2) each, moved by a shift and rotation.
+def _turned_left(tab: PlacedTab, angle: float) -> PlacedTab:
+    """Return the tab, turned to the left of the curve, which is the direction -z of the tab, by an angle in rad."""
+    frame = tab.frame
+    out = np.cos(angle) * frame.x_axis - np.sin(angle) * frame.z_axis
+    return replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
 
-    `into` and `left` are the directions (2,) along the tab and to the left of the tab, projected on the plate.
+
+def _moved_slot(
+    plate: BasePlate,
+    slot: TabSlot,
+    tab: PlacedTab,
+    bent: PlacedTab,
+    offsets: FloatArray,
+    pressed: BoolArray,
+) -> TabSlot:
+    """Return the slot with its two walls moved by `offsets` (2,), mm, to the left of the tab.
+
+    The slot is as wide as the bent tab with its clearance, or narrower if both walls are `pressed` (2,).
     """
-    moves = []
-    for wall in walls:
-        place, slope = lean.touched(wall)
-        # the slope of the bent tab at the wall changes how far the wall must move
-        across = left - slope * into
-        moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
-    first, second = moves
-    return replace(slot, corners=slot.corners + np.array([first, first, second, second]))
+    options, thickness = plate.options or PlateOptions(), plate.sheet.thickness
+    tight, loose = (
+        tab_slot(bent, plate.frame, thickness, each).size[1]
+        for each in (replace(options, clearance=0.0, slot_width=None), options)
+    )
+    left, across = (-(plate.frame.axes @ one.frame.z_axis)[:2] for one in (tab, bent))
+    walls = np.array([slot.corners[:2], slot.corners[3:1:-1]])
+    walls = walls + (offsets / float(across @ left))[:, None, None] * left
+    out = (slot.corners[3] - slot.corners[0]) / slot.size[1]
+    middle = walls.mean(axis=0)
+    if pressed.sum() == 1:
+        half = loose / 2 * out
+        middle = walls[0] + half if pressed[0] else walls[1] - half
+    else:
+        half = np.clip((walls[1] - walls[0])[0] @ out, tight, loose) / 2 * out
+    return replace(slot, corners=np.concatenate([middle - half, (middle + half)[::-1]]))
+
+
+def _bends_too_far(plate: BasePlate, tab: PlacedTab, cures: Cures) -> InputError:
+    return InputError(
+        "{name}: the load of the strip bends the tab of {name_2} too far. Slots follow tabs that bend by at most "
+        "{most:.0f} degrees and meet the plate at more than {flattest:.0f} degrees: {cures}",
+        name=plate.name, name_2=tab.name, most=np.degrees(MOST_BENT_RAD), flattest=np.degrees(FLATTEST_RAD),
+        cures=cures(np.inf),
+    )  # fmt: skip
+
+
+def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -> None:
+    """Refuse tabs of the plate that are shorter than the `needed` length, mm, by the `key` of the tab."""
+    short = [tab for tab in _tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]
+    if short:
+        raise InputError(
+            "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
+            name=first.name, name_2=short[0].name, cures=cures(float(np.ceil(max(needed.values())))),
+        )  # fmt: skip
+
+
+def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
+    """Return the length, mm, of a bent tab from its start to the plane z = 0 of `ground`."""
+    slopes, places, left = lean.resting
+    heights = ground.local(tab.frame.point(np.column_stack([places, np.zeros(places.size), -left])))[:, 2]
+    lengths = np.append(0.0, np.cumsum(lean.piece * np.hypot(1.0, slopes)))
+    # beyond its last piece, the tab is straight
+    k = min(int(np.searchsorted(-heights, 0.0)), slopes.size) - 1
+    return float(lengths[k] + heights[k] * (lengths[k + 1] - lengths[k]) / (heights[k] - heights[k + 1]))
 
 
 LEVEL_GAIN_MM = 0.5

@@ -212,16 +212,15 @@ class BasePlate:
         opening = () if self.opening is None else (self.opening,)
         return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
 
-    def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
-        """Return the plate with its warnings. The widths of slots are not checked if the slots were `moved`."""
+    def checked(self, options: PlateOptions) -> Self:
+        """Return the plate with its warnings."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
-        require_flag(moved, "moved")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         called += [] if self.opening is None else [note("the opening")]
         drilled = [hole_name(hole) for hole in self.holes]
         _refuse_overlaps(self, called, drilled)
-        widths = [] if moved else [(slot.name, slot.size[1], slot.through) for slot in self.slots]
+        widths = [(slot.name, slot.size[1], slot.through) for slot in self.slots]
         faults = (
             *find_slot_faults(self.name, widths),
             *find_plate_faults(
@@ -448,8 +447,6 @@ def plate_with(
     frame: Frame,
     options: PlateOptions,
     kind: "type[Plate]",
-    *,
-    moved: bool = False,
 ) -> "Plate":
     """Return the plate or the ring (about the z axis of `frame`) that contains the slots.
 
@@ -464,7 +461,7 @@ def plate_with(
         outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
     opening, holes = _with_holes(options, center, opening)
     plate = kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes)
-    return plate.checked(options, moved=moved)
+    return plate.checked(options)
 
 
 def _mean_center(loops: Sequence[FloatArray]) -> FloatArray:

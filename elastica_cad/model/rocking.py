@@ -16,7 +16,7 @@ from elastica_cad.model.held_tabs import (
     seats_by_holder,
     tab_seats,
 )
-from elastica_cad.model.plate_pairs import fitting_width, pair_with_tabs, with_tabs
+from elastica_cad.model.plate_pairs import fitting_tabs, pair_with_tabs, with_tabs
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
 from elastica_cad.refusals import Change, FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -151,9 +151,9 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
     for gap in GAPS_MM:
         needed = (needed_length(slot.tab, plate, gap) for plate in plates for slot in plate.slots if slot.tab)
         length = max(longest, *needed)
-        width = fitting_width(placed, plates, gap, length, keep=keep)
-        if width is not None and not _any_tab_rocks(with_tabs(placed, length, width), plates, gap):
-            return _pair_text(gap, length, width)
+        sized = fitting_tabs(placed, plates, gap, length, keep=keep)
+        if sized is not None and not _any_tab_rocks(with_tabs(placed, *sized), plates, gap):
+            return _pair_text(gap, *sized)
     return ""
 
 

@@ -151,7 +151,7 @@ def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], bodies: Sequence[Float
             around(bodies, center, BESIDE_MM),
         ])  # fmt: skip
         plate = plate.resized(float(inner.min()), float(outer.max()))
-    checked = replace(plate, slots=(*plate.slots, *slots)).checked(options, moved=True)
+    checked = replace(plate, slots=(*plate.slots, *slots)).checked(options)
     return replace(checked, warnings=tuple(dict.fromkeys((*plate.warnings, *checked.warnings))))
 
 

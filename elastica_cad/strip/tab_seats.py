@@ -553,21 +553,29 @@ class Lean:
     slopes: FloatArray
     piece: float
 
-    def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """Return how far into the tab, mm, the resting tab touches a wall, and the slope of the tab there.
+    def touched(self, wall: FloatArray) -> tuple[float, float, float]:
+        """Return where the resting tab is nearest to a wall: the distance into the tab, mm, the slope of the tab
+        there, and the distance, mm, of its centre line from the wall.
 
         Parameters
         ----------
         wall : (n, 2) array
             Points of the wall before the displacement, as in `TabSeat`, mm.
         """
-        (into, left), (slopes, places, bent) = wall.T, self._at_rest
+        (into, left), (slopes, places, bent) = wall.T, self.resting
         gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
-        place = float(into[np.abs(gaps).argmin()])
-        return place, float(slopes[np.clip(int(place / self.piece), 0, slopes.size - 1)])
+        nearest = int(np.abs(gaps).argmin())
+        place = float(into[nearest])
+        slope = float(slopes[np.clip(int(place / self.piece), 0, slopes.size - 1)])
+        return place, slope, float(abs(gaps[nearest]))
+
+    @property
+    def bend(self) -> float:
+        """Largest angle, rad, by which the resting tab is bent."""
+        return float(np.abs(self.slopes).max(initial=0.0))
 
     @cached_property
-    def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def resting(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Slopes (k,) of the pieces of the resting tab, and the coordinates `into` and `left` (k + 1,) of the
         ends of the pieces, mm.
         """

@@ -29,9 +29,10 @@ LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip in thicknesses; narrower
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot that holds its tab, as a multiple of the tab's thickness
-WIDEST_SLOT_THICKNESSES = 6.0
-FILLED_SLOT_MM = 1.6  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
+# largest width of a slot that holds its tab, as a multiple of the tab's thickness: a tab 0.8 mm thick may meet a
+# plate of 3 mm at 32 degrees, and a plate of 1.5 mm at 20 degrees
+WIDEST_SLOT_THICKNESSES = 8.0
+FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
 
 
@@ -501,13 +502,19 @@ def find_plate_faults(
 
 def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
     """Return a fault if slots are too wide for their tabs. Each slot is (name, slot width, tab thickness), mm."""
-    wide = [each for each in slots if each[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * each[2])]
+
+    def widest(through: float) -> float:
+        return max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * through)
+
+    wide = [each for each in slots if each[1] > widest(each[2])]
     if not wide:
         return ()
     slot, width, through = max(wide, key=lambda each: each[1] / each[2])
     what = note(
-        "the slot for {slot}{more} is {width} wide and cannot hold a tab {through} thick",
+        "the slot for {slot}{more} is {width} wide and cannot hold a tab {through} thick, "
+        "which needs a slot of at most {widest}",
         slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
+        widest=Length(widest(through)),
     )  # fmt: skip
     cure = note(
         "Let the strips meet the plate more steeply, use a thinner plate, or hold the strips by end fixtures"

@@ -82,3 +82,19 @@ def test_no_longer_tab_is_suggested_where_the_second_ring_has_no_room_for_it():
     with pytest.raises(InputError):
         end_plates(ribs(Tab(tab.length), count=14), "mdf-3", gap=40.0)
     assert len(end_plates(ribs(tab, count=14), "mdf-3", gap=40.0)) == 4
+
+
+def test_tabs_that_the_load_bends_get_the_length_of_the_bent_tab():
+    """The straight tab would be long enough."""
+    ball = ec.meridian_through([(60, 0), (103.9, 43.9), (120, 104), (103.9, 164.1), (60, 208)])
+
+    def rings(tab, gap):
+        return revolve(
+            ball, 12, sheet="polypropylene-0.8", rings="polypropylene-0.8", gap=gap, ends=(tab, tab)
+        )
+
+    with pytest.raises(InputError, match="does not reach") as refused:
+        rings(Tab(20, width=10), 6.0)
+    found = re.search(r"make the tab (\d+) mm long, or reduce the gap to (\d+) mm", str(refused.value))
+    assert len(rings(Tab(float(found[1]), width=10), 6.0).plates) == 4
+    assert len(rings(Tab(20, width=10), float(found[2])).plates) == 4

@@ -1,4 +1,4 @@
-"""Both plates of a pair keep the least bridge between their slots, after the slots are moved against the load."""
+"""Pairs of plates: the moved slots keep their bridges, and are where the loaded tabs are."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -63,7 +63,7 @@ def test_end_plates_keep_their_bridges(curve, width, made):
     assert holds(lambda: end_plates(lamp(curve, width), "hdf-1.5", gap=12.0, shape="ring")) is made
 
 
-@pytest.mark.parametrize(("width", "gap", "made"), [(None, 8.0, False), (14.0, 6.0, True), (14.0, 8.0, True)])
+@pytest.mark.parametrize(("width", "gap", "made"), [(None, 8.0, False), (14.0, 5.0, True), (14.0, 6.0, True)])
 def test_rings_of_a_revolution_keep_their_bridges(width, gap, made):
     ends = (Tab(20, width=width), Tab(20, width=width))
     assert holds(lambda: revolve(
@@ -86,7 +86,75 @@ def test_rails_of_frames_keep_their_bridges(apart, made):
 
 
 def test_warnings_name_the_thin_bridges_of_the_second_plate():
-    plates = end_plates(lamp(FLAT, 11), "hdf-1.5", gap=12.0, shape="ring", ignore_limits=True)
+    plates = end_plates(lamp(FLAT, 16), "hdf-1.5", gap=8.0, shape="ring", ignore_limits=True)
     outer = next(plate for plate in plates if plate.name == "ring-bottom-outer")
     assert bridges(outer) < LEAST_MM
     assert any("between the slot" in warning for warning in outer.warnings)
+
+
+def bent_tab(strip, tab, rings, gap):
+    """Return points (r, z) (n, 2), mm, along a loaded tab from its root, and its angles (n,) to the plate.
+
+    The tab is an elastica, integrated from the load at its root. The far edge of the first plate and the near edge
+    of the second plate press against it.
+    """
+    loaded, half = strip.as_made.loaded, strip.sheet.thickness / 2
+    ratio, begin = strip.as_made.tab_ratios(loaded)[0], loaded.angle[0]
+    s = np.linspace(0, tab.length, 2000)
+    angle = np.full(s.size, begin)
+    for _ in range(40):
+        points = np.cumsum(np.column_stack([-np.cos(angle), -np.sin(angle)]), axis=0) * s[1]
+        upper, lower = (points[:, 1] + side * half * np.cos(angle) for side in (1, -1))
+        first = s[np.argmax(upper <= -rings.thickness)]
+        second = s[np.argmax(lower <= -rings.thickness - gap)]
+        moment = (loaded.moment[0] + loaded.force[0][1] * points[:, 0]) / ratio
+        after = np.interp(first, s, moment) * np.clip((second - s) / (second - first), 0, 1)
+        bend = np.cumsum(np.where(s < first, moment, after)) * s[1]
+        angle = (angle + begin - bend) / 2
+    return points, angle
+
+
+@pytest.mark.parametrize(
+    ("lean", "gap", "rings", "width"),
+    [(60, 6.0, "polypropylene-0.8", 14), (50, 8.0, "hdf-1.5", 16), (30, 12.0, "mdf-3", 30)],
+)
+def test_slots_are_where_the_bent_tab_is(lean, gap, rings, width):
+    """Slots of a sphere, whose tabs lean by `lean` degrees, are as wide as the bent tab and its clearance."""
+    turns = np.radians(np.linspace(-lean, lean, 5))
+    points = 120 * np.column_stack([np.cos(turns), np.sin(turns) + np.sin(turns[-1])])
+    sheet, tab = ec.Sheet.named(rings), Tab(30, width=width)
+    ball = revolve(
+        ec.meridian_through(points), 12, sheet="polypropylene-0.8", rings=sheet, gap=gap, ends=(tab, tab)
+    )
+    center, angle = bent_tab(ball.strips[0], tab, sheet, gap)
+    across = 0.4 * np.column_stack([-np.sin(angle), np.cos(angle)])
+    for ring, top in zip(ball.plates[:2], (0.0, -sheet.thickness - gap), strict=True):
+        heights = np.linspace(top - sheet.thickness, top, 20)
+        faces = []
+        for face in (center + across, center - across):
+            # beside its root, the tab continues into the strip
+            r, z = np.concatenate([face[:1] - 5 * (center[1] - center[0]) / 0.015, face]).T
+            faces.append(points[0, 0] + np.interp(heights, z[::-1], r[::-1]))
+        radii = np.sort(np.abs(ring.slots[0].corners[:, 0]))[[0, -1]]
+        gaps = np.array([faces[0].min() - radii[0], radii[1] - faces[1].max()])
+        assert gaps.min() > -0.05
+        assert gaps.sum() == pytest.approx(0.1, abs=0.1)
+    assert center[-1, 1] < -2 * sheet.thickness - gap
+
+
+@pytest.mark.parametrize(
+    ("rings", "gap", "length", "width"),
+    [
+        ("hdf-1.5", 7, 22, 12),
+        ("hdf-1.5", 8, 23, 7),
+        ("hdf-1.5", 10, 27, 12),
+        ("polypropylene-0.8", 10, 30, 10),
+    ],
+)
+def test_a_tab_that_the_load_bends_too_far_for_two_rings_is_refused(rings, gap, length, width):
+    """Its slots had moved by tens of millimetres, or the tab ended before the second ring."""
+    tab = Tab(length, width=width)
+    with pytest.raises(InputError, match="bends the tab of strip 1:1 too far"):
+        revolve(
+            ec.meridian_through(SPHERE), 12, sheet="polypropylene-0.8", rings=rings, gap=gap, ends=(tab, tab)
+        )
