@@ -177,7 +177,7 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
     >>> def hang(at: Annotated[float, Option("Place along the strip.", "mm", least=0)]): ...
     >>> require_declared(hang, {"at": -3}, "mass")
     Traceback (most recent call last):
-    elastica_cad.errors.InputError: mass at is -3: it must be a number from 0, in mm
+    elastica_cad.errors.InputError: mass at is -3: give a number from 0, in mm
     """
     for entry in declared(record):
         value = values.get(entry.name, entry.default)

@@ -159,7 +159,7 @@ def test_an_arch_that_falls_through_as_it_creeps_says_so():
     assert found.later.position[:, 1].min() < -30
     assert found.stability.stable
     assert not found.stays
-    assert "then snaps into another shape" in str(found)
+    assert "snaps into another shape under its load" in str(found)
 
 
 def test_hung_masses_weigh_the_same_on_a_softer_strip():
@@ -199,4 +199,4 @@ def test_a_strip_that_collapses_says_so():
     column = Rod.straight(300.0, angle=np.pi / 2, gravity=Gravity(160.0), supports=Supports(end="free"))
     found = creep(bend(column), 1.0)
     assert not found.stability.stable
-    assert "then snaps into another shape" in str(found)
+    assert "snaps into another shape under its load" in str(found)
