@@ -128,7 +128,7 @@ class _StripShape(_Jointed, StripBody):
     def _publish_to_context(self, object_scope: Any) -> None:
         """Publish the body to its builder.
 
-        At several `Locations`, the joints of each copy after the first have its number in their names.
+        At several `Locations`, the names of joints contain the number of the copy, from the second copy on.
         """
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)

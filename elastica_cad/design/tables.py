@@ -232,7 +232,7 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
         case ast.Call(func=ast.Name() as called):
             return FUNCTIONS[called.id][0](*(_value(argument, known) for argument in node.args))
         case _:
-            raise AssertionError("a checked formula holds nothing else")
+            raise AssertionError("unexpected node in a formula that was checked before")
 
 
 MOST_COUNTED = 10_000

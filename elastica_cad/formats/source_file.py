@@ -232,7 +232,7 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """Check and return the tolerance, mm, of a file reader for joints and fits.
+    """Check and return the tolerance, mm, with which a file reader joins segments and fits splines.
 
     Parameters
     ----------

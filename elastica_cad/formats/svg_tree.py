@@ -298,7 +298,7 @@ Fit = tuple[float, float, float, float]
 
 
 def _fit_views(root: ElementTree.Element) -> None:
-    """Resolve percentages, convert nested <svg> elements to groups, and fit symbols into the boxes of clones."""
+    """Resolve percentages, make groups of nested <svg> elements, and fit each symbol into the box of its <use>."""
     box = _box(root)
     extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
     held: dict[str, ElementTree.Element] = {}

@@ -476,7 +476,7 @@ class CurvatureLimit(BendLimit):
     name: str = "curvature"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / limit at the nodes (n+1,)."""
+        """Return 1 / largest allowed change of curvature, mm, at the nodes (n+1,)."""
         return np.full(stiffness.shape, 1 / self.limit)
 
 

@@ -626,7 +626,7 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
-        """Return an iterate nearer to equilibrium, where the predicted merit is more reliable, or None."""
+        """Return an iterate that is nearer to equilibrium than the given one, or None if there is none."""
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:

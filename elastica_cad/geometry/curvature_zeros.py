@@ -135,7 +135,7 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return flags (k - 1,) of the joints between pieces that start at `starts` (k,).
+    """Return flags (k - 1,), True for smooth joints between pieces that start at `starts` (k,).
 
     The flags at inner edges are taken from `smooth`. All other flags are True.
     """

@@ -410,7 +410,7 @@ class ElementForce:
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the elements with their forces; `numbers` (u,) are the values of their unknown numbers."""
+    """Return the elements with their forces; `numbers` (u,) are the solved values of the unknowns."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(

@@ -245,7 +245,7 @@ def _parts_per_panel(tail: FloatArray) -> IntArray:
 
 @dataclass(frozen=True, eq=False)
 class _Nodes:
-    """Panels with values at their Gauss nodes, as in `Panels`.
+    """Values at the Gauss nodes of panels. The fields have the same meanings as in `Panels`.
 
     `velocity` (N, p, 2) is the derivative of the position with respect to the panel coordinate x.
     """

@@ -125,7 +125,7 @@ class Undecided:
 
     @property
     def details(self) -> str:
-        """Sentences on the accuracy of the points, on the curve through them, and on its smoothed curve."""
+        """Sentences on the accuracy of the points, the curve through them, and a smoother curve near them."""
         return note(
             "The points are exact to {resolution} only. The fitted curve has {count} inflections; another curve "
             "that fits them too has {others}."

@@ -53,7 +53,7 @@ MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
 
 BORDER_EXTRA_MM = 2.0
-"""Additional width, mm, of a border with a spacer, for the clearance and because a round rim curves inwards."""
+"""Additional width, mm, of a border with a spacer: for the clearance, and because a round rim recedes beside it."""
 
 EXCHANGES = 20
 """Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""

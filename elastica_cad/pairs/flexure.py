@@ -361,7 +361,7 @@ class Flexure:
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
-        """Shapes of the part after release in each state; the part can also stretch."""
+        """Shapes of the part when it is released in each of its states, computed with bending and stretching."""
         first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
         return first, second
 

@@ -391,7 +391,10 @@ class PairedPanels:
 
     @cached_property
     def rank(self) -> int:
-        """Dimension of the space of moment differences: five, or three for congruent or mirrored curves."""
+        """Dimension of the space of differences between the moments of both curves.
+
+        It is five, or three for congruent or mirrored curves.
+        """
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )

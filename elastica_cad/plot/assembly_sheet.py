@@ -44,7 +44,7 @@ A4 = np.array([595.0, 842.0])  # width and height of a page, points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # margin, heights of title and line, points
 TEXT_POINTS = 8.5
 LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter, points
-# least scale of a picture above text, as a fraction of its scale on a page without text
+# least scale of a picture on a page with text, as a fraction of its scale on a page without text
 SHARED = 0.55
 FEWEST = 3  # least number of lines of a table at the foot of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its letters, points
@@ -348,7 +348,7 @@ def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     """Yield a row for each plate and rib, with its middle and the distance from the previous middle."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # the positions of rings are in sentences, and those of spacers follow from their slots
+        # positions of rings are in the text of the sheet, and those of spacers follow from their slots
         if isinstance(holder, EndFixture | Spacer) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):

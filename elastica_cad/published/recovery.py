@@ -1,4 +1,5 @@
-"""Algorithms of the paper that move control points: for a smaller ratio (7.2) and for stability (6.4)."""
+"""Algorithms of the paper that move control points, to reduce the stiffness ratio (section 7.2) or to make the
+rod stable (section 6.4)."""
 
 from dataclasses import dataclass
 from enum import Enum

@@ -118,12 +118,12 @@ class EscapeKey(InputLater):
     pressed = False
 
     def watch(self) -> None:
-        """Start watching."""
+        """Start watching the keyboard."""
         EscapeKey.watching += 1
         super().watch()
 
     def leave(self) -> None:
-        """Stop watching."""
+        """Stop watching the keyboard."""
         EscapeKey.watching -= 1
         super().leave()
 

@@ -38,7 +38,7 @@ from elastica_cad.strip.solids import FlatSolid
 
 
 class CouponPanel(Panel):
-    """Panel that makes the coupon, reads measured droops, and saves the calibrated sheet."""
+    """Panel that makes the test strip, takes the measured sag of its free end, and saves the calibrated sheet."""
 
     file = "coupon"
     icon_name = "Elastica_Coupon"
