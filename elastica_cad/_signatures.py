@@ -24,12 +24,12 @@ class _RecordSignature:
 def simplify_signature(value: Any) -> None:
     """Simplify the displayed signature of a function, or of a class of this package and its public methods."""
     if inspect.isfunction(value) and "__signature__" not in vars(value):
-        value.__signature__ = plain_signature(value)  # type: ignore[attr-defined]
+        value.__signature__ = plain_signature(value)  # type: ignore[attr-defined]  # read by inspect
     if not inspect.isclass(value) or "__signature__" in vars(value):
         return
     # PySide2 gives all classes a __signature__ that cannot be set; an Enum has its own signature
     if inspect.isfunction(value.__init__) and type(value) is type and not hasattr(type, "__signature__"):
-        value.__signature__ = _RecordSignature()  # type: ignore[attr-defined]
+        value.__signature__ = _RecordSignature()  # type: ignore[attr-defined]  # read by inspect
     for base in value.__mro__:
         if base.__module__.startswith(__package__):
             for name, method in vars(base).items():

@@ -178,9 +178,7 @@ def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length
         long, wide = sized
         text = "make the tab {needed:.0f} long and {width:.0f} wide"
         cures.append(
-            note("make the tab {needed:.0f} long", needed=Length(long))
-            if wide == np.inf
-            else note(text, needed=Length(long), width=Length(wide))
+            _untested_cures(long) if wide == np.inf else note(text, needed=Length(long), width=Length(wide))
         )
     tips = [-float(first.frame.local(tab.tip)[2]) for tab in _tabs_of(first)]
     largest = min(gap, min(tips) - 2 * first.sheet.thickness)
@@ -188,7 +186,7 @@ def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length
     works = (nearer for nearer in tested if 1 <= nearer < gap and pair_with_tabs(placed, first, nearer))
     if (nearer := next(works, None)) is not None:
         cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
-    return sentences(cures, note(", or ")) or note("hold the strips by single plates")
+    return sentences(cures, note(", or ")) or _untested_cures(np.inf)
 
 
 TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)

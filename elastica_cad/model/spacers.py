@@ -141,10 +141,8 @@ def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], bodies: Sequence[Float
     """Return the plate with slots for spacers. A round plate is made wide enough for the slots and the bodies."""
     options = plate.options or PlateOptions()
     if plate.is_round:
-        center, bridge = (
-            plate.outline.bounds.mean(axis=0),
-            limits_or_default(options.shop).bridge_for(plate.sheet),
-        )
+        center = plate.outline.bounds.mean(axis=0)
+        bridge = limits_or_default(options.shop).bridge_for(plate.sheet)
         inner, outer = np.transpose([
             _radii(plate),
             around([slot.corners for slot in slots], center, bridge + PITCH_MM / 2),

@@ -63,7 +63,7 @@ export class History {
     this.keep();
   }
 
-  // The last design that one of the designs that `made` makes of it followed.
+  // The last design of the history whose next design is one of those that `made` returns for it; null if there is none.
   before(made) {
     const states = [...this.past, this.now], isNext = (k) => made(JSON.parse(states[k])).some((design) => JSON.stringify(design) === states[k + 1]);
     const last = states.findLastIndex((_, k) => k + 1 < states.length && isNext(k));
