@@ -27,7 +27,7 @@ def simplify_signature(value: Any) -> None:
         value.__signature__ = plain_signature(value)  # type: ignore[attr-defined]  # read by inspect
     if not inspect.isclass(value) or "__signature__" in vars(value):
         return
-    # PySide2 gives all classes a __signature__ that cannot be set; an Enum has its own signature
+    # PySide2 gives every class a __signature__ that cannot be set, and Enum has a special signature
     if inspect.isfunction(value.__init__) and type(value) is type and not hasattr(type, "__signature__"):
         value.__signature__ = _RecordSignature()  # type: ignore[attr-defined]  # read by inspect
     for base in value.__mro__:

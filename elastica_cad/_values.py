@@ -191,7 +191,7 @@ def several(
     return items
 
 
-_CACHED_KEY = "_value_key"  # attribute in which a record caches its key
+_CACHED_KEY = "_value_key"
 # most fields have these types, whose values are their own keys
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
@@ -229,10 +229,7 @@ def value_key(value: Any) -> Any:
 
 
 def _record_key(record: Any) -> tuple[Any, ...]:
-    """Return the key of a record.
-
-    Frozen records cache the key, because many requests may contain the same curve.
-    """
+    """Return the key of a record. Frozen records cache it, because many requests contain the same curve."""
     attributes = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _CACHED_KEY not in attributes:
         kind: Any = type(record)

@@ -107,7 +107,7 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # a Refusal is a str, and a record that front ends can translate
+        return self.refusal  # front ends can translate a Refusal, which is a str
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__

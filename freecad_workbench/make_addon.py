@@ -1,9 +1,7 @@
 """Script behind `make addon`: write the folder that users of FreeCAD copy to `Mod`.
 
-The folder contains metadata, licence, README, and `freecad/` with the core package. The page of
-`elastica studio`, compiled loops and sources of translations are left out. Maintainer and repository are
-added to the metadata if they are given. Without them, the folder can be used on this computer, but not
-published.
+The page of `elastica studio`, compiled loops and sources of translations are left out. The folder can be
+published only if its maintainer and repository are given.
 """
 
 import argparse
@@ -45,7 +43,6 @@ def _repository(text: str) -> str:
 
 
 def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> ElementTree.ElementTree:
-    """Return the checkout's package.xml, adapted to the folder, with date, maintainer and repository."""
     ElementTree.register_namespace("", SPACE)
     tree = ElementTree.parse(ROOT / "package.xml")
     package = tree.getroot()
@@ -72,10 +69,7 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
 
 
 def _readme(repository: str | None) -> str:
-    """Return the README.
-
-    Links and pictures become absolute if a repository is given, and are removed otherwise.
-    """
+    """Return the README with absolute links and pictures or, without a repository, with none."""
     text = (ROOT / "freecad_workbench" / "README.md").read_text(encoding="utf-8")
     if repository:
         text = re.sub(r"!\[([^]]*)\]\(\.\./", rf"![\1]({repository}/raw/main/", text)

@@ -119,8 +119,6 @@ class _Moved(_Pickled):
 
 
 class _StripShape(StripBody, _Moved):
-    """Base of shapes of a strip."""
-
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
 

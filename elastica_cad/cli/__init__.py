@@ -39,7 +39,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # if a program calls `main`, its process makes the drawings, because it may have imported matplotlib
+        # a program that calls `main` may have imported matplotlib, so its process makes the drawings
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:
@@ -64,7 +64,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.ClickException as problem:
         problem.show()
         return problem.exit_code
-    except click.Abort:  # click raises Abort for Ctrl-C
+    except click.Abort:
         return INTERRUPTED
     except OSError as problem:
         if problem.filename is not None:  # an error with a file name is not about standard output
@@ -74,10 +74,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 
 
 def _unprinted(problem: OSError) -> int:
-    """Return the exit code for an error of standard output, such as a full disk.
-
-    The text that was not written yet is discarded.
-    """
+    """Discard unwritten text, report an error of standard output, and return the exit code."""
     _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
     return 2
@@ -90,7 +87,6 @@ def _drop_output(*streams: int) -> None:
 
 
 def _command() -> "click.Group":
-    """Return the group of commands, or exit if click is missing."""
     try:
         import click  # noqa: F401 - imported only to test that it is installed
     except ImportError:

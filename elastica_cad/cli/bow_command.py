@@ -142,10 +142,7 @@ def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
-    """Return the material and its options.
-
-    Without --sheet, the material has a modulus of 1 GPa, so that forces are in N per GPa.
-    """
+    """Return the material and its options. Without --sheet, the modulus is 1 GPa, for forces in N per GPa."""
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(

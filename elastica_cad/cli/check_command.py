@@ -230,7 +230,6 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        # slow import, because the module imports all records
         from elastica_cad.cli.strip_options import typed_change
 
         spec = suggestion.requests[0]

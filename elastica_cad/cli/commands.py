@@ -120,7 +120,7 @@ class _UsageRow(click.ClickException):
 
 
 class _Sentences(click.Group):
-    """Command group that prints errors as sentences with suggestions, and sets the exit code."""
+    """Command group that prints errors as sentences with suggestions."""
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
@@ -158,7 +158,6 @@ def _spelled(path: str) -> str:
         return typed
     if context.info_name != "strip":
         return path
-    # slow import, because the module imports all records
     from elastica_cad.cli.strip_options import typed_name
 
     return typed_name(path) or path
@@ -224,7 +223,6 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _usage_message(problem: click.UsageError, context: click.Context | None) -> str:
-    """Return the message about a wrong command line, with an instruction."""
     match problem:
         case click.NoSuchOption():
             return _instead_of(problem)
@@ -238,7 +236,7 @@ def _usage_message(problem: click.UsageError, context: click.Context | None) -> 
 
 
 def _refuse_extra_words(context: click.Context) -> None:
-    """Raise InputError for extra words. For the name of a sheet, the message suggests the option --sheet."""
+    """Raise InputError for extra words. If a word is the name of a sheet, suggest --sheet."""
     if not context.args:
         return
     from elastica_cad.mechanics.sheets import sheet_names
@@ -329,7 +327,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in parameter_names:
-                # later runs overwrite files of earlier runs
+                # otherwise the next run would refuse to overwrite the files
                 chosen["force"] = True
 
         remake_on_change(make, partial(echo, err=True))
@@ -368,7 +366,6 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _output_flag(*names: str, help: str) -> click.Option:
-    """Return a flag that takes effect before other options."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:

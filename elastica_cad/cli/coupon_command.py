@@ -231,7 +231,6 @@ def _warn_row(label: str, text: str) -> None:
 
 
 def _with_rounded_modulus(sheet: Sheet) -> Sheet:
-    """Return the sheet with its modulus rounded to six digits. Readings are less accurate."""
     moduli = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
     return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

@@ -69,7 +69,6 @@ def _fields(name: str) -> list[Field]:
 
 
 def _types(field: Field) -> Iterator[tuple[Any, str]]:
-    """Yield the type and the placeholder of each value of a field."""
     if field.option.unit == "mm":
         yield Place(), field.name.upper()
     elif field.option.unit == "g":

@@ -88,7 +88,6 @@ def _explanation(path: str, option: str) -> str:
 
 
 def _strip_options() -> dict[str, click.Option]:
-    """Return the options of `elastica strip` by name, without dashes."""
     from elastica_cad.cli.strip_command import strip
 
     options = [option for option in strip.params if isinstance(option, click.Option)]

@@ -25,7 +25,6 @@ ARCH_MM = (
 )  # fmt: skip
 # least radius, bulge and height of the example mesh of `sections`, mm
 BOWL_MM = (60.0, 45.0, 140.0)
-# numbers of points of the example mesh
 AROUND, UP = 48, 25
 
 

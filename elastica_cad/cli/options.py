@@ -96,7 +96,6 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    # slow import, because the module imports all records
     from elastica_cad.design.records import written
 
     kinds = written(field.kind).alternatives
@@ -129,14 +128,10 @@ smooth_option = click.option(
     help="Largest movement of the curve by smoothing, which removes jumps of curvature; 0: exactly as drawn  "
          "[default: 0.1 mm or 5e-4 of the length if the width would jump, else 0]",
 )  # fmt: skip
-"""Option for the largest movement of a curve by smoothing."""
 
 
 class _Folder(click.Path):
-    """Output folder.
-
-    A name that looks like an option is refused, because the folder was probably forgotten.
-    """
+    """Output folder, which must not look like an option, because the folder was then probably forgotten."""
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
@@ -150,7 +145,6 @@ output_options = join_options(
     click.option("--force", is_flag=True, help="Overwrite files that exist."),
     click.option("-o", "--output", type=_Folder(path_type=Path), default=Path(), help="Folder for files."),
 )
-"""Options for the output folder and overwriting."""
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:

@@ -117,11 +117,11 @@ class RequestedCurve:
     name : str
         Stem of the names of output files.
     which : tuple of str
-        Command line arguments that select the curve among several requested ones.
+        Command line arguments that select the curve among several requested curves.
     unit : str or None
         Unit of the file, if it was given.
     own : str
-        Name of the curve in a file with several curves; "" if it has none.
+        Name of the curve in a file with several curves; "" if the curve has none.
     alone : bool
         True if no other curve of the file has this name.
     """
@@ -236,7 +236,7 @@ def drawn_curves(
 
 
 def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
-    """Return the name of each curve, and True if no other curve has this name, by the curve's number.
+    """Return, by the number of each curve, its name, and True if no other curve has this name.
 
     A name of several curves is followed by the number. A curve that the user did not name has the name "".
     """

@@ -258,7 +258,6 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:
-    """Return the upward direction. By default it is z, or y if `along` is parallel to z."""
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
@@ -296,7 +295,6 @@ def _sentence(section: dict[str, Any]) -> str:
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
-    """Return the curves side by side, with gaps so that their ends do not meet."""
     placed, x = [], 0.0
     for curve in curves:
         (lowest_x, low), (highest_x, _) = curve.bounds

@@ -125,7 +125,7 @@ def say(text: str = "") -> None:
 def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
     """Print a warning to stderr; `in_notes` adds it to the notes of the JSON record.
 
-    With `printed` False, it is printed only with -v.
+    Without `printed`, the warning is printed only with -v.
     """
     if in_notes:
         voice().notes.append(text)
@@ -155,7 +155,6 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
 def _print_row(row: Row, *, err: bool) -> None:
     label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
     label = click.style(printable(label), fg="red") if row.stops else printable(label)
-    # click removes colours if the output is not a terminal
     click.echo(label + printable(text), err=err)
 
 

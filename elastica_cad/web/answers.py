@@ -94,7 +94,7 @@ STATES = ("first", "second")
 CURVE_KEYS = ("curve", *STATES)
 
 REMOVED = {"nearest": ("limits", "keep"), "elements": ("between", "loads")}
-"""Keys that a change removes from a design, by its field, if settings of the design cannot be combined."""
+"""Keys that a change removes from a design, by the field of the change, if settings conflict."""
 
 CHANGED = "{name} was changed since this page read it"
 
@@ -180,7 +180,7 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     try:
         return design_of(alone, FilePath("design"), _no_file).entries[0].spec
     except InputError as problem:
-        while {"place", "why"} == set(problem.refusal.values):  # the page shows this strip
+        while {"place", "why"} == set(problem.refusal.values):  # the page itself names the strip
             problem.refusal = problem.refusal.values["why"]
         raise
 
@@ -190,10 +190,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Return the answer on a strip.
-
-    With `hold`, a dragged control point stops at the last possible position.
-    """
+    """Return the strip. With `hold`, a dragged control point stops at the last possible position."""
     try:
         spec, scaled = _scaled_request(request)
     except ElasticaError as problem:
@@ -233,7 +230,7 @@ def _check_record(spec: StripSpec, scaled: Record) -> Record:
     curve = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
     record: Record = {"path": path, "kept": scaled}
-    with suppress(InputError):  # the error message of the strip reports elements off the curve
+    with suppress(InputError):
         check = spec.rod_spec.check
         record |= {"theorem": _theorem(check), "text": str(check)}
     return record
@@ -363,7 +360,6 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    """Return the sides of the thrust line as points, clipped to the enlarged box of the curve."""
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
@@ -388,7 +384,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod and the line through them. The drawn curve may have other inflections."""
+    """Return the inflections of a rod, which may differ from those of the drawn curve, and their line."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
@@ -465,7 +461,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
-    """Yield the changes that each remove one of two settings that cannot be combined."""
+    """Yield changes that each remove one of two conflicting settings."""
     design, k = request["design"], request.get("strip", 0)
     for change in changes:
         removed = REMOVED.get(change.field, ())
@@ -516,7 +512,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheet_rows(request: Mapping[str, Any]) -> Record:
-    """Try the sheets that the request names, or all. The rod is solved again only if it depends on the sheet."""
+    """Try the named sheets, or all. The rod is solved again only if it depends on the sheet."""
     spec, names, rod, rows = _spec(request), request.get("names"), None, []
     solved = spec.rod_spec
     for sheet in cut_sheets():
@@ -668,7 +664,7 @@ def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
 
 
 def _matrix(frame: Frame) -> list[float]:
-    """Return the columns of a frame's matrix (4, 4), as graphics libraries expect."""
+    """Return a frame's matrix (4, 4) by columns, as graphics libraries expect."""
     rows = np.eye(4)
     rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
     return [round(float(x), 6) for x in rows.T.ravel()]
@@ -712,7 +708,6 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
-    """Add a control point without changing the shape, or remove a control point."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first

@@ -31,7 +31,7 @@ MODULES = (
 def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     """Return the studio as a widget of a notebook, to draw a curve for later cells.
 
-    It requires anywidget.
+    The widget requires anywidget.
 
     Parameters
     ----------

@@ -187,7 +187,7 @@ class Studio:
             await send(kind, content if path is None else _save_if_unchanged(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        # a worker reads a request as one line, and line feeds in JSON are only white space
+        # a request is one line for a worker, and JSON allows a space in place of a line feed
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))

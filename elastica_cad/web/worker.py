@@ -80,8 +80,6 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
 
 
 class _PageWords(Translated):
-    """Wording of messages, with fields named as on the page."""
-
     def __init__(self, language: str) -> None:
         super().__init__(CATALOGUES.get(language, "en"))
         self.point = "," if language == "de" else "."

@@ -53,11 +53,11 @@ class Command:
         resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
-            # during editing, FreeCAD disables commands of other types
+            # while a sketch is open, FreeCAD enables only commands of this type
             resources["CmdType"] = "ForEdit"
         if self.shortcut:
             resources["Accel"] = self.shortcut
-        # the command is not checked at first
+        # in FreeCAD, the value of "Checkable" is the initial check mark
         return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:
@@ -128,7 +128,6 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(LIVE.name)
     for action in command.getAction() if command is not None else []:
-        # with signals blocked, the new check mark does not run the command
         action.blockSignals(True)
         action.setChecked(on)
         action.blockSignals(False)

@@ -98,7 +98,6 @@ def write_cutting_files(
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    # different labels may give equal file names
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
@@ -141,7 +140,6 @@ def write_cutting_files(
 
 
 def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[str, str]) -> str:
-    """Return the cut list, with a column of instructions if parts must be pre-bent."""
     text = cut_list((*(cut.piece for cut in cuts), *blocks), files).csv
     blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
@@ -155,7 +153,7 @@ def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapp
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """Write an object to a STEP file. A strip is written as its flat part and its bent part."""
+    """Write an object, or both the flat and the bent part of a strip, to a STEP file."""
     # only the module of the graphical interface writes colours
     exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)

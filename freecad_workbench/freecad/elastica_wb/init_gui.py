@@ -49,7 +49,7 @@ class ElasticaWorkbench(Gui.Workbench):
 
 
 def _panel_of(obj: Any) -> Any:
-    """Return the panel of an object. The module of panels is imported only when the first panel opens."""
+    """Import the module of panels only when the first panel opens."""
     from freecad.elastica_wb.panels.feature_panels import panel_of
 
     return panel_of(obj)
@@ -80,10 +80,7 @@ class PreferencesPage:
             preferences.put(name, value_of(widget))
 
     def _widgets(self) -> Iterator[tuple[str, Any]]:
-        """Yield preferences and widgets.
-
-        A widget is named after its preference, with a lower-case initial.
-        """
+        """Yield each preference and its widget, whose name begins with a small letter."""
         for name in preferences.DEFAULTS:
             widget = getattr(self.form, name[0].lower() + name[1:], None)
             if widget is not None:

@@ -265,7 +265,7 @@ EXAMPLE = Command(
         "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
     ),
     run=open_example,
-    has_subject=lambda: True,  # the command makes a new document
+    has_subject=lambda: True,
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)

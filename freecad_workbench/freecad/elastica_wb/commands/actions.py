@@ -39,7 +39,7 @@ def has_curve() -> bool:
 
 
 def answers(question: Callable[..., Any], **options: Any) -> bool:
-    """Return True if a function that reads the selection returns a true value and raises no error."""
+    """Return True if a function of the selection returns a true value without an error."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(**options))
     return False
@@ -62,9 +62,9 @@ def _close_sketch() -> None:
 
 
 def _begin_step(name: str) -> None:
-    """Begin an undo step that also closes the open sketch. Cancel and undo show the sketch again."""
+    """Begin an undo step and close the open sketch in it."""
     if (sketch := edited_sketch()) is not None:
-        # FreeCAD hides a sketch while it is open
+        # FreeCAD hides an open sketch, which must be visible after an undo
         sketch.Visibility = True
     open_step_and(_close_sketch, App.ActiveDocument, name)
 
@@ -121,7 +121,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
             paths.append((choice.Object, edges))
         else:
             bodies.append(choice.Object)
-    if not bodies:  # the selected edges of the body are the path
+    if not bodies:  # edges selected as the path also select their body
         bodies = [obj for obj, edges in paths if edges]
     return chosen_bodies(bodies), paths[0] if paths else None
 
@@ -140,7 +140,7 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    # recompute, so that the next flat part is placed beside this part
+    # give this part its shape, because the next part must not overlap it
     record_recompute(strip.Document)
 
 
@@ -179,7 +179,6 @@ def laminate() -> None:
 
 
 def _set_constant_width(strips: list[Any], style: str, step: str) -> None:
-    """Set a style and a constant width, by default the largest width of the plain strip."""
     _begin_step(step)
     usual = preferences.get("MaxWidth")
     for strip in strips:

@@ -74,7 +74,6 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _picked() -> dict[Any, list[str]]:
-    """Return the names of picked elements by object. If a link displays the element, the object is the link."""
     names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
@@ -121,7 +120,7 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the chains of picked edges. Each edge of a section is a chain, because sections are already split."""
+    """Return the chains of picked edges. Sections are already split, so each edge is a chain."""
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
@@ -165,7 +164,7 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates and copies. Without a selection, use the whole document.
+    """Return the selected strips, models, plates, two-state parts and copies, or those of the whole document.
 
     A selected container selects its contents. A selected flat part with slots selects its model.
     """
@@ -179,12 +178,12 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True for an object to be cut. Broken links count too, so that an error reports them."""
+    """Return True for objects to be cut, and for broken links, so that an error reports them."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """Return the models, the base plates and the strips on the plates. Without these, return the only strip."""
+    """Return models, plates, two-state parts and strips on plates. Without these, return the only strip."""
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
@@ -200,7 +199,6 @@ def _all_sources() -> list[Any]:
 
 
 def _may_show(obj: Any) -> bool:
-    """Return True if an object may display strips. The check is fast: it looks only at type and proxy."""
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 

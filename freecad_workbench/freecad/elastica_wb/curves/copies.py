@@ -126,7 +126,7 @@ def _placement_of(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object displays, with placements relative to the object, or None without parts."""
+    """Return the parts that an object displays, or None. Placements are relative to the object."""
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _placement_of(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
@@ -160,7 +160,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     target = obj.Base if is_array else link_target(obj)
     if target is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # an array without LinkTransform stores shapes
+    if is_array and not hasattr(obj, "LinkTransform"):  # an array without links stores copies of the shape
         inner = obj.Placement.inverse()
         return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
     inner_place = target.Placement if obj.LinkTransform else App.Placement()
@@ -170,7 +170,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return the objects in a container and nested containers, with placements relative to the outer container."""
+    """Return the contents of a container and of nested containers, placed relative to the container."""
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         place = _placement_of(child)
@@ -193,6 +193,6 @@ def _is_container(obj: Any) -> bool:
 
 
 def _is_draft(obj: Any, kind: str) -> bool:
-    """Return True for a Draft object whose type ends in `kind`, such as "Array" (`PathArray`) or "Clone"."""
+    """Return True if the type of a Draft object ends in `kind`: "Array" includes "PathArray"."""
     type_name = getattr(getattr(obj, "Proxy", None), "Type", None)
     return isinstance(type_name, str) and type_name.endswith(kind)

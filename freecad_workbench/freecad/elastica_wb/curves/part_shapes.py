@@ -27,7 +27,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
-# tolerance, mm, for curves that are not NURBS
+# largest distance, mm, between an offset curve and its NURBS approximation
 OFFSET_TOLERANCE_MM = 1e-6
 # boxes larger than this, mm, count as infinite: datum planes and axes have boxes of 1e100 mm
 ENDLESS_MM = 1e99
@@ -55,7 +55,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """Return the plane with the axes that OpenCASCADE would choose. Areas are most accurate with these axes."""
+    """Return the plane with the axes that OpenCASCADE would choose, which give the most accurate areas."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 

@@ -37,7 +37,7 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-# number of points along a wire of a section; each edge has at least a quarter of this number
+# number of points along a wire of a section, at least a quarter of them on each edge
 SECTION_POINTS = 240
 # number of points along a path, so that planes are perpendicular within a fraction of a degree
 PATH_POINTS = 400
@@ -232,7 +232,7 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return vertices (document coordinates) and triangles of a mesh or a linked mesh, otherwise None."""
+    """Return vertices, in document coordinates, and triangles of a mesh or a link to a mesh, or None."""
     source = _mesh_object(obj)
     if source is None:
         return None
@@ -252,7 +252,7 @@ def _fingerprint(source: Any) -> tuple[float, ...]:
 
 @lru_cache(maxsize=4)
 def _arrays(document: str, name: str, *_fingerprint: float) -> tuple[FloatArray, Any]:
-    """Return vertices and triangles, cached because FreeCAD takes a second for a million points."""
+    """Cache vertices and triangles, because FreeCAD takes a second for a million points."""
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
@@ -283,10 +283,7 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 
 
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
-    """Return points along each edge.
-
-    Edges are separate, because FreeCAD crashes for some wires through a sphere's pole.
-    """
+    """Return points along each edge alone, because FreeCAD crashes for some wires through a sphere's pole."""
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 

@@ -79,7 +79,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return a line of text on the curve of a link (object, names of edges), or on `geometry` if given."""
+    """Describe the curve of a link (object, names of edges), or the given `geometry`, in a line of text."""
     source, edges = link
     whole = is_sketch(source) and not edges
     curves = drawn_in(source, geometry) if whole else _edges(source, edges)
@@ -192,7 +192,7 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 def is_outline(shape: Any) -> bool:
     """Return True for a single plane face without holes, such as Draft makes from a closed curve."""
     faces = shape.Faces
-    # FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
+    # the surface may be a spline, because FreeCAD's SVG reader scales faces
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 

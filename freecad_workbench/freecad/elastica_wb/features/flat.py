@@ -98,7 +98,6 @@ def _free_placement(strip: Any) -> App.Placement:
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    # sort the parts from the back (large y) to the front
     for other in sorted(_other_boxes(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right
@@ -111,7 +110,6 @@ def _free_placement(strip: Any) -> App.Placement:
 
 
 def _box(source: Any) -> App.BoundBox:
-    """Return the bounding box of a curve; it is empty if the curve was deleted or has no shape."""
     return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 

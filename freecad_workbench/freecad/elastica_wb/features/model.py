@@ -191,7 +191,7 @@ def strips_model(
 
 
 def _placed_strips(obj: Any, as_displayed: bool) -> Iterator[tuple[Strip, App.Placement]]:
-    """Yield the strips that an object displays, each with the placement of the curve in the document."""
+    """Yield the strips that an object displays, with the placements of their curves in the document."""
     strip_in, model_in = (shown_strip, shown_model) if as_displayed else (strip_of, model_of)
     standing = list(shown_strips(obj))
     if not any(is_strip(original) or is_model(original) for original, *_ in standing):

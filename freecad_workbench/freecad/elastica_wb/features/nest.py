@@ -21,7 +21,6 @@ from elastica_cad.refusals import note, sentences
 
 # distance, mm, of a nest from the objects behind it
 SPACE_MM = 50.0
-# distance, mm, between sheets
 SHEET_GAP_MM = 30.0
 
 

@@ -104,7 +104,7 @@ def is_cut(obj: Any) -> bool:
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # failed features have outdated shapes
+    if lost:
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)

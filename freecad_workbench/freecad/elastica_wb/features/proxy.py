@@ -71,7 +71,6 @@ FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 
 # colour components that differ by less count as equal, because FreeCAD rounds colours
 SAME_COLOR = 1e-2
-# largest number of names in a line of the report view
 MOST_NAMES = 6
 
 
@@ -80,7 +79,7 @@ class Feature(Unsaved):
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """Mapping from the property with the name of a sheet to the property with its data."""
+    """Names of the properties with the data of sheets, by the properties with the names of the sheets."""
     choices: ClassVar[frozenset[str]] = frozenset()
     """Names of the enumeration properties."""
     chosen: str | None = None
@@ -166,7 +165,6 @@ class Feature(Unsaved):
                     put(obj, Thickness=new.thickness)
 
     def _store_sheets(self, obj: Any) -> None:
-        """Store the data of the sheets in the document, so that the shape can be computed from them."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
@@ -226,7 +224,7 @@ def _show_title(obj: Any, name: str) -> None:
 
 
 def _recolor(obj: Any, before: str) -> None:
-    """Set the colour of the new sheet on an object and its users. Colours chosen by the user stay."""
+    """Set the colour of the new sheet on an object and its users, except where the user chose a colour."""
     with suppress(InputError):  # the sheet may no longer exist
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
@@ -299,7 +297,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and its dependent objects, without those that depend only on a container's placement."""
+    """Return an object and its dependents, except those that depend only on a container's placement."""
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
@@ -308,7 +306,6 @@ def _with_users(obj: Any) -> list[Any]:
 
 
 def _restore_visibility(obj: Any) -> None:
-    """Restore the visibility that an error had changed, after a successful recompute."""
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
@@ -384,7 +381,7 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move the sources of a feature, but do not contain it or depend on it."""
+    """Return the containers that move the sources of a feature, except its containers and dependents."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container

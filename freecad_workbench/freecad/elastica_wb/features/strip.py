@@ -73,7 +73,6 @@ class StripFeature(Feature):
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
-            # earlier versions accepted a strip beyond its strain limit
             obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -250,7 +249,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a change lets the strip be made. A change of a switch is not tried."""
+    """Return True if a change makes the strip possible. Switches are accepted without a test."""
     if change.field == "nearest" and (spec.between or spec.rod_spec.point_forces):
         return False  # the search ignores rails, pins, ties and point forces
     if isinstance(change.value, bool):
@@ -311,7 +310,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
 
 
 def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
-    """Return a text that identifies a request within a session of FreeCAD."""
+    """Return a hash of a request as text. It is valid only in the current session of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
@@ -321,10 +320,7 @@ def _solids(body: Any) -> bool:
 
 
 def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write the results.
-
-    `changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve.
-    """
+    """Write the results. The curve was moved `changed` mm by the search and `smoothed` mm by smoothing."""
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [

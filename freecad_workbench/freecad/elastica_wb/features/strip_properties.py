@@ -251,7 +251,7 @@ NEAREST = tuple(
 """Options and results of the nearest curve as a separate feature."""
 
 
-# limits of lengths: 100 m, and a length below the thickness of any foil
+# largest and smallest accepted length; no foil is thinner than the smallest
 LONGEST_MM, THINNEST_MM = 1e5, 1e-3
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
@@ -424,10 +424,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def sheet_of(obj: Any) -> Sheet:
-    """Return the sheet with the measured thickness.
-
-    A thickness other than the nominal thickness has no range.
-    """
+    """Return the sheet with the measured thickness. Only the nominal thickness has a range."""
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
         return sheet
@@ -444,7 +441,6 @@ def _max_width(obj: Any) -> float | None:
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """Return the limits of the workshop. FreeCAD sets only the least ligament of a perforated strip."""
     return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
@@ -487,7 +483,6 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Return the smallest and the largest value, mm, or None if no largest value is set."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None

@@ -143,4 +143,3 @@ KINDS = {
     "BasePlate": BasePlateView, "Rings": RingsView, "Nest": NestView, "Nearest": NearestView,
     "Bent": BentView, "Section": SectionView, "Flexure": FlexureView,
 }  # fmt: skip
-"""View provider of every kind of feature."""

@@ -14,9 +14,7 @@ from freecad.elastica_wb.host.words import report, report_error, report_warning,
 
 from elastica_cad._text import printable
 
-# duration, ms, of a message in the status bar
 STATUS_MS = 20_000
-# largest number of files that a window lists
 MOST_FILES = 12
 
 _open_boxes: list[Any] = []

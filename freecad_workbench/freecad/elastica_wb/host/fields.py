@@ -205,7 +205,7 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True for an empty box in which an empty text stands for a value. Qt would restore the old text."""
+    """Return True for an emptied box whose empty text is a value, because Qt would restore the old text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -215,10 +215,7 @@ def _is_number_box(widget: Any) -> bool:
 
 
 def _widen(box: Any) -> None:
-    """Remove the limits of a box, because FreeCAD ignores a key that makes the length too large.
-
-    In "0.15 mm", the box would ignore the first m, because 0.15 m is too large, and read 0.15 in.
-    """
+    """Remove the limits of a box. Otherwise FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large."""
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
     box.setProperty("maximum", LARGEST)
@@ -251,7 +248,7 @@ class _InputFilter(QtCore.QObject):
 
 
 def _settle(box: Any) -> None:
-    """Send the signal of a changed box. The box sends no signal if its rounded value is the same."""
+    """Send the signal of a changed box, which is silent if its rounded value is the same."""
     with suppress(RuntimeError):  # the panel may already be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)

@@ -78,10 +78,10 @@ def document_lives(document: Any) -> bool:
 
 
 def sensor(kind: Any, callback: Callable[..., None]) -> Any:
-    """Return a Coin sensor that calls a method while the object of the method is referenced elsewhere.
+    """Return a Coin sensor that calls a method without keeping the object of the method in memory.
 
-    The reference is weak, because pivy never releases the function that a sensor calls. Otherwise a card and
-    its widgets would stay in memory, and PySide would reuse their wrappers for new widgets.
+    pivy never releases the function that a sensor calls. Without a weak reference, a card and its widgets
+    would stay in memory, and PySide would reuse their wrappers for new widgets.
     """
     method = WeakMethod(callback)
 

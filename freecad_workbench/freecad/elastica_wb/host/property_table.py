@@ -141,7 +141,7 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
 def _is_choice(value: Any, choices: list[str]) -> bool:
     if isinstance(value, str):
         return value in choices
-    # FreeCAD truncates a number to the index of a choice
+    # FreeCAD uses the integer part of a number as the index of a choice
     return isinstance(value, (int, float)) and -1 < value < len(choices)
 
 
@@ -199,7 +199,6 @@ def reword(obj: Any) -> None:
 
 
 def _records(obj: Any) -> dict[str, Any]:
-    """Return the stored messages of an object, or none if a hand-edited file cannot be read."""
     with suppress(ValueError):
         records = json.loads(obj.Messages or "{}")
         return {name: data for name, data in records.items() if name in MESSAGES}

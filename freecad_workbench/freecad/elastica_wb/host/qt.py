@@ -34,7 +34,7 @@ AGAIN_MS = 20
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
-    """Return a timer that calls a function once, `wait` ms after each start. Qt deletes it with `parent`."""
+    """Return a timer that calls a function once, `wait` ms after each start. `parent` owns the timer."""
     timer = QtCore.QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(wait)

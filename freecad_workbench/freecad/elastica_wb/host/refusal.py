@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Errors of features: a message as the state of the feature, and one line in the report view.
+"""Errors of features, shown as the state of the feature and as one line in the report view.
 
-FreeCAD stores an exception of `execute` as the state of the feature, and prints a traceback, the name of the
-class and the message. The traceback lists the Python functions through which the exception passed. Therefore
-Python functions return the error, and compiled code raises it, so that FreeCAD prints only the caller of the
-recompute. FreeCAD 1.x repeats the message at the end of the recompute, so its first output is suppressed.
+FreeCAD prints the traceback of an exception that `execute` raises, with all Python functions in it. Therefore
+Python functions return the error, and compiled code raises it. FreeCAD 1.x repeats the message at the end of
+the recompute, so its first output is suppressed.
 """
 
 import os
@@ -62,10 +61,10 @@ REPEATS = int(App.Version()[0]) >= 1
 
 
 class _Silence:
-    """Stops the printing of errors from `begin` until the next recompute of an object or a document."""
+    """Suppression of printed errors, from `begin` until the next change or recompute."""
 
     def __init__(self) -> None:
-        # observers that print errors, or None before their first use
+        # names of the console's observers that print errors, or None before the first use
         self._observers: list[str] | None = None
 
     def begin(self) -> None:

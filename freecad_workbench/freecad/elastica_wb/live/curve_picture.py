@@ -28,7 +28,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 TEETH = 161
 # height of the curvature comb, as a fraction of the size of the curve
 COMB_HEIGHT = 0.2
-# excess length of lines of inflections and thrust, as a fraction of the size of the curve
+# length of a line beyond the curve, as a fraction of the size of the curve
 LINE_MARGIN = 0.15
 # tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length
 ON_LINE = 1e-4
@@ -96,7 +96,6 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    # after smoothing, show the smoothed curve
     drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
@@ -165,7 +164,7 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """Return rim and teeth within and beyond the strain limit. As in FreeCAD, teeth point out of the bend."""
+    """Return the combs within and beyond the strain limit. As in FreeCAD, teeth point out of the bend."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))

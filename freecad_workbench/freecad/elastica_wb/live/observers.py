@@ -88,7 +88,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Return False if the results of an object are still being computed."""
+        """Write the slow results of an object. Return False if they are still being computed."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 
@@ -112,7 +112,6 @@ class LaterResults:
 
 WORKBENCH = "ElasticaWorkbench"
 CURVES = ("Nearest", "Bent", "Section")
-"""Kinds of features that are curves."""
 SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label", "Messages")
 """Properties that do not affect the shape of a feature."""
 _installed: list[Any] = []
@@ -267,10 +266,7 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """Recompute pasted features.
-
-        They may lack their sources, and FreeCAD 0.20 does not recompute them.
-        """
+        """Recompute pasted features, because FreeCAD 0.20 does not, and they may lack their sources."""
         pasted = [obj for obj in self._pasted if lives(obj)]
         # timers also run during an import
         if any(_is_importing(obj.Document) for obj in pasted):
@@ -342,7 +338,7 @@ def _rename_users(obj: Any, old: str) -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """Hide failed features again. The sketcher shows them when it closes a sketch."""
+    """Hide failed features again, because the sketcher shows them when it closes a sketch."""
     if lives(sketch):
         _call_in_proxy("hide_failed", sketch)
 
@@ -357,7 +353,6 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
     regrouped = any("Group" in names for names in changed.values())
     touched = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, touched)]
-    # features that an undo restored and that FreeCAD marked for recompute
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()

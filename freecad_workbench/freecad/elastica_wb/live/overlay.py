@@ -166,7 +166,6 @@ class _Points:
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
-        """Draw the points (n, 2) of each array in `pieces` as a line or as marks."""
         pieces = [piece for piece in pieces if len(piece)]
         if not pieces and self.count == 0:
             return

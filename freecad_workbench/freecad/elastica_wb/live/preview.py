@@ -102,7 +102,6 @@ class _Ribbon:
 
 # distance, pixels, within which the mouse grabs a handle
 REACH_PX = 12
-# size of a handle, pixels
 SIZE_PX = 13
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
 # largest sine of the angle between the line of sight and a plane seen edge-on
@@ -243,10 +242,7 @@ def add_group(root: Any, *nodes: Any) -> None:
 
 
 class _Mouse(QtCore.QObject):
-    """Event filter that takes the left mouse button before FreeCAD rotates the view or selects objects.
-
-    All navigation styles use this button, and some handle it before Coin's scene.
-    """
+    """Event filter that takes the left mouse button before FreeCAD rotates the view or selects objects."""
 
     def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
         super().__init__()
@@ -256,7 +252,6 @@ class _Mouse(QtCore.QObject):
         self._answers = dict(
             zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
         )
-        # without a widget, only the numbers in the panel move the handles
         if self._widget is not None:
             self._widget.installEventFilter(self)
 

@@ -79,7 +79,6 @@ SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
 SEVERITY = (Verdict.NOTHING, Verdict.CAN, Verdict.BREAKS, Verdict.CANNOT)
-"""Verdicts by increasing severity."""
 
 _session: "Session | None" = None
 
@@ -124,7 +123,6 @@ class Session:
         if self.card.keep.isChecked() and self._stop_at_border():
             return  # the changed sketch causes another refresh
         self._attach()
-        # the drawn points belong to the current geometry
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
         self._show(None)
 
@@ -164,8 +162,8 @@ class Session:
     def _stop_at_border(self) -> bool:
         """Move a dragged curve back to its last possible shape. Return True if the sketch changed.
 
-        The sketcher itself moves the poles until the mouse is released. The undo step of the drag is
-        replaced.
+        The sketcher itself moves the poles until the mouse is released. Then this method replaces the undo
+        step of the drag.
         """
         try:
             self._curve = curve = sketch_curve(self.sketch, None, gap_of(*sketches.followers(self.sketch)))
@@ -204,7 +202,7 @@ class Session:
         return True
 
     def _attach(self) -> None:
-        """Find the Coin node of the drawn points. Some FreeCAD releases replace this node for new geometry."""
+        """Find the Coin node of the drawn points, which some FreeCAD releases replace for new geometry."""
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -299,7 +297,7 @@ class Session:
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        """Return the options of the strip along these edges. They are read once per drag."""
+        """Return the request for the strip along these edges, which is read once per drag."""
         if names not in self._asks_along:
             spec = default_spec(curve)
             for strip in sketches.followers(self.sketch):
@@ -331,7 +329,7 @@ class Session:
     def _request(self) -> None:
         """Start the search for the nearest curve in another thread. Results for earlier curves are ignored.
 
-        Rails, pins, ties and point forces prevent a search, because the search would ignore them.
+        The search ignores rails, pins, ties and point forces, so it is not started with these.
         """
         if self._asks.between or self._asks.rod_spec.point_forces:
             return
@@ -363,7 +361,7 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """Return the `StripSpec`, whose options do not change during a drag."""
+        """Return the request for the strip, which is read once per drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))

@@ -34,8 +34,8 @@ POINTS = {
 class Dragged:
     """Reconstruction of the geometry of a sketch from the drawn points.
 
-    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. Then only
-    releasing the mouse gives the geometry.
+    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. Then the
+    geometry is known only after the mouse is released.
     """
 
     def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
@@ -101,7 +101,7 @@ class Dragged:
         return pole_circles
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
-        """Return True if the drawn points match the geometry in the document."""
+        """Return True if the points from index `shift` on match the geometry in the document."""
         for i, circles in self._poles.items():
             for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
                 x, y = points[shift + self._first[circle]][:2]

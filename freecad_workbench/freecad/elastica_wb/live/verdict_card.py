@@ -93,7 +93,6 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            # most mouse moves change only numbers, not the height of the card
             if tall != self._tall:
                 self._tall = tall
                 self._place()
@@ -158,7 +157,6 @@ class VerdictCard(QtCore.QObject):
             self._lay_out(part, cards, folded=True)
 
     def _other_cards(self) -> list[Any]:
-        """Return the rectangles of the other visible cards over the view."""
         cards = self._over.findChildren(QtWidgets.QFrame, self.frame.objectName())
         return [card.geometry() for card in cards if card != self.frame and card.isVisible()]
 

@@ -48,7 +48,7 @@ def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:
     if check.realizable:
         try:
             answer = strip_answer(solve_strip(spec))
-            # an equilibrium exists, but the sheet would break
+            # the check of the equilibrium does not matter if the sheet would break
             words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
         except ElasticaError as error:
             words.append(str(error))

@@ -129,7 +129,7 @@ def add_coupon(document: Any, sheet_name: str) -> Any:
 def readings_of(text: str) -> tuple[list[float], list[float]]:
     """Return overhangs and droops from a text such as "120 = 14.5; 150 = 31"."""
     pairs = []
-    # commas in the text are decimal separators
+    # True if commas in the text are decimal separators
     commas = ";" in text or decimal_point() == ","
     for part in text.split(";" if commas else ","):
         try:

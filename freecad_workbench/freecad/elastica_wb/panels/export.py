@@ -132,9 +132,8 @@ class ExportPanel(Panel):
 
 
 def _usual_folder(document: Any) -> str:
-    """Return the last used folder, or the document's folder, or "", so that the user must choose."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # `isdir` is also False for a folder without permission
+    if last and os.path.isdir(last):
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 

@@ -76,7 +76,7 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """Return the row on accuracy: "…" until it is computed, "-" if the footnote says why it is missing."""
+    """Return the row on accuracy: "…" for a result to be computed, "-" if the footnote explains it."""
     if strip.rod.acting:
         return not_computed_row()
     shape = held_shape(strip) if obj.Held else None
@@ -84,12 +84,10 @@ def _accuracy(obj: Any, strip: Strip) -> Row:
 
 
 def _flat_footnote(obj: Any) -> str:
-    """Return a note on the pre-bend of the strip, which the flat part does not show."""
     return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
 def _has_value(name: str, *values: object) -> Callable[[Any], bool]:
-    """Return a function that checks whether an object's property `name` has one of these values."""
     return lambda obj: getattr(obj, name) in values
 
 
@@ -300,7 +298,7 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """Return the chart of the force over the travel of the pushed point (bistable parts) or the moved end."""
+    """Return the chart of the force over the travel of the moved end or, if bistable, of the pushed point."""
     travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
     if travel.unit == "mm":
         unit = shown_unit()

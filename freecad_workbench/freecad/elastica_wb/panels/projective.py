@@ -102,7 +102,6 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        """Return the `StripSpec` of the strip or, without a strip, of the preferences."""
         if self._asks is None:
             specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
             self._asks = next(specs, default_spec(self.drawn))
@@ -114,7 +113,6 @@ class ProjectivePanel(Panel):
             self.preview.show(self.drawn.sample(201).position, self.curve.sample(201).position, around)
 
     def _fill(self, places: FloatArray) -> None:
-        """Show the positions of the handles in the widgets, rounded."""
         self.handles, self._shown = places, []
         for name, value in zip(FIELDS, places.ravel(), strict=True):
             widget = getattr(self.form, name)

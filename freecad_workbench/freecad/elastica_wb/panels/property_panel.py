@@ -59,9 +59,7 @@ STYLES = {
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
 NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
-# largest number of letters in a line of a button
 BUTTON_LETTERS = 32
-# largest number of buttons with suggestions
 MOST_SUGGESTED = 5
 
 
@@ -456,10 +454,7 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change.
-
-    The button calls `preview` with its number, or with None when the mouse leaves the button.
-    """
+    """Button of a change. It calls `preview` with its number, and with None when the mouse leaves."""
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
         super().__init__()
@@ -475,7 +470,6 @@ class _ChangeButton(QtWidgets.QPushButton):
 
 
 def _title(suggestion: Suggestion) -> Refusal:
-    """Return the instruction of a suggested change, with the full name of a sheet."""
     change = suggestion.change
     if change.field == "sheet":
         suggestion = replace(suggestion, change=replace(change, value=title_of(change.value)))

@@ -39,7 +39,6 @@ from elastica_cad.mechanics.loads import PointMass, Weight
 
 Places = list[tuple[float, float]]
 
-# decimals of positions, mm
 PLACE_DIGITS = 2
 USUAL_FORCE_N, USUAL_MASS_G = (0.0, -1.0), 10.0
 PROPERTIES = ("Between", "Loads")
@@ -196,7 +195,7 @@ class RailsPanel(Panel):
         self.show_message(answer.sentence)
 
     def _distance(self, point: tuple[float, float]) -> float:
-        """Return the distance along the drawn curve, mm, of the point nearest to `point`."""
+        """Return the position along the drawn curve, mm, that is nearest to a point."""
         curve = self._along()
         return round(float(PlacedElement.on(Pin(point), curve, curve).s[0]), PLACE_DIGITS)
 
@@ -209,7 +208,7 @@ class RailsPanel(Panel):
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return (number of the item, field with the position) for each mark."""
+        """Return, for each mark, the number of its item and the field with its position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:

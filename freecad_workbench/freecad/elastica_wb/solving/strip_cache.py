@@ -82,7 +82,7 @@ def sharpest_bend(
 
 
 MANY_HOLES = 100
-# divisor of the curvature limit of a rod, because the spline through the rod curves more
+# divisor of the curvature limit of a rod, because a spline through the rod is curved more sharply
 HEADROOM = 1.003
 # largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
@@ -119,7 +119,7 @@ def moved_by_smoothing(spec: StripSpec) -> float:
 
 @remembered
 def _shared_request(spec: StripSpec) -> StripSpec:
-    """Return the first of equal requests, whose smoothing is already computed."""
+    """Return the first of all equal requests, because its smoothing is already computed."""
     return spec
 
 
