@@ -366,7 +366,7 @@ def _keywords_of_steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return the report of a shape. A `bending_stiffness` in N mm2 gives forces in N, and 1 gives 1/mm2."""
+    """Return the report of a shape. Its forces are in N, or in 1/mm2 if `bending_stiffness` is 1."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
@@ -452,7 +452,7 @@ def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
-    """Yield a warning if a rail pushes a straight strip down, because its point is below the strip."""
+    """Yield a warning if a rail pushes a straight strip down, because the rail's point is below the strip."""
     at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
     gravity = shape.gravity
     if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
@@ -542,7 +542,7 @@ def _stability_row(
 
 
 def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
-    """Return the position of a step, or its number if loads or elements change, because an end may slide."""
+    """Return the position of a step, or the number of the step if loads or elements change."""
     if moved is None or change:
         return f"step {step + 1} of {len(shapes)}"
     return moved.place_message(moved.path_length[step])

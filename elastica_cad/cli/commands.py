@@ -294,7 +294,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
-    # `_refuse_extra_words` refuses extra words with advice
+    # `_refuse_extra_words` reports extra words, with advice
     command.allow_extra_args = True
     command.params += [
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),

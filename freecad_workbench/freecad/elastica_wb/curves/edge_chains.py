@@ -30,7 +30,7 @@ def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
-    """Return the names of the edges of each curve in a sketch, or only of curves with edges in `picked`.
+    """Return the edge names of each curve in a sketch, or only of curves with edges in `picked`.
 
     A single picked edge selects its chain up to the next corners. Several picked edges of a chain form a
     curve without the other edges of the chain. For a sketch with a single curve, the names are ().

@@ -35,7 +35,7 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""Overlaps of models, computed in another thread. The cache of models keeps the keys alive."""
+"""Overlaps of models, computed in another thread. Entries live as long as the models in the cache."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()

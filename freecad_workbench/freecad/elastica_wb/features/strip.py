@@ -55,7 +55,7 @@ DRAWN = ("point", "size")
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request. The caches of solved strips keep them alive."""
+"""Strips by the hash of their request, while the caches of solved strips contain them."""
 
 
 class StripFeature(Feature):
@@ -76,7 +76,7 @@ class StripFeature(Feature):
             obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Set PlacesLength to 0 after a change of ties or loads: their positions refer to the current curve."""
+        """Set PlacesLength to 0 after a change of ties or loads, because they fit the current curve."""
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")

@@ -95,7 +95,7 @@ def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]
 
 
 class _Worker:
-    """Right operand of `|`: `obj | worker` is the error that `work(obj)` returns, or `_Success`."""
+    """Object for which `obj | worker` is the error that `work(obj)` returns, or `_Success`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
@@ -114,7 +114,7 @@ next(_ended, None)
 
 
 class _Thrower:
-    """Right operand of `|`: `error | thrower` raises the error."""
+    """Object for which `error | thrower` raises the error."""
 
     __ror__ = staticmethod(_ended.throw)
 

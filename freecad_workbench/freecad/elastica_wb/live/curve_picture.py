@@ -28,7 +28,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 TEETH = 161
 # height of the curvature comb, as a fraction of the size of the curve
 COMB_HEIGHT = 0.2
-# length of a line beyond the curve, as a fraction of the size of the curve
+# length of the inflection line and the thrust line beyond the curve, as a fraction of its size
 LINE_MARGIN = 0.15
 # tolerance of `check_equilibrium` for inflections on a line, as a fraction of the length
 ON_LINE = 1e-4
@@ -164,7 +164,7 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """Return the combs within and beyond the strain limit. As in FreeCAD, teeth point out of the bend."""
+    """Return the curvature combs within and beyond the strain limit. As in FreeCAD, they point outward."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))

@@ -266,7 +266,7 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """Recompute pasted features, because FreeCAD 0.20 does not, and they may lack their sources."""
+        """Recompute pasted features, whose sources may be missing. FreeCAD 0.20 does not recompute them."""
         pasted = [obj for obj in self._pasted if lives(obj)]
         # timers also run during an import
         if any(_is_importing(obj.Document) for obj in pasted):
@@ -346,7 +346,7 @@ def _hide_failed(sketch: Any) -> None:
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
     """Return the features whose shape does not match their properties, and their dependent features.
 
-    `half` has the names of objects. An undo restored only their shapes, or only their properties.
+    `half` has the names of objects of which an undo restored either the shape or the properties.
     """
     from freecad.elastica_wb.features.strip import is_stale
 

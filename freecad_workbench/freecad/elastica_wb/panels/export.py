@@ -103,7 +103,6 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        # "~" remains if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
         # users do not know FreeCAD's working folder
         if not folder.is_absolute():

@@ -66,7 +66,7 @@ class SheetsPanel(Panel):
         # a number that the user typed has no range of values
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        # an empty field, 0, means that the modulus is estimated
+        # an empty field has the value 0 and means that the modulus is estimated
         if typed.get("shear_modulus") == 0:
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)

@@ -86,7 +86,7 @@ MANY_HOLES = 100
 HEADROOM = 1.003
 # largest number of searches, and factor by which each search overcorrects an exceeded limit
 STRICTER, BEYOND = 4, 1.3
-# a curve is within its limits if the nearest curve within the limits is closer than this, mm
+# a curve closer than this, mm, to the nearest curve within the limits counts as within the limits
 AS_DRAWN_MM = 0.05
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
