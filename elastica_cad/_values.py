@@ -26,7 +26,7 @@ def is_number(value: object) -> TypeGuard[float]:
     >>> is_number(3), is_number(np.float64(0.5)), is_number("3"), is_number(float("nan")), is_number(True)
     (True, True, False, False, False)
     """
-    if type(value) is not float and (  # nearly all values are floats
+    if type(value) is not float and (
         isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.integer | np.floating)
     ):
         return False

@@ -95,7 +95,7 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
-        if isinstance(text, Refusal):  # merge the data of the Refusal into the new one
+        if isinstance(text, Refusal):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text

@@ -153,7 +153,6 @@ def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapp
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """Write an object, or both the flat and the bent part of a strip, to a STEP file."""
     # only the module of the graphical interface writes colours
     exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)

@@ -33,6 +33,6 @@ def open_example() -> Any:
     return document
 
 
-if __name__ == "__main__":  # `make freecad` runs this module as a script
+if __name__ == "__main__":
     Gui.activateWorkbench("ElasticaWorkbench")
     open_example()

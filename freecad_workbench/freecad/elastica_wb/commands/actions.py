@@ -200,7 +200,7 @@ def make_model() -> None:
     for strip in strips:
         if not failed:
             record_value(strip, "Visibility", False)
-        elif strip.Visibility:  # the strip stays visible while the model cannot be made
+        elif strip.Visibility:
             record_value(strip, "ShownByError", True)
     show_panel(panel_of, feature)
 

@@ -147,7 +147,6 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """Return the only sketch without a strip, or None if an object is selected."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]

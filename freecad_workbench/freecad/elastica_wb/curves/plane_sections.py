@@ -289,7 +289,6 @@ def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
-    """Join lines whose ends meet. A closed line ends with its first point."""
     joined = []
     for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])

@@ -212,7 +212,6 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
     """
     # delete in a single call, because each deletion renumbers the geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # types of geometry that shows the poles and knots of the old spline
     points = ("Part::GeomCircle", "Part::GeomPoint")
     remaining = [
         i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)

@@ -225,7 +225,7 @@ def _show_title(obj: Any, name: str) -> None:
 
 def _recolor(obj: Any, before: str) -> None:
     """Set the colour of the new sheet on an object and its users, except where the user chose a colour."""
-    with suppress(InputError):  # the sheet may no longer exist
+    with suppress(InputError):
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
         for view in [user.ViewObject for user in (obj, *users)]:

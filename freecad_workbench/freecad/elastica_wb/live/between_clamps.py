@@ -174,7 +174,7 @@ def _chosen_number(sketch: Any) -> int | None:
 
 def _is_closed(curve: Any) -> bool:
     if not hasattr(curve, "FirstParameter"):
-        return True  # a point counts as closed
+        return True
     ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
     return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
 

@@ -24,7 +24,6 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-# number of teeth of the curvature comb, so that its rim looks smooth
 TEETH = 161
 # height of the curvature comb, as a fraction of the size of the curve
 COMB_HEIGHT = 0.2

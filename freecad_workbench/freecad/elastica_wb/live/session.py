@@ -143,7 +143,7 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # the user may also have stopped the search
+        except FAILURES as error:
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points

@@ -109,7 +109,6 @@ class Verdict(Enum):
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    # no curve is drawn yet
     NOTHING = "nothing"
 
 
