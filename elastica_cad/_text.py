@@ -59,7 +59,7 @@ def _escaped(match: re.Match[str]) -> str:
 
 
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
-"""The running command, which files state in a comment, or "" in a script."""
+"""Text of the running command for comments in written files, or "" in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
 """Words of these characters need no quotes in cmd, the Windows shell."""

@@ -199,7 +199,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # without travel, the force on a straight strip can have any value up to the buckling load
+        # a straight strip does not start at zero, where its force is undetermined up to the buckling load
         from_zero = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(
             strip,

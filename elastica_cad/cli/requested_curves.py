@@ -265,7 +265,7 @@ END_NAMES = get_args(EndName)
 
 
 def read_curves_with_note(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
-    """Return the curves of a file with a single curve. Print a note if its size is doubtful."""
+    """Return a list with the only curve of a file. Print a note if the size of the curve is doubtful."""
     (curve,) = requested_curves(path, unit, None, None)
     return [curve.bendable(None)]
 

@@ -49,7 +49,7 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Checks requests: they must have the token, name this computer as host, and not come from another site."""
+    """Check of requests. They must have the token, name this computer as host, and come from this site."""
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))

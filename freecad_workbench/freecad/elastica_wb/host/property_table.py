@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Declared properties of features; files of earlier versions get new properties."""
+"""Declarations of the properties of features, which files of earlier versions also get."""
 
 import json
 from collections.abc import Iterable, Mapping

@@ -221,7 +221,7 @@ class PropertyPanel(Panel):
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Return (feature, property) for properties that no formula sets."""
+        """Return the pairs of feature and property that no formula sets."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
@@ -250,7 +250,7 @@ class PropertyPanel(Panel):
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # the value of the formula is newer than the value of the widget
+            # the value of a formula is newer than the typed value
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
