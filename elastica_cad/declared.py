@@ -23,7 +23,6 @@ Record: TypeAlias = Callable[..., Any]
 """A dataclass with declared fields, or a function with declared parameters."""
 
 REQUIRED = MISSING
-"""Marker for a field without a default."""
 
 
 MOST_ELEMENTS = 10_000

@@ -20,7 +20,6 @@ UNLIMITED_RATIO = 1000.0
 cannot be made."""
 
 TAB_LENGTH = 10.0
-"""Length of a tab."""
 
 RING_TAB_LENGTH = 8.0
 """Length of a tab in a ring: 3 mm for the ring, and the rest for glue."""

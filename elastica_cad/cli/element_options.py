@@ -20,7 +20,6 @@ RECORDS: dict[str, tuple[type, str]] = {
     "point_force": (PointForce, "Force in newtons, along x and y."),
     "point_mass": (PointMass, "Mass that hangs at a place, in g or with its unit: 8kg."),
 }
-"""Record class and help text of each option."""
 
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 

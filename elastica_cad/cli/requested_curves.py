@@ -76,7 +76,6 @@ def _suffix(data: bytes) -> str:
 
 
 UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])
-"""Units of the numbers in a file."""
 
 unit_option = click.option(
     "--unit", type=UNIT,
@@ -84,7 +83,6 @@ unit_option = click.option(
 )  # fmt: skip
 
 curve_options = join_options(curve_argument(), unit_option)
-"""The CURVE argument and the unit of its file."""
 
 number_option = click.option(
     "--curve", "number", metavar="N|ID", help="Curve of the file: its number from 1, or its id."
@@ -93,7 +91,6 @@ number_option = click.option(
 which_options = join_options(
     number_option, click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing.")
 )
-"""Options that select a curve of the file."""
 
 split_option = click.option(
     "--split-corners", is_flag=True, help="Split curves at their corners into separate curves."
@@ -322,4 +319,3 @@ support_options = join_options(
                  help="Curvature of the strip before bending (0: flat); variable as 'stations = [0, 300], "
                       "curvatures = [0, 0.01]', or a drawing of the pre-bent strip."),
 )  # fmt: skip
-"""Options for the supports of the ends and for natural curvature."""

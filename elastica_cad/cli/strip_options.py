@@ -41,7 +41,6 @@ BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", 
 """Keys without a generated option. Their options have other forms of values, or set subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
-"""Keys whose options are flags."""
 
 
 def typed_name(path: str) -> str:

@@ -901,7 +901,6 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "open": _open_saved,
     "save": _save,
 }
-"""Function that answers each kind of request."""
 
 WITH_FILES = (_read_dropped, _download)
 """Functions that get a temporary folder. They read no files outside it."""

@@ -57,12 +57,10 @@ CONTAINERS = Property(
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
-"""Property that is True for a feature that an error has hidden, because its shape is outdated."""
 
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Property that is True for a strip that was made visible because its model failed."""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 

@@ -98,7 +98,6 @@ SHEET_PROPERTIES = (
         hidden=True,
     ),
 )
-"""Properties of a feature for the thickness and the stored data of its sheet."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
