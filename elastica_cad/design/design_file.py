@@ -245,7 +245,7 @@ def design_of(
 def parse_design(path: Path) -> dict[str, Any]:
     """Return the tables of a TOML file, parsed but not checked."""
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # also accepts files with a byte order mark
+        text = path.read_bytes().decode("utf-8-sig")
         return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(
@@ -307,7 +307,6 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 def _read_strips(
     top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
-    """Return all strips in order, and messages about sections of meshes. Errors are added to `slips`."""
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
@@ -354,7 +353,6 @@ COPIES_APART_MM = 20.0
 
 
 def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
-    """Return the entries of a table, with copies of a part at the same position moved apart."""
     alike = len({entry.label for entry in entries}) < len(entries)
     if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
         return list(entries)
@@ -385,7 +383,6 @@ def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], 
 
 
 def _only_sections(table: Table) -> Table:
-    """Return the table of a strip that follows sections. Raise InputError for keys of count and position."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
@@ -424,7 +421,6 @@ def _comparison_key(entry: StripEntry) -> Any:
 
 
 def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """Return one error with all messages and the class of the first error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first

@@ -234,7 +234,6 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
-    """Return the request for a holder. In a list of holders, default names are numbered."""
     options = reader.given(HOLDERS[kind], table)
     options.pop("thickness", None)  # the sheet has this thickness already
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)

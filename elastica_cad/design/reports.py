@@ -276,7 +276,6 @@ def _layers(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _creep(strip: Strip) -> dict[str, Any] | None:
-    """Return the shape of the strip after creep, or None if creep was not requested."""
     if not strip.creep:
         return None
     try:
@@ -394,7 +393,6 @@ def report_measuring(strip: Strip) -> dict[str, Any] | None:
 
 
 def _joint(strip: Strip) -> dict[str, Any] | None:
-    """Return the position, lap and loads of the joint of a closed strip, or None for an open strip."""
     if not strip.is_closed:
         return None
     held = strip.reactions()

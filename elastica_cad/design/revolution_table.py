@@ -107,7 +107,6 @@ class RevolutionTable:
 
     @property
     def _axis_ends(self) -> FloatArray:
-        """Start and end (2, 2) of the drawn axis, mm."""
         assert self.axis is not None
         if not self.axis.is_straight or self.axis.is_closed:
             raise InputError("axis is not a straight line. Draw the axis as one straight line.")

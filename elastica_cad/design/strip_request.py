@@ -151,7 +151,6 @@ class FinishedStrip:
 
 
 def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:
-    """Return the least bending stiffness, N mm2, that the requested strip has without loads."""
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 

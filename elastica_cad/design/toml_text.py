@@ -51,7 +51,6 @@ def toml_key(key: str) -> str:
 
 
 def _value(value: Any) -> str:
-    """Return a value as TOML, which is JSON syntax except for tables."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{toml_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):

@@ -208,7 +208,6 @@ class _Tables:
         return numbers
 
     def wire(self, loop: Iterable[EdgeUse], edges: Sequence[int], *, closed: bool = True) -> int:
-        """Add a wire, and return its number."""
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:

@@ -41,7 +41,7 @@ LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
 # least length, in tolerances, of a polyline side that is meant to be straight
 _STRAIGHT_SIDE_TOLERANCES = 20.0
-# largest error of an end point, in units of the coordinate rounding, with the error of rounded angles
+# largest error of an end point, in units of the coordinates' rounding; 1.1 allows for rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
 # a spline with more inner knots was interpolated through points
 _DENSE_KNOTS = 50
@@ -54,7 +54,7 @@ _MOST_ENDS = 50
 # largest number of neighbours that are compared with an end, as a multiple of `_MOST_ENDS`
 _CROWDED_CELLS = 4
 
-# each joined end, and the end that it touches, as (number of the run, 0 for start or 1 for end)
+# map from each joined end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
 _Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
 # position in a run: number of the edge, and parameter on it
 _Place: TypeAlias = tuple[int, float]
@@ -175,7 +175,6 @@ def _is_line(edge: Edge) -> bool:
 
 
 def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Return True if the circle is centred on a straight edge and is between the ends of this edge."""
     if not _is_line(edge):
         return False
     chord, out = edge.end - edge.start, centre - edge.start
@@ -186,7 +185,6 @@ def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
 
 
 def _circle(run: Run) -> tuple[FloatArray, float] | None:
-    """Return the centre and diameter of a run that is a whole circle, otherwise None."""
     if any(edge.degree < 2 or edge.weights is None for edge in run):
         return None
     if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
@@ -225,9 +223,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Follow the joints from the end `side` (0 start, 1 end) of a run.
+    """Return the runs that are joined one after another to the end `side` (0 start, 1 end) of a run.
 
-    Return the number of each run on the way, with the end at which the way leaves the run.
+    Each entry has the number of a run, and the end at which the path leaves this run.
     """
     used[first] = True
     path: list[tuple[int, int]] = []
@@ -287,7 +285,6 @@ def _cosine_of_turn(runs: Sequence[Run], first: tuple[int, int], other: tuple[in
 
 
 def _end_tangent(run: Run) -> FloatArray:
-    """Return the unit tangent (d,) at the end of a run."""
     low, high = run[-1].spans.edges[-2:]
     before, end = run[-1].at([high - 1e-4 * (high - low), high])
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
@@ -307,7 +304,6 @@ class _RunIndex:
         self.axis = int(np.ptp(middles, axis=0).argmax())
         self.sorted = middles[:, self.axis].argsort()
         self.along = middles[self.sorted, self.axis]
-        # numbers of the runs, longest first
         self.by_length = np.argsort(-self.sizes.round(6), kind="stable")
         self.rank = np.argsort(self.by_length)
 
@@ -354,7 +350,7 @@ def _without_overlaps(
             elif partly:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
-    # rounding causes shorter common parts
+    # shorter common parts are due to rounding
     least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
@@ -379,8 +375,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with an end part of a longer run.
 
-    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of the longer
-    run's end.
+    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of an end of
+    the longer run.
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]
@@ -402,9 +398,6 @@ def _end_places(run: Run) -> tuple[_Place, _Place]:
 
 
 def _nearest_place(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
-    """Return the position in a run that is nearest to a point (d,), or None if it is farther than `tolerance`
-    mm.
-    """
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
@@ -583,7 +576,6 @@ def curve_from_points(
 
 
 def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> None:
-    """Refuse a curve that is farther than `allowed_distance` from the points to which it was fitted."""
     allowed = allowed_distance(points)
     if tolerance > allowed:
         _require_distance(float(distances(Spline(curve), points).max()), allowed)

@@ -123,7 +123,6 @@ def _points_csv(points: FloatArray) -> str:
 
 
 def _read_again(chain: Chain) -> PlaneCurve:
-    """Return the curve that `read_curves` would read from a chain in a file."""
     if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
         return chain.segments[0].curve
     return curve_from_run([_edge(segment) for segment in chain.segments])
@@ -137,7 +136,6 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
 
 
 def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
-    """Return the message on the distance of a fitted curve from the drawn curve, and on the changed widths."""
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:

@@ -555,7 +555,6 @@ _OVERLAPS = {
 
 
 def _shape(source: Source) -> str:
-    """Return the name of a shape of a file with its layer."""
     name = source.name or note("a shape without a name")
     return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
 

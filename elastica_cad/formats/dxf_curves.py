@@ -273,7 +273,6 @@ def _opened(path: Path) -> "Drawing":
 
 
 def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
-    """Return the drawing unit in millimetres, and the source of the unit."""
     code = _unit_code(document)
     with file.open("rb") as opened:
         if code:
@@ -298,7 +297,6 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
 
 
 def _unit_code(document: "Drawing") -> int:
-    """Return the file's $INSUNITS, and refuse unknown values."""
     try:
         code = int(document.header.get("$INSUNITS", 0))
     except (TypeError, ValueError, OverflowError):
@@ -501,7 +499,6 @@ def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
 
 
 def _closed_spline(points: FloatArray) -> Edge:
-    """Return the closed cubic spline through points (n, 3). Its curvature is continuous."""
     around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
     return _cubic_spline(around, "periodic")
 

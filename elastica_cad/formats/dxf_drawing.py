@@ -187,7 +187,6 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
-    """Return the bytes of an R12 file: pairs of lines with a group code and its value."""
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]

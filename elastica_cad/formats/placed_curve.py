@@ -170,7 +170,6 @@ def place_chain(
 
 
 def _several_chains_message(runs: Sequence[Run]) -> str:
-    """Return the message that edges form several chains, with the ends that nearly meet, if any."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
     # axes of the array: run, end of the run, other run, end of the other run
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)
@@ -203,7 +202,6 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
 
 
 def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the plane. Raise InputError for edges outside the plane."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):

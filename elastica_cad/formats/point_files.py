@@ -202,17 +202,7 @@ class _Head(NamedTuple):
 
 @dataclass(frozen=True)
 class _Layout:
-    """Positions of the curves in a table.
-
-    Attributes
-    ----------
-    columns : list of Column
-    units : list of str
-        Units named in the heading.
-    titles : list of str
-        Cells above the heading.
-    is_offsets : bool
-    """
+    """Curves of a table, with the units in its heading and the texts (`titles`) above the heading."""
 
     columns: list[Column]
     units: list[str]
@@ -281,7 +271,6 @@ class _Layout:
     def _of_offsets(
         cls, heads: Sequence[_Head], along: int, below: list[Row], units: list[str], titles: list[str]
     ) -> "_Layout":
-        """Return the layout with a curve for every column that has numbers."""
         columns, used = [], [along]
         for k, head in enumerate(heads):
             if head.name.lower() in ALONG or not head.name:
@@ -297,7 +286,6 @@ class _Layout:
 
 
 def _cells_of_curve(cells: list[str], places: Sequence[int]) -> list[str]:
-    """Return the cells of a row that belong to a curve, or an empty list if the curve has no point there."""
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 

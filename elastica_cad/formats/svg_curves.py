@@ -230,7 +230,6 @@ class _Shapes:
         return visible or shapes
 
     def read(self, shape: Any) -> _DrawnShape | None:
-        """Return a shape with the edges of its path, or None if the shape is hidden or invalid."""
         mark = int(shape.values[MARK])
         m = shape.transform
         matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
@@ -289,7 +288,6 @@ class _Shapes:
             skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
 
     def remarks(self) -> tuple[str, ...]:
-        """Return messages about shapes that a browser displays differently."""
         clipped = [note(
             "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole "
             "curve, or cut the path where the curve ends",
@@ -310,7 +308,6 @@ def _is_hidden(shape: Any) -> bool:
 
 
 def _is_painted(values: Mapping[str, str], what: str) -> bool:
-    """Return True if a shape has a visible stroke or fill; `what` is "stroke" or "fill"."""
     paint = values[what].strip().lower()
     clear = paint in ("none", "transparent") or _TRANSPARENT.fullmatch(paint)
     sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
@@ -344,7 +341,6 @@ def _in_user_units(tree: SvgTree) -> bytes:
 
 
 def _subpaths(segments: Any) -> Iterator[Run]:
-    """Yield the edges of each subpath. A Move segment starts a subpath."""
     run: list[Edge] = []
     for segment in segments:
         kind = type(segment).__name__
@@ -365,7 +361,6 @@ def _with_polylines(run: Sequence[Edge]) -> Run:
 
 
 def _edge(kind: str, segment: Any) -> Edge | None:
-    """Return a segment of a basic shape as an edge, or None if it has no length."""
     return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
 
 

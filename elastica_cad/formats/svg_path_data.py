@@ -39,8 +39,6 @@ class PathData:
 
 @dataclass
 class _Pen:
-    """Position of the pen, and the edges drawn so far."""
-
     here: FloatArray = field(default_factory=lambda: np.zeros(2))
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
     handle: FloatArray | None = None

@@ -138,7 +138,6 @@ def _applies_on_screen(queries: str) -> bool | None:
 
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
-    """Return the relevant CSS declarations: name, value, and True for !important."""
     declarations = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")
@@ -194,7 +193,6 @@ class _Tree:
         self.after = set(self.before.values())
 
     def matches(self, element: Element, steps: _Steps) -> bool:
-        """Return True if a selector matches the element."""
         elements, combinator = {element}, None
         for before, parts in reversed(steps):
             if combinator is not None:
@@ -272,7 +270,6 @@ def read_length(text: str | None) -> tuple[float, str] | None:
 
 
 def _linked_id(element: ElementTree.Element) -> str:
-    """Return the id of the element in this file to which an element links, or ""."""
     link = next((text for name in _LINKS if (text := element.get(name))), "")
     return link[1:] if link.startswith("#") else ""
 
@@ -350,13 +347,12 @@ def _resolve(element: ElementTree.Element, around: Extent) -> None:
 
 
 def _origin(word: str, whole: float) -> float:
-    """Return a coordinate of `transform-origin` in user units."""
     share = _SHARE.fullmatch(_ORIGINS.get(word, word))
     return float(share[1]) * whole / 100 if share else _size(word, 0.0)
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return the size of the clone. Missing values are those of the drawing `view`, else of `around`."""
+    """Return the width and height of a clone, by default of its drawing `view`, else of `around`."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -365,7 +361,6 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the scale and origin that fit the drawing `view` into the box of its clone `shown`."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -388,7 +383,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that replaces the fit `own` of a drawing by the fit `requested` of its clone."""
+    """Return the transform that changes the fit `own` of a drawing to the fit `requested` by its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
@@ -398,7 +393,6 @@ def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
 
 
 def _set_transform(element: ElementTree.Element, fit: Fit) -> None:
-    """Replace the box of an element by a transform with the given scale and origin."""
     numbers = " ".join(map(repr, (fit[0], 0.0, 0.0, *fit[1:])))
     element.set("transform", f"{element.get('transform', '')} matrix({numbers})".strip())
     for name in ("x", "y", "width", "height", "viewBox", "preserveAspectRatio"):
@@ -406,7 +400,6 @@ def _set_transform(element: ElementTree.Element, fit: Fit) -> None:
 
 
 def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
-    """Return x, y, width and height of a viewBox, or None if its size is 0 or missing."""
     box = tuple(float(v) for v in re.findall(NUMBER, element.get("viewBox", "")))
     if len(box) != 4 or not (0 < box[2] < 1e15 and 0 < box[3] < 1e15):
         return None
@@ -460,7 +453,6 @@ _TOKEN = re.compile(
 """Ids that programs make: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of libraries. A label that a person
 chose may look the same."""
 
-# first bytes of gzip
 _GZIP_MARK = b"\x1f\x8b"
 # number of bytes that are read at a time to find the first element
 _HEAD = 4096
@@ -587,7 +579,6 @@ def svg_tree(path: Path) -> SvgTree:
 
 
 def _open_svg(path: Path) -> BinaryIO:
-    """Open the file; a compressed file (.svgz) is decompressed."""
     file = path.open("rb")
     if file.read(2) != _GZIP_MARK:
         file.seek(0)

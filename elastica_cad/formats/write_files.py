@@ -291,7 +291,6 @@ def _remove(home: Path) -> None:
 
 
 def _remove_stale(home: Path) -> None:
-    """Remove a temporary folder of this package if it is older than a day and its process is dead."""
     lock = home / _LOCK
     if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
         return
@@ -380,7 +379,6 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
-    """Raise InputError for files that exist, and for files in the place of a required folder."""
     for path in (target / name for name in names):
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:

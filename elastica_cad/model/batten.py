@@ -229,7 +229,7 @@ class BattenSpec:
 
     @property
     def _untapered_chord(self) -> float:
-        """Estimated ratio of chord to length of an untapered batten, bent to half a sine wave."""
+        """Ratio of chord to length if the untapered batten bends to half a sine wave."""
         return 1 - 2.4 * self.camber**2
 
     def _place_for_taper(self, taper: float, chord: float) -> float:

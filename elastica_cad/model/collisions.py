@@ -87,7 +87,7 @@ class Body:
 
     @classmethod
     def of(cls, placed: Placed) -> "Body":
-        """Return the body of a placed strip, with the least thickness of the strip everywhere.
+        """Return the body of a placed strip. A tapered strip has its least thickness everywhere.
 
         A round section is replaced by its inscribed square.
         """
@@ -187,7 +187,6 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 def _deeper_overlap(
     first: Body, second: Body, slot_distance: float, least: float, *, is_flush: bool
 ) -> Collision | None:
-    """Return the deepest sample of either strip inside the other, or None if no depth exceeds `least`, mm."""
     in_second, in_first = (
         _deepest_sample(a, b, slot_distance, least, is_flush=is_flush)
         for a, b in ((first, second), (second, first))
@@ -249,7 +248,6 @@ class _Overlap:
     beside_slots: Collision | None = None
 
     def message(self, more: str = "") -> str:
-        """Return a sentence on the overlap. `more` is a clause on other pairs of strips."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
@@ -292,7 +290,6 @@ def missing_slots(
 
 
 def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overlap]:
-    """Return at most one overlap, outside slots, for each pair of strips."""
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
     narrower = [replace(body.ruled, width=_without_touching_edges(member.strip.width))
                 for body, member in zip(bodies, placed, strict=True)]  # fmt: skip
@@ -340,7 +337,6 @@ def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> d
 def _crossing_without_slot(
     strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]
 ) -> Places | None:
-    """Return the arc lengths of both strips at their first crossing without a slot, or None."""
     for crossing in strip_crossings(*surfaces):
         _, _, points = crossing.course
         if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):

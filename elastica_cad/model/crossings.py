@@ -253,7 +253,6 @@ class Ruling:
 
 
 def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
-    """Return a ruling for every crossing of the two plane curves, in the plane of strip a."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
     m = np.eye(3)
@@ -285,14 +284,14 @@ class _Heights:
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """Return heights of the points `places` of a strip's curve, and derivatives by arc length."""
+        """Return heights of points of a strip's curve, and derivatives by arc length."""
         across, base = self._height_coefficients[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
 
     @cached_property
     def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
-        """For each strip, derivatives of the height along x and y of its frame, and height of the origin."""
+        """Derivatives of the height along x and y of each strip's frame, and height of its origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -309,7 +308,7 @@ class _Heights:
 
     @cached_property
     def _ruling_matrix(self) -> FloatArray:
-        """Matrix (2, 3) that maps the vector gamma_b - gamma_a to (v, u)."""
+        """Matrix (2, 3) that maps a vector between both curves to distances (v, u) along both rulings."""
         return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 
@@ -348,7 +347,7 @@ IntersectionCurve: TypeAlias = Branch | Ruling
 
 
 def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the branches of the level set as polylines (s_a, s_b)."""
+    """Return the curves of equal height on both strips, each as arc lengths on strip a and on strip b."""
     first = _monotone_stretches(heights, heights.a)
     second = _monotone_stretches(heights, heights.b)
     pieces: list[tuple[FloatArray, FloatArray]] = []
@@ -372,9 +371,9 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield a branch of points of equal height: pairs of arc lengths on both strips.
+    """Yield points of equal height, as arc lengths on both strips, if a strip has constant height.
 
-    One strip has the same height everywhere, so the arc length on the other strip is constant.
+    The arc length on the other strip is then constant.
     """
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
@@ -413,15 +412,15 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 def _extreme_at_end(
     k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
 ) -> tuple[str, int, int] | None:
-    """Return the extreme at which a piece of the level set ends, or None if the heights of both strips are extreme.
+    """Return the height extreme at which a piece of equal height ends, or None where the surfaces touch.
 
-    The piece is in stretch k of strip a (with heights c_a) and in stretch m of strip b (c_b), and ends at the
-    height `bound`. The result is the strip with the extreme ("a" or "b"), the number of its stretch that begins
-    there, and the number of the other strip's stretch.
+    The piece is in stretch k of strip a and in stretch m of strip b. Their heights are c_a and c_b, and the
+    piece ends at the height `bound`. The result is the strip with the extreme ("a" or "b"), the number of its
+    stretch that begins there, and the number of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
-        return None  # the surfaces touch, so the level set ends
+        return None
     if as_a:
         return "a", k if bound == c_a[0] else k + 1, m
     return "b", m if bound == c_b[0] else m + 1, k
@@ -606,7 +605,6 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 def _ranges_inside_strips(
     strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve
 ) -> list[tuple[float, float]]:
-    """Return the ranges of the parameter q in which the intersection curve is inside both strips."""
     nodes = locus.nodes
     fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
     q = np.append(fine, nodes[-1])
@@ -636,6 +634,5 @@ def _edge_crossings(
 
 
 def _runs_of_true(flags: BoolArray) -> list[tuple[int, int]]:
-    """Return the start and end index of each run of True."""
     steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
     return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

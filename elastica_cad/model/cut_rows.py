@@ -39,7 +39,8 @@ BLOCK_COLUMNS = {
 """Columns of the printed table of blocks, with the format of each value."""
 
 ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
-"""Columns left empty for printed blocks (the mass depends on the printer), and columns left empty for pieces."""
+"""Columns that are empty for printed blocks (the mass depends on the printer), and columns that are empty for
+pieces."""
 
 PRINTED = "printed"
 """Text for printed blocks in the column of the sheet."""

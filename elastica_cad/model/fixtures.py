@@ -297,7 +297,6 @@ class EndFixture(EqualByValue):
             )  # fmt: skip
 
     def _rotated(self) -> Iterator[Refusal]:
-        """Yield a message with the angle of the pocket and its overlap with the straight tab."""
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth <= 0:
             return
@@ -418,7 +417,6 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        """Return the hole for the screw of a T-slot, from the tip of the tab out of the block."""
         slot, tab = self.tab.t_slot, self.tab.frame
         if slot is None:
             return []
@@ -578,7 +576,6 @@ def _crossed_blocks(
 
     def crosses(its: Sequence["_Prism"]) -> bool:
         corners = np.concatenate([part.edges for part in its])
-        # only stations near the block can be inside it
         near = (middle > corners.min(axis=0) - half.max()) & (middle < corners.max(axis=0) + half.max())
         places, wide = middle[near.all(axis=1)], half[near.all(axis=1)]
         points = places[:, None] + np.multiply.outer(wide, across)[..., None] * frame.z_axis

@@ -299,7 +299,6 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                # put the label behind the tongue at the start
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
@@ -427,7 +426,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet with one name for each shape, because equal strips have equal feet."""
+    """Yield the feet. A number is added to equal names of feet with different shapes."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:

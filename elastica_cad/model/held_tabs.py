@@ -1,4 +1,4 @@
-"""Play of tabs in pockets and slots, and its effect on the shapes of strips."""
+"""Free play of tabs in pockets and slots, and its effect on the shapes of strips."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -18,7 +18,6 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
 def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    """Return the seat of a tab between the two walls (n, 2) of a slot, which `slot_walls` returns."""
     # of a wall, use the points that the tab reaches, or the nearest point if there are none
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
@@ -87,7 +86,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
 
 
 def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
-    """Yield the plates, and the rails of frames, whose tabs are not glued and therefore have play."""
+    """Yield the plates and the rails of frames whose tabs are not glued and can therefore move."""
     for holder in holders:
         # recognise frames by their `rails`, because the module of frames imports this module
         for plate in getattr(holder, "rails", (holder,)):

@@ -101,7 +101,8 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Saving of slot length, as a fraction of the crossing, above which slots open to the side not preferred."""
+"""Least saving of slot length, as a fraction of the crossing, for which slots open to the less preferred
+side."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
@@ -269,7 +270,7 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Cache of joints, with the frame of the earlier strip, for equal pairs of strips."""
+    """Joints already made for equal pairs of strips, with the frame of the earlier strip."""
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
@@ -294,9 +295,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint of a pair of strips, moved to an equal pair with the indices `members`.
+        """Return a known joint, moved to an equal pair of strips with the indices `members`.
 
-        `frames` are the frames of the earlier strip in the first and in the second pair.
+        `frames` are the frames of the earlier strip in the known and in the new pair.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)
@@ -306,7 +307,6 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
-        """Return the joint with slots from the middle of the crossing to the edges of both strips."""
         names = [self.names[i] for i in members]
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())

@@ -129,7 +129,6 @@ def stand(
 def _stable_facing_plates(
     placed: Sequence[Placed], sheet: Sheet, options: RingOptions
 ) -> tuple[BasePlate, ...]:
-    """Return two plates that face each other and are joined by the strips. Refuse plates that could tip."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
@@ -387,7 +386,7 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest widening of a strip in a round, and factor on `LARGEST_LOG_CHANGE` if a strip needs more widening.
+"""Largest factor by which a round widens a strip, and factor on `LARGEST_LOG_CHANGE` if more is needed.
 
 A much wider strip would have wider shoulders beside its tabs.
 """

@@ -90,7 +90,7 @@ Sawn: TypeAlias = tuple[str, float]
 
 @dataclass(frozen=True)
 class _Box:
-    """Index of a piece, size of its box with margin along and across rows, and True if rotated by 90 degrees."""
+    """Box of a piece with its margin: size along and across rows, mm, and True if rotated by 90 degrees."""
 
     piece: int
     long: float
@@ -248,7 +248,6 @@ def _nested_group(
 
 
 def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
-    """Return a box for each orientation in which the piece fits on the sheet."""
     x, y = (side + margin for side in piece.size)
     boxes = []
     # the grain of a sheet is along x

@@ -49,10 +49,10 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Least fraction by which reversing a strip must shorten the distances to the ends of its neighbour."""
+"""Least relative decrease of the distances to a neighbour's ends for which a strip is reversed."""
 
 PRESSED_MM = 0.01
-"""Largest gap, mm, between a tab and a wall that the load presses it against."""
+"""Largest gap, mm, between a tab and a wall against which the load presses the tab."""
 
 SETTLED_MM = 0.01
 """Largest movement of slots, mm, in the last round. The movement decreases tenfold in each round."""
@@ -141,7 +141,6 @@ def _add_second(
 
 
 def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
-    """Return a plate, `gap` mm behind `first`, with slots for the same tabs and tongues."""
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     named = replace(options, name=first.name)
     slots = [
@@ -152,7 +151,7 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 
 
 Cures = Callable[[float], str]
-"""Function that returns the instruction for tabs that need a length, mm, or that bend too far (infinity)."""
+"""Function that returns an instruction for tabs that need a length, mm, or that bend too far (infinity)."""
 
 
 def _with_endless_tabs(plate: Plate) -> Plate:
@@ -164,14 +163,13 @@ def _with_endless_tabs(plate: Plate) -> Plate:
 
 
 def _untested_cures(length: float) -> str:
-    """Return the instruction for a tab that needs this length, mm, or that bends too far (infinity)."""
     if length == np.inf:
         return note("hold the strips by single plates")
     return note("make the tab {needed:.0f} long", needed=Length(length))
 
 
 def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length: float) -> str:
-    """Return the instruction of `_untested_cures`, and a smaller gap, if they work with these strips."""
+    """Return an instruction that works with these strips: other tabs, a smaller gap, or single plates."""
     cures = []
     sized = None if length == np.inf else fitting_tabs(placed, [first], gap, length)
     if sized is not None:
@@ -196,10 +194,10 @@ TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 def fitting_tabs(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
 ) -> tuple[float, float] | None:
-    """Return length and width of tabs, mm, with which two plates can replace each plate, or None.
+    """Return the length and width of tabs, mm, with which two plates can replace each plate, or None.
 
-    The length is at least `length`, and the width is the largest that works of those that are tested. With
-    `keep`, the present widths are tested first, and give an infinite width.
+    The length is at least `length`. The width is the largest tested width that works. With `keep`, the
+    present widths are tested first. If they work, the width is infinite.
     """
     narrowest = min(tab.width for plate in plates for tab in _tabs_of(plate))
     for fraction in TESTED_FRACTIONS:
@@ -254,7 +252,7 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
 def _tried_pair(
     placed: Sequence[Placed], first: Plate, gap: float
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
-    """Return two plates as in `pair_with_tabs`, for tabs of any length, and the lengths, mm, that they need."""
+    """Return the two plates of `pair_with_tabs`, and the length, mm, that each tab needs."""
     options = first.options or PlateOptions()
     tabs = {tab.key: tab for tab in place_tabs(placed)}
     slots = [
@@ -289,7 +287,7 @@ def lean_pair(
 def _leaned(
     placed: Sequence[Placed], plates: tuple[Plate, Plate], cures: Cures
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
-    """Return the plates of `lean_pair` for tabs of any length, and the lengths, mm, that the bent tabs need."""
+    """Return the two plates of `lean_pair`, and the length, mm, that each bent tab needs."""
     leaned = plates
     for _ in range(LEAN_ROUNDS):
         leans = _displacements(placed, tab_seats(map(_with_endless_tabs, leaned)))
@@ -319,7 +317,6 @@ def _around_moved(plate: Plate) -> Plate:
 
 
 def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and rotation of each seat, by the `key` of its tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -350,7 +347,7 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple
 
 
 def _turned_left(tab: PlacedTab, angle: float) -> PlacedTab:
-    """Return the tab, turned to the left of the curve, which is the direction -z of the tab, by an angle in rad."""
+    """Return the tab, turned by an angle, rad, to the left of the curve (direction -z of the tab)."""
     frame = tab.frame
     out = np.cos(angle) * frame.x_axis - np.sin(angle) * frame.z_axis
     return replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
@@ -396,7 +393,6 @@ def _bends_too_far(plate: BasePlate, tab: PlacedTab, cures: Cures) -> InputError
 
 
 def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -> None:
-    """Refuse tabs of the plate that are shorter than the `needed` length, mm, by the `key` of the tab."""
     short = [tab for tab in _tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]
     if short:
         raise InputError(
@@ -416,7 +412,7 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease, mm, of the range of tabs' heights above a plate for which the plate is oblique to its tabs."""
+"""Least decrease, mm, of the differences between tabs' heights for which a plate is oblique to its tabs."""
 
 
 def end_plates(
@@ -484,7 +480,6 @@ UPRIGHT_COSINE = 0.9
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    """Return the tabs at the start and at the end. Strip 0 defines the start."""
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -493,7 +488,6 @@ def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
 
 
 def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -> dict[StripEnd, str]:
-    """Return the names of the plates at both ends: bottom and top if the tabs point down and up."""
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
     heights = [float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) for end in ENDS]
     upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)

@@ -45,7 +45,8 @@ At smaller angles, slots would be over four plate thicknesses wide.
 """
 
 LEAST_RING_FRACTION = 0.5
-"""Least ratio of the inner and the outer radius of the slots in a plate with the shape "ring" that is round."""
+"""A plate with the shape "ring" is round if its slots' inner radius exceeds this fraction of their outer
+radius."""
 
 LEAST_OPENING_MM = 20.0
 """Least diameter of the opening of a round plate, mm."""
@@ -57,7 +58,7 @@ LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""
 
 LABEL_SCALES = (1.0, 0.8, 0.6)
-"""Sizes of the name of a tab that are tried where cuts are near, as fractions of its usual size."""
+"""Sizes that are tried for the name of a tab near cuts, as fractions of its usual size."""
 
 FLAT_MM = 0.01
 """Largest distance, mm, of holes from the polylines that represent them in tests of overlap."""
@@ -231,7 +232,6 @@ class BasePlate:
         return replace(self, warnings=warnings, options=options)
 
     def _opening_notes(self, options: PlateOptions) -> tuple[str, ...]:
-        """Return a note if a bridge has no effect, or if a round plate is closed although its slots leave room."""
         if self.opening is not None or any(map(is_window, self.holes)):
             return ()
         holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
@@ -285,7 +285,6 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _name_inside_slots(self) -> tuple[Text, ...]:
-        """Return the name between the slots and the opening or the holes, or no text."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
@@ -419,7 +418,7 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
 
 
 STANDS_MM = 0.2
-"""Largest depth, mm, of the tips of tabs below the lowest plate of a base that is not reported."""
+"""Depth, mm, of tabs' tips below the lowest plate of a base, up to which the tips are not reported."""
 
 
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
@@ -479,10 +478,6 @@ def _with_holes(
 def _round_rim_and_opening(
     loops: Sequence[FloatArray], center: FloatArray, border: float
 ) -> tuple[Path, Path | None]:
-    """Return a round rim and a round opening or None, `border` mm from all slots.
-
-    `loops` are the corners of the slots, (4, 2) each.
-    """
     inner, outer = around(loops, center, border)
     return Path.circle(center, outer), _opening(center, inner)
 
@@ -510,7 +505,6 @@ def dense_points(loop: FloatArray) -> FloatArray:
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab starts near or above the upper face of a plate, and ends below this face."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -616,7 +610,6 @@ def _side_normals(rectangles: FloatArray) -> FloatArray:
 
 
 def _larger_gap(p: FloatArray, q: FloatArray) -> FloatArray:
-    """Return, for pairs of rectangles (..., 4, 2), the larger of the gaps along both coordinates."""
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)
 
@@ -807,7 +800,6 @@ def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Refuse tabs that extend beyond their sector of the ring. The ring has `count` equal sectors."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)

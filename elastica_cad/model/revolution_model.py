@@ -114,7 +114,7 @@ def _bisector_bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the bound of the first strip at the plane midway between both strips, which is moved by `gap`."""
+    """Return the first strip's bound at the plane midway between both strips, moved inwards by `gap` mm."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -295,7 +295,6 @@ class _Request:
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
-        """Return all strips about the axis, rings, and warnings about strips that cannot be cut."""
         width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
         turn = 2 * np.pi * np.arange(self.strips) / self.strips

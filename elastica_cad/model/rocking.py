@@ -109,7 +109,6 @@ def _suggestions(
 
 
 def _feet_fit(plates: Sequence[BasePlate]) -> bool:
-    """Return True if feet can be glued to the tabs of the plates. Rings have no feet."""
     try:
         add_feet(plates, FEET_MM)
     except InputError:
@@ -118,8 +117,6 @@ def _feet_fit(plates: Sequence[BasePlate]) -> bool:
 
 
 def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
-    """Return True if printed blocks fit at the strip of a tab and its two nearest neighbours."""
-
     def distance(member: Placed) -> float:
         origins = [PlacedTab.of(member.strip, end, member.frame).frame.origin for end in ENDS]
         return min(float(np.linalg.norm(origin - tab.frame.origin)) for origin in origins)
@@ -132,7 +129,7 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    """Return a suggestion, with a gap and the size of tabs, to replace each plate by two plates, or ""."""
+    """Return a suggestion, with gap and tab size, to replace each plate by two plates, or ""."""
     plates = [
         plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
     ]

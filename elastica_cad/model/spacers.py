@@ -32,7 +32,7 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, limits_or_def
 _COUNT = Option("Number of spacers that keep two plates at their distance.", least=2, most=50)
 
 Spacers: TypeAlias = Annotated[int | None, _COUNT]
-"""Request for spacers, or None."""
+"""Number of spacers of each pair of plates, or None."""
 
 WIDTHS_MM = (24.0, 18.0, 12.0)
 """Widths of spacers, mm, in the order in which they are tried. A tongue has half the width of its spacer."""
@@ -41,7 +41,7 @@ BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
 KEPT_OPENING = 0.5
-"""Least ratio of the radii of an opening with and without spacers if the spacers are inside the slots."""
+"""Spacers are first tried inside the slots if the opening then keeps at least this fraction of its radius."""
 
 GRID_MM, GRID_LINES = 2.0, 60
 """Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
@@ -53,7 +53,8 @@ MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
 
 BORDER_EXTRA_MM = 2.0
-"""Additional width, mm, of a border with a spacer: for the clearance, and because a round rim recedes beside it."""
+"""Additional width, mm, of a border with a spacer: for clearance, and because a round rim recedes beside the
+spacer."""
 
 EXCHANGES = 20
 """Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""
@@ -245,7 +246,6 @@ def _free_places(
 
 
 def _border_with_spacers(sheet: Sheet, shop: FabricationLimits | None) -> float:
-    """Return the width, mm, of a border between slots and edge in which spacers fit."""
     bridge = limits_or_default(shop).bridge_for(sheet)
     return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM))
 
@@ -307,7 +307,6 @@ def _obstacles(
 
 
 def _enclosed(loop: FloatArray, places: FloatArray) -> BoolArray:
-    """Return flags (n,) that are True for places inside the polygon."""
     inside = np.zeros(len(places), dtype=bool)
     for (x0, y0), (x1, y1) in zip(loop, np.roll(loop, -1, axis=0), strict=True):
         rises = (y0 > places[:, 1]) != (y1 > places[:, 1])

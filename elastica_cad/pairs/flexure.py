@@ -65,8 +65,7 @@ SHAPES = 8  # number of shapes on a path in which the part is checked for contac
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
 FAR_SHARE = 0.05
-"""Least displacement of the pushed point between the states, as a fraction of the largest displacement of any
-point."""
+"""A part is pushed at its middle if the middle moves at least this fraction of the largest displacement."""
 
 REST_SHARE = 1e-3
 """Largest distance of a rest shape from the drawn state without a warning, as a fraction of the length.
@@ -82,9 +81,9 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
-# largest number of factors on both curves that are tried; the second is usually large enough
+# largest number of enlargement factors that are tried; usually the second factor is sufficient
 MOST_ENLARGEMENTS = 4
-# spare factor on the thickness of an enlarged part, because another node at the fillet changes it by up to 2 %
+# spare factor on an enlarged part's thickness, which changes by up to 2 % if its fillet meets another node
 FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
@@ -838,10 +837,10 @@ class Flexure:
             )  # fmt: skip
 
     def _enlargement(self, least: float) -> float:
-        """Return a tried factor on both curves with which the thinnest place has `least` mm or more.
+        """Return a factor on both curves with which the thinnest place has `least` mm or more.
 
-        The fillet is not enlarged, so an enlarged part has about the strain of this part with a smaller fillet.
-        The strain in a fillet is that of the nearest node, which may be another node in the enlarged part.
+        The fillet is not enlarged, so an enlarged part has about the strain of this part with a smaller
+        fillet.
         """
         least *= FILLET_SPARE
         share = rounded_up(least / self.scale, 3)
@@ -1038,7 +1037,7 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """Integral of the tangent as a function of arc length, and its value at the first arc length."""
+        """Integral of the tangent as a function of arc length, and the integral's value at the first node."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])

@@ -67,7 +67,7 @@ BESIDE_SHARE = 1e-4
 """Distance from an end, as a fraction of the length, at which the sign beside a zero at the end is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative tolerance of ranks, which are smaller if 1 and the positions on both curves are linearly dependent."""
+"""Relative size up to which singular values count as zero."""
 
 NUMBERS = 6
 """Number of parameters of the moments M_1 and M_2: a_1 - a_2, the vectors b_1 and b_2 with two numbers each, a_1.
@@ -188,7 +188,10 @@ def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
 def _with_orders(
     difference: ExcessCurvature, crossings: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
-    """Return the zeros with their orders. Zeros near an end are moved to the end, and close zeros are merged."""
+    """Return the zeros of the curvature difference with their orders.
+
+    Zeros near an end are moved to the end, and close zeros are merged.
+    """
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
         if _is_stretch(curve, z):
@@ -337,7 +340,8 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # N at a node is its value at the near end of the panel plus a step; at a zero of N, this value is 0
+        # moment difference N at a node: N at the near end of the panel, which is 0 at a zero of N, plus a
+        # step
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
@@ -348,7 +352,7 @@ class PairedPanels:
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
-            for row, tangent_there in zip(step, turn, strict=True):  # the derivative N' is 0 at a double zero
+            for row, tangent_there in zip(step, turn, strict=True):  # N' is also 0 at a double zero of N
                 row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
@@ -386,24 +390,21 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
-        """Coefficients (nodes, 5) of the moment difference for the first five numbers."""
+        """Coefficients (nodes, 5) of the moment difference as a linear function of the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property
     def rank(self) -> int:
-        """Dimension of the space of differences between the moments of both curves.
-
-        It is five, or three for congruent or mirrored curves.
-        """
+        """Dimension of the space of moment differences: five, or three for congruent or mirrored curves."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros of the curvature difference beyond the possible number.
+        """Last zeros of the curvature difference, which are too many for a moment difference.
 
-        A difference of moments has at most as many zeros as come before them along the curve.
+        A moment difference has at most as many zeros as precede them along the curve.
         """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])

@@ -36,7 +36,8 @@ TANGENTS = 12
 """Number of tangents that replace the function K^(2/3) of the stiffness K in the first linear program."""
 
 WIDEST_TANGENTS = 1e4
-"""Factor below and above a typical stiffness, within which the first linear program has tangents."""
+"""Largest ratio of a stiffness with a tangent in the first linear program to a typical stiffness, or inverse
+ratio."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
@@ -339,7 +340,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the last point from `start` to `goal` where bounds hold and the largest value has not increased."""
+    """Go from `start` towards `goal` as far as bounds hold and the largest value does not increase."""
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
     reserves = [(most - value, change) for value, change in values]

@@ -292,7 +292,6 @@ def _range(names: Sequence[str]) -> str:
 
 
 def _flat_gluing(model: Model) -> Iterator[str]:
-    """Yield the steps in which strips are glued before they are bent."""
     layered = [part for part in model.parts if len(part.strip.layers) > 1]
     joined = [part for part in model.parts if part.strip.plates is not None]
     for text, parts in (
@@ -348,7 +347,7 @@ def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     """Yield a row for each plate and rib, with its middle and the distance from the previous middle."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # positions of rings are in the text of the sheet, and those of spacers follow from their slots
+        # positions of rings are in the text of the sheet, and positions of spacers follow from their slots
         if isinstance(holder, EndFixture | Spacer) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):

@@ -37,7 +37,7 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
     axes.plot(*wish.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
     axes.plot(*rod.position.T, color=INK, linewidth=2.2, label="bow")
     axes.plot(*rod.position[[0, -1]].T, "o-", color=LINE, markersize=4, linewidth=1.2, label="cord")
-    if lines:  # the place between bow and cord is free
+    if lines:  # list the shapes between bow and cord, where the picture has space
         names = [line.get_label()[1:] for line in lines]
         place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.08)}
         axes.add_artist(axes.legend(lines, names, title="shorter cords", fontsize=9, frameon=False, **place))

@@ -166,7 +166,6 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
-    """Insert points into a closed polygon, so that no side is longer than `size`."""
     pieces = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
         count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
@@ -395,7 +394,6 @@ def rule_strip(
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:
-    """Return the points of the centre line (..., 2) at arc lengths x. Tabs are straight."""
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])

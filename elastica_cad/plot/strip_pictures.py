@@ -183,7 +183,6 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 
 def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
-    """Return the points (n, 2), and points below the ends that keep space for the labels of the ends."""
     width, height = _widened(np.ptp(points, axis=0))
     room = END_LABEL_INCHES * max(width / WIDE, height / NUMBERED.height)
     return np.concatenate([points, *(end.position[None] - (0.0, room) for end in ends)])
@@ -438,7 +437,6 @@ def _paint_both_axes(axes: Axes, title: str) -> None:
 
 
 def _set_title(axes: Axes, title: str, pad: float = 6.0) -> None:
-    """Set a title above the axes. Its position does not depend on other texts."""
     axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
 
 

@@ -184,7 +184,6 @@ def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
-    """Draw a tile on a figure. The axes cover the page and are in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))

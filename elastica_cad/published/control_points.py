@@ -164,10 +164,10 @@ class CurveChanges:
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Derivatives of arc lengths with respect to u.
+        """Derivatives of arc lengths with respect to the r coordinates of a change.
 
-        The function is for arc lengths from the left end of each panel. The arrays are for the left ends of the
-        panels (N, r) and for the whole curve (r,).
+        The function holds for arc lengths from the left end of each panel. The arrays hold at the left ends
+        of the N panels (N, r) and for the whole curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
@@ -214,11 +214,11 @@ _PENALTY = 0.1
 _ROW_PENALTY = 10.0
 # accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12
-# missing margin that counts as a violation of 1
+# amount of a missing stability margin that counts as a violation of 1
 _MARGIN_UNIT = 50.0
 # largest ratio after a step, as a multiple of the present ratio or of its bound
 _COARSE = 3.0
-# targets of one step: the present ratio is multiplied by the first number, the second is added to the margin
+# aims of a step: factor on the present ratio, and addition to the present margin
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
@@ -226,12 +226,12 @@ _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3
 # gain of a step that is a rounding error, relative to the squared length
 _RESOLUTION = 1e-12
-# relative distance from the bounds at the samples, so that the bounds are also satisfied between them
+# relative distance from the bounds at the samples, so that bounds also hold between the samples
 _INSIDE = 1e-5
 _ENFORCED = 1e-11
 """Largest error of a satisfied constraint, as a fraction of the length of the curve or in rad."""
 
-# largest number of times that samples are added where a step would violate the bounds
+# largest number of rounds that add samples where a step would violate the bounds
 _ROUNDS = 12
 
 
@@ -410,7 +410,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
     def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of R (C + dC u) - c + R s >= 0, so that the compliance is at least c / R - s.
+        """Return rows that keep the compliance at least c / R - s: R (C + dC u) - c + R s >= 0.
 
         R is the largest ratio, c the largest compliance and s the slack.
         """
@@ -419,7 +419,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
         return rows, -aim.ratio * C[places]
 
     def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of c - (C + dC u) >= 0, so that the compliance is at most c."""
+        """Return rows that keep the compliance at most c: c - (C + dC u) >= 0."""
         ones = np.ones((places.size, 1))
         return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
 
