@@ -130,7 +130,7 @@ WRITTEN: dict[Record, Kind] = {
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind of a value as it is written in a file. For a family of records, this is any of them."""
+    """Return the kind of a value as written in a file: for a family of records, any record of the family."""
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))
@@ -298,7 +298,6 @@ def _fits(kind: Kind, value: object) -> bool:
 
 
 def _key_score(kind: Kind, table: Mapping[str, Any]) -> int:
-    """Return the number of known keys minus the number of unknown keys of a table."""
     known = {
         name
         for alternative in written(kind).alternatives
@@ -344,7 +343,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
-    """Register that records of a class are written as `kind`, and read by the function `read`."""
+    """Register that files have a value of `kind` for records of a class, which the function `read` reads."""
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 
@@ -494,7 +493,6 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
 
 
 MOST_LISTED_KEYS = 20
-"""Largest number of keys that a message lists."""
 
 
 def require_path_of(path: str, record: Record) -> Field:

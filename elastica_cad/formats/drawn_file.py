@@ -217,7 +217,7 @@ class DrawnCurve:
 
     @property
     def chosen_name(self) -> str:
-        """Name if a person chose it, or "" for a name that a program made."""
+        """Name that a person chose, or "" for a name that a program made."""
         source = self.chain[0].source if self.chain else None
         return self.name if source is not None and source.is_named else ""
 
@@ -427,7 +427,6 @@ def _is_turned(chain: Run, flat: Run) -> bool:
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
-    """Return the largest distance, mm, between a curve and the edges or points that were drawn."""
     record = curve.provenance
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):

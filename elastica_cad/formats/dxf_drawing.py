@@ -34,7 +34,6 @@ _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8
 _OPTIONS = Lock()
 
 LONGEST_COMMENT = 250
-"""Largest number of characters of a comment."""
 
 _COLOR_NUMBERS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
@@ -106,9 +105,6 @@ def _made_by() -> list[str]:
     characters.
     """
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
-
-
-# --- versions R2000 and later ---
 
 
 def _through_ezdxf(
@@ -183,9 +179,6 @@ def _plain_ezdxf() -> Iterator[Any]:
             logger.setLevel(level)
 
 
-# --- R12 ---
-
-
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
@@ -238,9 +231,6 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
                 "DXF R12 does not allow the layer name {name!r}: use up to 31 letters, digits, $, - and _",
                 name=style.name,
             )
-
-
-# --- all versions ---
 
 
 def _circle(path: Path) -> Arc | None:

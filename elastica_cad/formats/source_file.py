@@ -160,7 +160,6 @@ MOST_PIECES = 3_000
 The limit of control points and of measured points is four times as large."""
 
 MOST_DEGREE = 25
-"""Largest degree of a spline."""
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")

@@ -98,7 +98,7 @@ _OF_INKSCAPE = (
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
-    """Return the unit of the file, and the size of a pixel, mm, in files of the program that wrote the file.
+    """Return the unit of the file, and the size of a pixel, mm, in the program that wrote the file.
 
     Illustrator and Affinity may omit a size in a physical unit. Inkscape before 0.92 may also omit the
     viewBox.
@@ -188,7 +188,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """Subpaths of a shape in its own coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+    """Subpaths of a shape in its coordinates, and the matrix (2, 2) and offset (2,) of their map to user units."""
 
     runs: Sequence[Run]
     source: Source

@@ -179,8 +179,6 @@ def _unescaped(text: str) -> str:
 
 
 class _Tree:
-    """The elements of a document, with their parents and preceding siblings."""
-
     def __init__(self, root: Element) -> None:
         self.elements = list(root.iter())
         self.around = {child: parent for parent in self.elements for child in parent}

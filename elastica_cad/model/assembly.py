@@ -20,7 +20,7 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_co
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
-"""Names, for messages, of the classes that hold strips."""
+"""Names of the classes that hold strips, for messages."""
 
 SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
@@ -211,7 +211,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends without a holder, as a mapping from the index of their strip."""
+    """Return, by the index of each strip, its supported ends without a holder."""
     places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(

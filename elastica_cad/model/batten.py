@@ -33,7 +33,7 @@ from elastica_cad.strip.tapered_solids import side_view
 DEFAULT_STATIONS = 21
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Decimals of the columns of the CSV table, by the unit with which the name of the column ends."""
+"""Decimals of a column of the CSV table, by the unit at the end of its name."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46

@@ -32,7 +32,7 @@ from elastica_cad.geometry.splines import SplineFunction
 STATIONS = 400
 """Least number of samples along a strip. Interpolation between samples is accurate to 1e-5 mm."""
 
-_CACHED_SPLINES = 128  # largest number of curves whose tables are cached
+_CACHED_SPLINES = 128
 _ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
 
 InPlane = tuple[FloatArray, FloatArray]

@@ -43,7 +43,6 @@ ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_m
 pieces."""
 
 PRINTED = "printed"
-"""Text for printed blocks in the column of the sheet."""
 
 
 @dataclass(frozen=True)

@@ -239,7 +239,7 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return where a rib meets the rail, in line with the slots. The rib is `station` mm along `across`."""
+        """Return where a rib, `station` mm along `across`, meets the rail in line with the slots."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -280,7 +280,7 @@ class _RibPlan:
     seats: tuple[_Seat, ...]
 
     def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
-        """Return the rib that joins the rails from behind. A `step` makes its tongues narrower in inner rails."""
+        """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails."""
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
         rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind

@@ -100,7 +100,7 @@ class _Box:
 
 @dataclass
 class _Row:
-    """Row of boxes: number of the sheet, start and width across the sheet, and total length of the boxes."""
+    """Row of boxes: number of the sheet, start and width across the sheet, and length of all boxes, mm."""
 
     sheet: int
     start: float
@@ -211,14 +211,13 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Return the kerf, mm, by which the tool path is wider than a piece. None means the kerf of the sheet."""
+    """Return the width, mm, by which tool paths widen a piece: `kerf` or, if it is None, the sheet's kerf."""
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """Return all sheets of a material, with rows along the side that needs less material."""
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
@@ -260,7 +259,6 @@ def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float],
 
 
 def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]) -> list[_Place]:
-    """Place boxes in the order of decreasing width, each in the row where it fits best or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
@@ -334,7 +332,6 @@ def _drawing(
 
 
 def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
-    """Return the matrix that places the lower left corner of a piece at (x, y), with an optional quarter turn."""
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])

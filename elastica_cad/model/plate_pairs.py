@@ -134,7 +134,6 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """Return the plate and a second plate, `gap` mm behind it. Their slots are moved against the loads of tabs."""
     cures = partial(_tested_cures, placed, first, gap)
     _refuse_short(first, {tab.key: needed_length(tab, first, gap) for tab in _tabs_of(first)}, cures)
     return lean_pair(placed, (first, _plate_behind(first, options, gap)), cures)
@@ -476,7 +475,7 @@ def end_plates(
 
 
 UPRIGHT_COSINE = 0.9
-"""Plates are named bottom and top if the cosine of the angle between mean tab and vertical is larger."""
+"""Least cosine of the angle between mean tab and vertical for which plates are named bottom and top."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:

@@ -68,7 +68,7 @@ class Spacer(Rib):
 
 
 def spacer_name(first: BasePlate) -> str:
-    """Return the name of the spacers of a pair, from its plate nearer to the strips."""
+    """Return the name of the spacers of two plates, from the name of the plate nearer to the strips."""
     return f"{first.name}-spacer"
 
 
@@ -200,7 +200,7 @@ def _places(
 
 
 def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, BasePlate]]:
-    """Yield the plates, and round plates also with room inside the slots, outside, and on both sides."""
+    """Yield the plates as they are and, if round, with room for spacers inside the slots, outside, or both."""
     yield plates
     first, second = plates
     if not (first.is_round and second.is_round):
@@ -340,7 +340,6 @@ def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> FloatArray
 
 
 def _far_apart(places: FloatArray, count: int) -> FloatArray:
-    """Return `count` of the places (n, 3) whose least distance from each other is large."""
     apart = np.linalg.norm(places[:, None, :2] - places[:, :2], axis=-1)
     chosen = [int(np.argmax(apart.sum(axis=1)))]
     while len(chosen) < count:

@@ -263,8 +263,6 @@ class Flexure:
         first, second = self.state_names
         return first or note("first state"), second or note("second state")
 
-    # --- thickness, strain and rest shapes
-
     @cached_property
     def scale(self) -> float:
         """Least thickness in the plane, mm."""
@@ -387,8 +385,6 @@ class Flexure:
         return self.pair.sideways(
             self.sheet.thickness, self.thickness_at(self.pair.first.s), poisson_ratio=self.sheet.poisson_ratio
         )
-
-    # --- shape of the part
 
     @cached_property
     def centre(self) -> "CentreLine":
@@ -595,8 +591,6 @@ class Flexure:
             joints=joints,
         )
 
-    # --- paths between the states
-
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
         """Arc length of the pushed point of a bistable part, and its displacement (2,) between the states, mm."""
@@ -697,7 +691,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with additional steps up to each travel in `places`, mm."""
+        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
@@ -767,8 +761,6 @@ class Flexure:
             _distance(rods[-1].position, second.position) <= REST_SHARE * first.length, jump,
             "deg" if movement.is_turn else "mm",
         )  # fmt: skip
-
-    # --- errors and warnings
 
     @cached_property
     def contacts(self) -> dict[str, float]:

@@ -181,7 +181,6 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    """Return True if `zero` is an interval of equal curvature too long to count as a point."""
     return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
 
 

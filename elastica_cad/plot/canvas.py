@@ -157,7 +157,7 @@ def chinese_font() -> str | None:
     except ImportError as error:
         raise missing_library("pictures need matplotlib", "matplotlib") from error
     known = font_manager.fontManager
-    # the stored list of fonts may be older than a font, so a new list is made if the stored list has none
+    # the stored list of fonts may be outdated, so a new list is made if it has no Chinese font
     listed: Callable[[], Any]
     for listed in (lambda: known, font_manager.FontManager):
         files = {font.name: font.fname for font in listed().ttflist}
@@ -170,7 +170,7 @@ def chinese_font() -> str | None:
 
 @contextmanager
 def text_in(font: str | None) -> Iterator[None]:
-    """Write text of new figures in a font. Characters that it lacks are in matplotlib's default font."""
+    """Write text of new figures in a font. Characters that the font lacks are in matplotlib's default font."""
     if font is None:
         yield
         return

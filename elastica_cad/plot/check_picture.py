@@ -97,7 +97,6 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    """Yield label, colour, marker and positions (mm) of each kind of mark."""
     kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
         ("inflections", LINE, "o", list(check.inflections)),
         (

@@ -114,7 +114,6 @@ def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
 
 
 def _letters(index: int) -> str:
-    """Return the name of a column: A, B, ... Z, AA, AB, ..."""
     text = ""
     while True:
         text = chr(ord("A") + index % 26) + text

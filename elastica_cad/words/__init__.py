@@ -1,5 +1,6 @@
-"""Catalogues of other languages: translations of English templates, of texts of the page as "page|TEXT",
-and of headings of the assembly sheet as "sheet|TEXT".
+"""Catalogues of translations, by the English template.
+
+Keys of texts of the page are "page|TEXT". Keys of headings of the assembly sheet are "sheet|TEXT".
 """
 
 import json
