@@ -133,7 +133,7 @@ def _number(value: Any) -> float:
 def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
     """Return the measured values in a TOML file, by strip and quantity, and their standard errors.
 
-    The keys above all tables are the errors, or values of a strip with the name "".
+    Keys before the first table are the errors, or values of a strip with the name "".
     """
     text = ""
     try:

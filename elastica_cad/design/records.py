@@ -343,7 +343,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
-    """Register that files have a value of `kind` for records of a class, which the function `read` reads."""
+    """Register a record class whose records are written as `kind` and read by the function `read`."""
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 

@@ -146,7 +146,6 @@ def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
 
 
 def _widest_gap(paths: Iterable[Path]) -> float:
-    """Return the largest distance, mm, between the end of an edge and its vertex."""
     return max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in paths))
 
 

@@ -324,10 +324,7 @@ class _Hidden:
         return cls(frozen.union(off), frozen)
 
     def hides(self, entity: Any, layer: str) -> bool:
-        """Return True if an entity is hidden.
-
-        A block is hidden if its layer is frozen, but not if its layer is off.
-        """
+        """A block is hidden if its layer is frozen, but not if its layer is off."""
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
             return True

@@ -101,9 +101,7 @@ def encode_dxf(
 
 
 def _made_by() -> list[str]:
-    """Return the running command as comment lines of limited length, because old readers limit lines to 255
-    characters.
-    """
+    """Return the running command as comment lines of at most 250 characters, because old readers allow 255."""
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
 
 

@@ -175,10 +175,7 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
 
 
 def _mirrored_handle(pen: _Pen, after: str) -> FloatArray:
-    """Return the last Bezier handle mirrored at the pen.
-
-    After a command that is not in `after`, return the pen's position.
-    """
+    """Return the last Bezier handle mirrored at the pen, or the pen after a command that is not in `after`."""
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle
@@ -196,7 +193,6 @@ def bezier_edge(points: FloatArray) -> Edge | None:
 
 
 def _is_straight(points: FloatArray) -> bool:
-    """Return True if the control points are on the chord and in order."""
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
     across = (points - points[0]) @ np.array([-chord[1], chord[0]])

@@ -749,7 +749,6 @@ def _id_in_url(text: str) -> str:
 
 
 def _rectangle(area: ElementTree.Element) -> Box | None:
-    """Return the rectangle of a clip path that is a single rectangle parallel to the axes, otherwise None."""
     shapes = [child for child in area if tag(child) in (*_SHAPES, "use", "text", "g")]
     written = {name for element in (area, *shapes) for name in element.attrib}
     if tag(area) != "clipPath" or len(shapes) != 1 or written & {"transform", "clipPathUnits", *_AREAS}:

@@ -211,7 +211,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return, by the index of each strip, its supported ends without a holder."""
+    """Return the supported ends without a holder, by the index of their strip."""
     places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(

@@ -36,14 +36,14 @@ _CACHED_SPLINES = 128
 _ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
 
 InPlane = tuple[FloatArray, FloatArray]
-"""Points and unit tangents (n, 2 each) of a strip's curve, in the plane of the curve."""
+"""Points and unit tangents, (n, 2) each, of a strip's curve, in the plane of the curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class RuledStrip:
-    """The surface gamma(s) + v z with |v| <= width(s) / 2.
+    """Surface of a bent strip: the points gamma(s) + v z with |v| <= width(s) / 2.
 
-    The curve gamma is in the plane of `frame`. The rulings have the direction z of the z axis of `frame`.
+    The curve gamma is in the plane of `frame`. The rulings are parallel to z, the z axis of `frame`.
 
     Parameters
     ----------
@@ -218,7 +218,6 @@ def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> Flo
 
 
 def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    """Return all intersection curves of two strips' surfaces, which are extended along their rulings."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
         return tuple(_rulings(a, b))
@@ -236,8 +235,8 @@ class Ruling:
     strips: tuple[RuledStrip, RuledStrip]
     s_a: float
     s_b: float
-    offset: float  # distance from gamma_a to gamma_b along the ruling z_a, mm
-    sign: float  # +1 if the rulings z_a and z_b have equal directions, -1 if they are opposite
+    offset: float  # distance from the first to the second curve along the first strip's ruling, mm
+    sign: float  # +1 if the rulings of both strips have equal directions, -1 if they are opposite
     reach: float
 
     @property
@@ -269,7 +268,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of the curves of two strips, and common points of the strips."""
+    """Heights of the curves of two strips along the normal of both rulings, and common points of the strips."""
 
     a: RuledStrip
     b: RuledStrip
@@ -314,7 +313,10 @@ class _Heights:
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Branch of the level set, given by nodes (s_a, s_b). The parameter q has the value k at node k."""
+    """Curve of equal height on both strips, given by nodes: pairs of arc lengths (s_a, s_b).
+
+    The parameter q has the value k at node k.
+    """
 
     heights: _Heights
     s_a: FloatArray
@@ -326,7 +328,7 @@ class Branch:
         return np.arange(self.s_a.size, dtype=float)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
-        """Return common points at parameters q, by Newton's method from the lines between the nodes."""
+        """Return common points at parameters q. Newton's method starts on the lines between nodes."""
         h = self.heights
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
@@ -412,7 +414,7 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 def _extreme_at_end(
     k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
 ) -> tuple[str, int, int] | None:
-    """Return the height extreme at which a piece of equal height ends, or None where the surfaces touch.
+    """Return the height extreme at the end of a piece of equal height, or None where the surfaces touch.
 
     The piece is in stretch k of strip a and in stretch m of strip b. Their heights are c_a and c_b, and the
     piece ends at the height `bound`. The result is the strip with the extreme ("a" or "b"), the number of its
@@ -441,7 +443,6 @@ def _joined(
     unused = set(range(len(pieces)))
 
     def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Return, in order, the pieces that continue piece i beyond its extreme `key`."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in unused]

@@ -466,7 +466,6 @@ def _lost_joints(before: Model, after: Model) -> list[tuple[int, float]]:
 
 
 def _width_ratios(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
-    """Return, for each strip that lost joints, the largest ratio of old to new width at these joints."""
     scales: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))

@@ -405,13 +405,13 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
     slopes, places, left = lean.resting
     heights = ground.local(tab.frame.point(np.column_stack([places, np.zeros(places.size), -left])))[:, 2]
     lengths = np.append(0.0, np.cumsum(lean.piece * np.hypot(1.0, slopes)))
-    # beyond its last piece, the tab is straight
+    # the tab is straight beyond its last bent piece
     k = min(int(np.searchsorted(-heights, 0.0)), slopes.size) - 1
     return float(lengths[k] + heights[k] * (lengths[k + 1] - lengths[k]) / (heights[k] - heights[k + 1]))
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease, mm, of the differences between tabs' heights for which a plate is oblique to its tabs."""
+"""Least decrease, mm, of the tabs' height differences for which their plate is inclined."""
 
 
 def end_plates(

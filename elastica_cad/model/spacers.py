@@ -216,7 +216,6 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
 
 
 def _radii(plate: BasePlate) -> tuple[float, float]:
-    """Return the radii, mm, of the opening and the rim of a round plate without spacers."""
     loops = [slot.corners for slot in plate.slots if slot.tab is not None]
     return around(loops, plate.outline.bounds.mean(axis=0), (plate.options or PlateOptions()).border)
 

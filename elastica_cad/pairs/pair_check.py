@@ -401,10 +401,7 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Last zeros of the curvature difference, which are too many for a moment difference.
-
-        A moment difference has at most as many zeros as precede them along the curve.
-        """
+        """Last zeros of the curvature difference. A moment difference can have only the zeros before them."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:

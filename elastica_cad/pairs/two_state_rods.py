@@ -36,15 +36,14 @@ TANGENTS = 12
 """Number of tangents that replace the function K^(2/3) of the stiffness K in the first linear program."""
 
 WIDEST_TANGENTS = 1e4
-"""Largest ratio of a stiffness with a tangent in the first linear program to a typical stiffness, or inverse
-ratio."""
+"""The first tangents are at stiffnesses up to this factor below and above a typical stiffness."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
 """Relative change of the least stiffness below which no more tangents are added."""
 
 SMOOTH = 4
-"""Number of continuous derivatives of a curve that suffices for a cubic spline of the stiffness without kinks."""
+"""A cubic spline of the stiffness has no kinks if the curve has this number of continuous derivatives."""
 
 THICKNESS_SAMPLES = 301
 """Number of samples of both curves for the strain limit. A flexure evaluates the strain at its own nodes."""
@@ -393,7 +392,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
 
-    # largest K: for the curvature difference d, |M_1 - M_2| = K d <= 2 K^(2/3), so K <= (2 / d)^3
+    # bound on k where the curvature difference d is largest: |M_1 - M_2| = K d <= 2 K^(2/3), so k <= K <= (2 / d)^3
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
     rows = [np.concatenate(fixed)]
     right = [np.zeros(len(rows[0]))]

@@ -377,8 +377,6 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each group of successive parts with equal loads."""
-
     def cells(part: EqualStrips) -> tuple[str, ...]:
         loads = part.strip.reactions()
         loaded_ends = (loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment)

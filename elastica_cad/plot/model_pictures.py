@@ -96,7 +96,6 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float) -> FloatArray:
-    """Return points (n, 2) of a loop: its corners, and points about `step` mm apart on curves."""
     rows = []
     for segment in loop.segments:
         parts = 1

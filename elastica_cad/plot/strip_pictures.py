@@ -294,9 +294,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 
 
 def _widened(size: FloatArray) -> FloatArray:
-    """Return a size with each side at least 0.3 times the longer one, so that numbers on the axes can be
-    read.
-    """
+    """Return a size with each side at least 0.3 times the longer side, for legible numbers on the axes."""
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 

@@ -27,11 +27,11 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 # weight of a displacement along the curve, relative to a displacement across the curve
 _ALONG = 0.1
-# displacement, as a fraction of the length, that counts as much as a change of the curvature by 1 / length
+# displacement, as a fraction of the length, with the weight of a change of the curvature by 1 / length
 _BEND = 0.005
-# displacement, as a fraction of the length, that counts as much as a change of the parametric speed by 100 %
+# displacement, as a fraction of the length, with the weight of a change of the parametric speed by 100 %
 _STRETCH = 0.05
-# displacement, as a fraction of the length, that counts as much as a change of the moment by its largest value
+# displacement, as a fraction of the length, with the weight of a change of the moment by its largest value
 _LINE_STEP = 0.02
 # relative size of singular values below which conditions count as dependent
 _RANK = 1e-11
@@ -210,7 +210,7 @@ class CurveChanges:
 
 # penalty of a violated bound, relative to half the mean square distance
 _PENALTY = 0.1
-# penalty of a violated linear condition of a step, above the penalty of every bound
+# penalty of a violated linear condition of a step; it exceeds the penalties of all bounds
 _ROW_PENALTY = 10.0
 # accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12
@@ -224,7 +224,7 @@ _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 # predicted gain of a step, as a fraction of half the mean square distance, below which the search ends
 _SETTLED = 1e-3
-# gain of a step that is a rounding error, relative to the squared length
+# gain of a step, relative to the squared length, that is only a rounding error
 _RESOLUTION = 1e-12
 # relative distance from the bounds at the samples, so that bounds also hold between the samples
 _INSIDE = 1e-5
