@@ -198,7 +198,7 @@ def design_of(
     read_curves: CurveReader,
     read_surface: "SurfaceReader | None" = None,
 ) -> Design:
-    """Make a design from parsed tables, as `read_design` does from a file at `path`."""
+    """Make a design from the parsed tables of the file `path`; see `read_design`."""
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*names_of(DesignKeys))

@@ -39,7 +39,7 @@ def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`."""
+    """Make the request for a two-state part from the parsed tables of the file `path`."""
     top = Table(data, str(path), {}).only(*names_of(DesignKeys))
     if not top.has("pair"):
         raise InputError("{path} has no table [pair]. Name two curves, or run `elastica model`.", path=path)

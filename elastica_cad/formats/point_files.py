@@ -295,7 +295,6 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """Return the units of the top row, if it contains only units, and the remaining rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]

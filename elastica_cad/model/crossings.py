@@ -384,7 +384,6 @@ def _branches_of_constant_height(
 
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the stretches of a strip between extremes of its height, each as arc lengths and heights."""
     s = strip.stations
     height, slope = heights.along(strip, s)
     if np.abs(slope).max() < LEVEL_SLOPE:

@@ -168,7 +168,6 @@ def _untested_cures(length: float) -> str:
 
 
 def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length: float) -> str:
-    """Return an instruction that works with these strips: other tabs, a smaller gap, or single plates."""
     cures = []
     sized = None if length == np.inf else fitting_tabs(placed, [first], gap, length)
     if sized is not None:

@@ -129,7 +129,6 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    """Return a suggestion, with gap and tab size, to replace each plate by two plates, or ""."""
     plates = [
         plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
     ]

@@ -339,8 +339,8 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # moment difference N at a node: N at the near end of the panel, which is 0 at a zero of N, plus a
-        # step
+        # the moment difference N at a node is its value at the panel's near end, which is 0 at a zero of N,
+        # plus a step
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])

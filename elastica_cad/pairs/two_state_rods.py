@@ -227,7 +227,7 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of `PairedPanels` with the least ratio within the limits, and then the least bend."""
+    """Return the numbers (6,) that give, within the limits, the least ratio and then the least bend."""
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -460,7 +460,6 @@ DROWNS = (
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
-    """Return a rod whose `free` state is its unloaded shape; its other state is an `optimal_rod`."""
     natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
     count = None if samples == DEFAULT_SAMPLES else samples
     bent = rod_of_request(RodRequest(held, natural_curvature=CurveOfRest.of(natural), samples=count))

@@ -136,7 +136,6 @@ def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return patches (n, 4, 3) of the faces and rims of a plate, and colours (n, 3)."""
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -351,7 +350,6 @@ def lit(patches: FloatArray) -> FloatArray:
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
-    """Return triangles with no edge longer than `longest`, so that they can be sorted by depth."""
     while True:
         edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
         large = edges.max(axis=1) > longest
