@@ -20,10 +20,9 @@ MOST_ROWS = 56
 
 @dataclass(frozen=True, kw_only=True)
 class Constraint(ABC):
-    """Constraint of the search for the nearest rod, with k values that depend on the rod.
+    """Constraint of the search for the nearest rod: k values that depend on the rod.
 
-    The values must be 0, or at least 0 if `one_sided`. The values are scaled so that a large violation is of
-    order 1.
+    The values are scaled so that a large violation is of order 1.
 
     Attributes
     ----------
@@ -48,14 +47,14 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices (j,) of values that a step may violate, and their derivatives (j, p) by p unknowns."""
+        """Return the indices (j,) of values that a step may violate, and the derivatives (j, p) of these values."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
     """Return at most MOST_ROWS of the `indices`.
 
-    Up to half of MOST_ROWS are at local maxima of `urgency` (n,), and the others are evenly spaced. A row that a
-    step violates is a local maximum in the next call.
+    Up to half of the result are local maxima of `urgency` (n,), and the others are evenly spaced. If a step
+    violates an omitted row, the row is a local maximum in the next call.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -163,7 +162,7 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return the nearest point of the rod: weights (4,) of four nodes, these nodes, and the unit normal."""
+        """Return weights (4,) and the slice of the four nodes that give the nearest point, and the unit normal."""
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
@@ -193,7 +192,7 @@ class Through(Constraint):
 class InflectionLine(Constraint):
     """Condition that the moment is 0 on the line through `point` along `direction`.
 
-    Without weight, the moment is an affine function of the position, and so is defined in the whole plane.
+    Without weight, the moment is an affine function of the position in the whole plane.
     """
 
     name: str = "inflection line"
@@ -202,7 +201,7 @@ class InflectionLine(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the moment at `point` and the derivative of the moment along the line, over `scale` (2,)."""
+        """Return the moment at `point` and its derivative along the line, both divided by `scale` (2,)."""
         (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
@@ -282,7 +281,6 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
-    """Return the indices of the one or two middle nodes, and of the one or two middle edges."""
     n = rod.tangents.shape[0]
     nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
     return sorted(nodes), sorted(edges)
@@ -293,16 +291,15 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
-    """Return weights (4,) of values at 0, 1, 2, 3 for the cubic through them at u, and for the cubic's slope."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
 # values above this fraction of a limit enter the quadratic program, because a step may violate the limit
 _NEAR = 0.6
 _STEP = 1e-5  # relative step of the stiffness in finite differences of the strain
-# reserve, as a fraction of the largest stiffness, because the curvature between nodes may be larger
+# reserve for larger curvature between nodes, as a fraction of the largest stiffness
 _SAFETY_SHARE = 0.01
-# relative step of stiffness and curvature in finite differences, large enough to reduce the effect of kinks
+# relative step of stiffness and curvature in finite differences, too large for kinks to matter
 _TANGENT_STEP = 1e-3
 
 
@@ -322,9 +319,9 @@ class MarginLimit(Constraint):
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with its tangent stiffness, which resists small disturbances, as its stiffness.
+        """Return the rod with its tangent stiffness: the derivative of the moment by the curvature.
 
-        The tangent stiffness is the derivative of the moment by the curvature. For Hooke's law it is the stiffness.
+        The tangent stiffness resists small disturbances. For Hooke's law it equals the stiffness.
         """
         return rod
 
@@ -347,7 +344,7 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives (n+1,) by the tangent stiffness to derivatives by stiffness and by moment.
+        """Convert derivatives (n+1,) of the margin by the tangent stiffness to derivatives by stiffness and moment.
 
         The derivatives by the moment are None if the moment has no effect.
         """
@@ -359,8 +356,8 @@ class MarginLimit(Constraint):
 class FollowedMarginLimit(MarginLimit):
     """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    The margin depends on the tangent stiffness: the derivative of the moment by the curvature. This derivative
-    exceeds the stiffness if a strip stiffens as it bends, and is less if a pre-bent strip is bent straight.
+    The margin depends on the tangent stiffness. The tangent stiffness exceeds the stiffness if a strip stiffens
+    as it bends, and is less if a pre-bent strip is bent straight.
 
     Attributes
     ----------
@@ -388,7 +385,7 @@ class FollowedMarginLimit(MarginLimit):
         return tangent_rod
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
+        """Convert derivatives of the margin by the tangent stiffness to derivatives by stiffness and moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -417,7 +414,7 @@ class LargestSection(Constraint):
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of nodes with nearly the largest section, and their derivatives by the unknowns."""
+        """Return the nodes close to the largest section, and the derivatives of their values by the unknowns."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -450,14 +447,14 @@ class BendLimit(Constraint):
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / limit at the nodes (n+1,), in lengths of the target, for the stiffness (n+1,)."""
+        """Return 1 / limit at the nodes (n+1,), in lengths of the target, for nodes of this stiffness (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of nodes close to the limit, and their derivatives by the unknowns."""
+        """Return the nodes close to the limit, and the derivatives of their values by the unknowns."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -476,7 +473,7 @@ class CurvatureLimit(BendLimit):
     name: str = "curvature"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / largest allowed change of curvature, mm, at the nodes (n+1,)."""
+        """Return 1 / `limit` at the nodes (n+1,)."""
         return np.full(stiffness.shape, 1 / self.limit)
 
 
@@ -490,7 +487,7 @@ class StrainLimit(BendLimit):
     name: str = "strain"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the fraction of the allowed strain per change of curvature, at the nodes (n+1,)."""
+        """Return the fraction of the strain limit for a unit change of curvature, at the nodes (n+1,)."""
         return self.section.strain(stiffness, self.strain) / self.size
 
 
@@ -514,7 +511,7 @@ class KeepOut(Constraint):
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of nodes close to the region, and the derivatives of their distances."""
+        """Return the nodes close to the region, and the derivatives of their distances by the unknowns."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)

@@ -82,7 +82,7 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return 1 - curvature * distance (n,), at least 0.3, as the slope for Newton's method."""
+        """Return the slope (n,) for Newton's method: 1 - curvature * distance, but at least 0.3."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
@@ -232,13 +232,13 @@ class LargestDistance:
         # signed distances (negative on the right of the target) after the change to equilibrium
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # if several steps have the same largest distance, the small mean square selects one step
+        # the small mean square makes the best step unique
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        """Return signed weighted distances (n+1,), and indices of nodes at half the largest distance or more."""
+        """Return the signed weighted distances (n+1,), and the nodes with at least half the largest distance."""
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)
@@ -273,9 +273,9 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Return a model of half the mean square of r + J d, with weights `shares` (k,), as a function of the step d.
+    """Return the model of half the weighted mean square of r + J d for a step d, with the weights `shares` (k,).
 
-    The last column of J is added to r first.
+    The last column of J, the change to equilibrium, is added to r.
     """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]

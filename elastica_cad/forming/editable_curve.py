@@ -21,7 +21,7 @@ FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# the fit multiplies errors of curvature by the square of this length, in rod lengths, to get displacements
+# length, in rod lengths, whose square converts errors of curvature to errors of position in the fit
 _REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
@@ -93,7 +93,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halve the longest of the knot spans that contain `places` or are next to such a span."""
+    """Halve the longest of the knot spans at and beside the `places`."""
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -103,7 +103,7 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """Continuous rod at k evenly spaced stations. The unit of length is the length `size` of the rod, mm.
+    """Values of a continuous rod at evenly spaced stations, in units of its length `size`, mm.
 
     `inflections` (j,) are the arc lengths where the moment is 0, including ends that are free to turn.
     """
@@ -150,7 +150,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
-    # replace zeros next to an end that is free to turn, which are rounding errors, by the end itself
+    # at an end that is free to turn, the end itself replaces nearby zeros, which are rounding errors
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -167,10 +167,10 @@ def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Return the spline with the knot spans `edges` that fits position and curvature by least squares.
+    """Return the least-squares spline for position and curvature, with the knot spans `edges`.
 
-    The spline is exact at ends and inflections. The derivative of the curvature determines the stiffness at
-    inflections, and is exact there too.
+    The spline is exact at ends and inflections. The derivative of the curvature is exact at inflections, because it
+    determines the stiffness there.
     """
     from scipy.interpolate import BSpline
 
@@ -187,14 +187,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # omit inflections near an end or another inflection, whose exact positions need more control points
+    # omit inflections close to an end or to each other, because they need more control points
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # the parameter must be the arc length at these inflections only if there is a rest curvature
+    # with a rest curvature, the parameter must be the arc length at these inflections
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -234,7 +234,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error of position, stiffness or extreme stiffness at each station, over its tolerance."""
+    """Return the largest error at each station, divided by its tolerance."""
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

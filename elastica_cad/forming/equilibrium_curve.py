@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in a panel at which the stiffness is bounded; its extremes move at each step
+# number of stations in a panel at which the stiffness is bounded
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
@@ -45,7 +45,7 @@ class EquilibriumCurve:
     balance : BalancedStiffness
         Moments, forces and stiffness before the division by `scale`.
     places : pair of arrays
-        Index of a panel, and position -1..1 in the panel, for closely spaced stations and the stiffness extremes.
+        Panel numbers, and positions -1..1 in the panels, of closely spaced stations and the stiffness extremes.
     scale : float
         Least stiffness of `balance`.
     """
@@ -171,6 +171,6 @@ def _both(ends: BothEnds) -> tuple[bool, bool]:
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:
-    """Return the constraint that all inflections are on one line, or an empty list for two or fewer."""
+    """Return the constraint that all inflections are on one line; an empty list for two or fewer inflections."""
     t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
     return [CollinearInflections(t)] if t.size > 2 else []

@@ -33,7 +33,7 @@ LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
+"""Largest curvature of an almost straight end, as a fraction of the largest curvature of the curve."""
 
 SLIGHT_MM = 0.1
 """Displacement by smoothing, mm, above which a note becomes a warning. A cut has a larger tolerance."""
@@ -143,7 +143,6 @@ class Smoothing:
         if self._rod_as_drawn is None:
             return True
         rod = self._weightless_rod_on(curve)
-        # a larger ratio means narrower parts of the strip
         return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
     @property
@@ -290,7 +289,6 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
-    """Return flags for both ends: True for an almost straight end that is free to turn."""
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))

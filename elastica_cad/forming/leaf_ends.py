@@ -20,7 +20,7 @@ FINE_NODES = 1001
 """Number of nodes of the returned rod; with fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
 
 SHORTEST_SHARE = 0.01
-"""Shortest ply, and shortest distance between the ends of plies, as a fraction of the length."""
+"""Least distance between two ends of plies, and least length of a ply, as a fraction of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
 """Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
@@ -31,7 +31,7 @@ DIFFERENCE = 1e-4
 SETTLED = 1e-7
 """Relative change of the ply ends, or of the squared distance, below which the search ends."""
 
-MOST_TRIALS = 60  # largest number of steps of a search; a step needs a finite difference for every ply end
+MOST_TRIALS = 60
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +179,6 @@ class _Search:
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
-        """Return the best stack, or None if no stack has a rest shape."""
         from scipy.optimize import least_squares
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
@@ -201,7 +200,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return offsets whose sum of squares is the mean squared distance from `drawn` / squared length.
+        """Return offsets from `drawn`, the sum of whose squares is the mean squared distance / length^2.
 
         The offsets are large if the stack has no rest shape.
         """

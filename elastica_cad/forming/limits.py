@@ -95,7 +95,7 @@ class Box:
         Distances are positive outside the box.
         """
         low, high = np.asarray(self.lower), np.asarray(self.upper)
-        off = np.maximum(low - points, points - high)  # distances outside the box along x and y
+        off = np.maximum(low - points, points - high)
         sign = np.where(points - high > low - points, 1.0, -1.0)
         beyond = np.maximum(off, 0)
         outside = np.hypot(beyond[:, 0], beyond[:, 1])

@@ -23,7 +23,7 @@ EXACT_POINTS = 5
 """Number of points that determine a meridian; four points suffice if the last point is on the axis."""
 
 SEARCH_NODES = 96
-"""Approximate number of nodes on the whole meridian, with at least `FEWEST` nodes between two given points."""
+"""Approximate number of nodes on the whole meridian."""
 
 FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
@@ -152,7 +152,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 
 
 class _Equations:
-    """Equations of a meridian in pieces, which are divided by the given points.
+    """Equations of a meridian that consists of one piece between each two given points.
 
     At the nodes, distance from the axis * curvature = a + <b, point>. Each piece ends at the next point, and the
     angle is continuous. The unknowns are the nodal angles and the length of each piece, followed by a and b (2).
@@ -281,7 +281,6 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Return the solution by Newton's method with steps of least norm, or None if it was not found."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -371,13 +370,12 @@ MOST_TURNS = 20
 """Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-# `TO_THE_POLE` ends a message if the last point is closer to the axis than this fraction of the largest distance
+# a last point closer to the axis than this fraction of the largest distance adds `TO_THE_POLE` to a message
 NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
-"""End of a message about points whose last point is close to the axis."""
 
 NARROW_SHARE = 1e-3
-"""Default distance of a meridian's end from the axis, as a fraction of its length plus the start's distance."""
+"""Default distance of a meridian's end from the axis, as a fraction of the length + the start's distance."""
 
 
 @dataclass(frozen=True, eq=False)

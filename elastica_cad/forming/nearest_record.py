@@ -228,7 +228,7 @@ class NearestRod:
         return sentences((self.verdict, *self.advice), " ")
 
 
-_MOST_ADVICE = 4  # largest number of active limits for which suggestions are made
+_MOST_ADVICE = 4
 # distance, as a fraction of the drawn curve's diagonal, below which no suggestions are made
 _SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
@@ -292,7 +292,6 @@ _NAMES = {
 
 
 def _limit_name(near: NearestRod, binding: Binding) -> str:
-    """Return the name of a limit for messages, or an empty text if the limit was not requested."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:

@@ -155,7 +155,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # known optima are recognised by their mean distances, which the measure "max" does not minimise
+            # the measure "max" does not minimise the mean distance, which identifies known optima
             optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=optima))
     best = min(outcomes, key=_rank)
@@ -171,9 +171,8 @@ def _rescaled(search: Search, margin: float | None) -> Search:
     """Repeat the search until the sections of the resulting rod are as large as the limits allow."""
     for _ in range(SETTINGS.rescalings):
         settled = search.task.settled(search.best.point)
-        if (
-            settled is search.task or settled.request.gravity is None
-        ):  # without weight, the shape does not depend on the scale
+        # without weight, the shape does not depend on the scale
+        if settled is search.task or settled.request.gravity is None:
             search = search._replace(task=settled)
             break
         search = _continued_search(search, settled)
@@ -275,7 +274,7 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Yield results of other shapes whose distances are at most 2 % larger than the least distance."""
+    """Yield results of other shapes whose distances are hardly larger than the least distance."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )
@@ -289,15 +288,14 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """Return a key that sorts results by distance, and puts results that violate limits last."""
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Yield pairs of a distance and a function that returns an initial guess.
+    """Yield initial guesses: pairs of a distance and a function that returns the guess.
 
-    The guess is not needed if the search has found an optimum nearer than the distance, in diagonals of the target.
+    A guess is not needed if an optimum nearer than its distance is known. The unit is the diagonal of the target.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -351,7 +349,7 @@ def _start(
     return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
 
 
-_STRICTER = 6  # largest number of searches for a stack of plies, with ever stricter limits
+_STRICTER = 6  # largest number of searches for a stack of plies, with stricter and stricter limits
 _BEYOND = 1.2  # a violated limit is tightened by this factor times the violation
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
@@ -445,7 +443,7 @@ def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     return limits
 
 
-_MOST_NODES = 5000  # largest number of nodes; more nodes hardly change the shape
+_MOST_NODES = 5000  # more nodes hardly change the shape
 _UNBEARABLE = 50.0
 """Length of a curve, in elasto-gravity lengths, above which a message explains a failed search by the weight."""
 

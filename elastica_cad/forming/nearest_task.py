@@ -31,9 +31,8 @@ from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
 from elastica_cad.refusals import Length as Mm
 
-# least and largest default number of stiffness coefficients
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60
-_COEFFICIENTS_PER_HALF_TURN = 4.2  # additional coefficients for each half turn of the curve
+_COEFFICIENTS_PER_HALF_TURN = 4.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +144,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """This task; without the limit of the stability margin if this margin depends on an unknown scale."""
+        """This task, without a margin limit that depends on an unknown scale."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)
@@ -214,7 +213,6 @@ class NearestTask:
     def _state_of(
         self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
     ) -> RodState:
-        """Return the state in mm, for the stiffness K (n,) and the weights `load` (n, 2) of the nodes."""
         size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(

@@ -1,9 +1,8 @@
 """Triangle meshes with merged vertices, and their plane sections as ordered lines.
 
-A vertex in the plane counts as a vertex on one side, as if the plane were shifted infinitesimally (simulation of
-simplicity). Therefore every face with vertices on both sides is crossed at two edges. Edges are identified by
-their vertices, so that the pieces of a section are joined without comparing coordinates. The points are computed
-with the actual plane.
+A vertex in the plane counts as a vertex on one side (simulation of simplicity), so every face with vertices on both
+sides is crossed at two edges. Edges are identified by their vertices, so the pieces of a section are joined without
+comparing coordinates.
 """
 
 from collections.abc import Sequence
@@ -175,7 +174,6 @@ def _complaint(
 
 
 def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
-    """Return notes on edges with one face or more than two faces, and on adjacent faces of opposite orientation."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True

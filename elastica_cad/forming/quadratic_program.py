@@ -129,7 +129,7 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 _SIDES = np.array([[1.0], [-1.0]])
-"""Derivatives, by an unknown, of the distances of the unknown from its lower and upper bound."""
+"""Derivatives of the distances from the lower and the upper bound by the unknown."""
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
@@ -161,7 +161,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         system = matrix.copy()
         system.flat[:: n + m + 1] += ratio[0] + ratio[1]
         factors, pivots, info = lapack().dgetrf(system)
-        # stop if rounding has made a distance or multiplier 0, because further steps cannot change the zero
+        # stop if rounding has made a distance or multiplier 0, which further steps cannot change
         if info != 0 or not min(u.min(), v.min()) > 0:
             break
         # predictor step towards mu = 0, then corrector step towards a mu computed from the predictor step

@@ -95,9 +95,10 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation with the largest scale, or without weight, with the scale for the largest curvature.
+        """Return the relation for a section law within limits. A `heavy` rod gets the largest scale.
 
-        Without weight, the shape does not depend on the scale, and thin sections withstand larger curvatures.
+        Without weight, the shape does not depend on the scale. The scale then allows the largest curvature, because
+        thin sections withstand larger curvatures.
         """
         least, largest = law.limits
         ratio = limits.largest_ratio
@@ -447,8 +448,7 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # solve for derivatives of angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}; the right-hand
-        # sides are derivatives of the recursion by z
+        # the unknowns are derivatives of angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -486,9 +486,8 @@ class StripGrid:
             angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
         position = np.zeros((n + 1, 2, columns))
         step = position[1:]
-        with np.errstate(
-            over="ignore", invalid="ignore"
-        ):  # derivatives may overflow; `linearize` then returns None
+        # derivatives may overflow; `linearize` then returns None
+        with np.errstate(over="ignore", invalid="ignore"):
             np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
             np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
             step[:, :, u.length] += T / n

@@ -374,7 +374,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
 def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
     """Return lower and upper bounds (count,) of the coefficients of the stiffness.
 
-    The bound of a coefficient is the strictest bound of the stiffness where the basis function is positive.
+    A coefficient has the strictest bound of the stiffness where its basis function is positive.
     """
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)

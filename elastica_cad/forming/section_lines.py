@@ -281,10 +281,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 
 
 def _nearest(points: FloatArray, place: FloatArray) -> float:
-    """Return the position on a polyline that is nearest to a point.
-
-    The position is the index of a vertex plus a fraction of the next side.
-    """
+    """Return the position on a polyline nearest to a point: a vertex index plus a fraction of the next side."""
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
@@ -458,10 +455,7 @@ def _curve(
 
 
 def _filled(points: FloatArray) -> FloatArray:
-    """Insert points so that no side is longer than 1/240 of the length.
-
-    Otherwise a curve fitted to the few vertices of a coarse mesh could deviate from the sides.
-    """
+    """Add points to long sides, because a curve fitted to their ends could deviate from them."""
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
     index = np.repeat(np.arange(len(counts)), counts)
@@ -475,7 +469,6 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """Raise InputError if a line has a sharp corner between two sides that are longer than the tolerance."""
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:

@@ -168,7 +168,6 @@ class _Cut:
 
     @property
     def short(self) -> float:
-        """Parameter range below which a part of the curve counts as empty."""
         low, high = self.curve.domain
         return _SHORTEST_SHARE * (high - low)
 
@@ -178,7 +177,6 @@ class _Cut:
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Return True if a strip can take the piece, with at most the largest stiffness ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:
@@ -193,7 +191,7 @@ class _Cut:
 
     @cached_property
     def marks(self) -> FloatArray:
-        """Positions where a piece may have to end: corners, curvature jumps, ends of straight parts, the end."""
+        """Positions where a piece may have to end: corners, curvature jumps, ends of straight parts, curve end."""
         marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):
@@ -253,7 +251,7 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # stop before the end of the curve, because a closed curve needs at least one support
+        # a closed curve needs at least one support before its end
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))

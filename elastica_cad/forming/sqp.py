@@ -1,8 +1,7 @@
 """Sequential quadratic programming with a trust region and an exact penalty.
 
-A point has p unknowns z and a state, such as the angles of a rod. In equilibrium, the state satisfies the state
-equations, and z determines the state. The points of a search are only nearly in equilibrium. Their derivatives
-predict the point in equilibrium to first order.
+A point has p unknowns z and a state, such as the angles of a rod. In equilibrium, z determines the state. The
+points of a search are only nearly in equilibrium, and derivatives predict the point in equilibrium to first order.
 """
 
 from abc import ABC, abstractmethod
@@ -494,7 +493,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # the second term estimates the increase of the distance by the change to equilibrium
+        # the second term estimates how much the change to equilibrium increases the distance
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -576,7 +575,6 @@ class _Walk(Generic[Point]):
         self.active = self.here.equalities
 
     def advance(self) -> None:
-        """Try steps with decreasing radii until a step is accepted or the radius is too small."""
         while self.radius > SETTINGS.smallest_radius and not self._try_step():
             pass
 
@@ -586,7 +584,7 @@ class _Walk(Generic[Point]):
         return point or program.fallback()
 
     def _try_step(self) -> bool:
-        """Try one step, and return False if it must be repeated with a smaller radius."""
+        """Try one step. Return False if the step must be repeated with a smaller radius."""
         here = self.here
         damping = self.damping_fraction * _damping(here, SETTINGS.damping, SETTINGS.damping_cost)
         solved = _solve_step(here, self.radius, damping)
@@ -605,8 +603,8 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the quadratic program was not solved accurately, because the model predicts an increase:
-                # repeat the step with a smaller radius and full damping
+                # a predicted increase shows that the solution is inaccurate: repeat with a smaller radius and
+                # full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -626,7 +624,7 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
-        """Return an iterate that is nearer to equilibrium than the given one, or None if there is none."""
+        """Return an iterate nearer to equilibrium than the present one, or None."""
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:
@@ -649,7 +647,7 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Return the first iterate: the start if its defect is small.
+    """Return the start if its defect is small, as the first iterate.
 
     Otherwise return the point in equilibrium with the same unknowns, or the fallback of the program.
     """
@@ -707,7 +705,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # the maximum becomes one more unknown, with every peak as a lower bound; a large penalty makes this exact
+        # one more unknown is at least every peak, and so equals the maximum; a large penalty makes this exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)

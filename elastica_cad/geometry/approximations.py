@@ -22,7 +22,6 @@ _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
 """Fractions of a knot span at which the error is measured; their spacing is uneven."""
 
 _MOST_SPANS = 20_000
-"""Largest number of knot spans of an approximation; a tolerance that needs more is refused."""
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
@@ -148,7 +147,6 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the cubic spline for one smooth part."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -243,7 +241,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the end parameter of the longest biarc within the tolerance, accurate to 5 %, and its segments."""
+    """Return the end parameter and the segments of the longest biarc within the tolerance."""
     allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:

@@ -85,7 +85,7 @@ class ArcLength:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        """Chebyshev coefficients (k, 16) of the derivative of the arc length by the panel coordinate x."""
+        """Chebyshev coefficients (k, 16) of the derivative of the arc length by the panel coordinate."""
         return np.asarray(chebyshev.chebder(self.series, axis=1), dtype=float)
 
     @cached_property

@@ -1,8 +1,7 @@
 """Constraints on the control points of a curve, and the least change that satisfies them.
 
-The constraints are those of the paper, Appendix C: inflections on a line, end points, end tangents, arc length.
-Every constraint is an equation G(q) = 0 for the control points q (m, 2). The weights of a rational curve do not
-change. The notation <u, v> is the scalar product, and gamma(t) is the curve.
+Every constraint of the paper, Appendix C, is an equation G(q) = 0 for the control points q (m, 2) of the curve
+gamma(t). The notation <u, v> is the scalar product.
 """
 
 from collections.abc import Sequence
@@ -346,7 +345,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
     """Return the parameters (k,) of the inflections nearest to parameters `near` (k,).
 
-    If the curve has exactly k inflections, they are assigned in order.
+    If the curve has exactly k inflections, each is used once, in order.
     """
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:

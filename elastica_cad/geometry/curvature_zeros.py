@@ -162,7 +162,6 @@ def _extent(bezier: FloatArray) -> float:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    """Return the pieces, moved and scaled so that their extent and their largest weight are 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)

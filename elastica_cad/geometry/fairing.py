@@ -4,13 +4,9 @@ The smooth curve c is the spline of degree 4 with simple knots that minimises
 
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. The smooth curve has the
-ends and end tangents of the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is
-the largest for which the curve is within the tolerance. If the drawn curve is closed, c is periodic. The slope
-of the curvature is linearised about the curve of the previous iteration. All systems are sparse.
-
-Corners of at most 5 degrees are removed first, by turning the handles beside them. A handle is the vector from a
-corner to a neighbouring control point.
+where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. The smoothing length l is
+the largest for which c is within the tolerance. The slope of the curvature is linearised about the curve of the
+previous iteration.
 """
 
 from collections.abc import Callable
@@ -97,7 +93,7 @@ USUAL, USUAL_SHARE = 0.1, 5e-4
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
 _LINEARISATIONS = 3
-_HALVINGS = 14  # number of bisections in the search for the smoothing length
+_HALVINGS = 14
 # samples must be within this fraction of the tolerance, because the distance between samples may be larger
 _USED = 0.96
 _SLIDE = 1e4  # weight of distances along the drawn curve, relative to distances normal to it
@@ -296,7 +292,7 @@ class _Problem:
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 
     def start(self) -> FloatArray:
-        """Return the control points of the spline that is closest to the drawn curve."""
+        """Return control points close to the drawn curve, with a small penalty on the third derivative."""
         rows = self._rows(self.across, 3)
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 

@@ -270,9 +270,9 @@ class RationalPieces:
         return self._known[order]
 
     def _series(self, order: int) -> FloatArray:
-        """Return the derivatives d/dt of the given order of all pieces, as coefficients of `scaled_bernstein`.
+        """Return the derivatives d/dt of one order, as coefficients (p, degree + 1, 2 or 3) of `scaled_bernstein`.
 
-        The coefficients (p, degree + 1, 2 or 3) are raised to the degree of the curve.
+        The polynomials are raised to the degree of the curve.
         """
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
@@ -460,7 +460,6 @@ _AHEAD_SHARE = 1e-6
 """If all sides of the control polygon advance by more than this fraction of the chord, the speed is never zero."""
 
 MOST_TURNS = 100
-"""Largest number of turns of an arc."""
 
 MOST_UNEVEN = 1e8
 """Largest ratio of weights. With a larger ratio, points of the curve are lost in rounding errors."""
@@ -510,7 +509,6 @@ class NurbsCurve:
         )
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        # check the speed, unless the control polygon proves that it is positive
         if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
             _refuse_standstill(self._pieces, self.control_points, format_point, rounding)
 

@@ -72,7 +72,6 @@ class _Element:
 
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
-    """Return the moved segments and the arcs about outer corners, in order."""
     segments = [part for segment in path.segments for part in _split_at_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []

@@ -72,7 +72,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n, m) of points from chords a[j] b[j], and the fractions (n, m) at the nearest points."""
+    """Return distances (n, m) of points from chords, and the nearest points as fractions (n, m) of the chords."""
     (x, y), (dx, dy) = a.T, (b - a).T
     # x and y are separate, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y
@@ -93,7 +93,6 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Return the least distances of points from a spline, by Newton's method from the nearest chords."""
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
     # keep all chords that may be the nearest, because chords differ from the spline

@@ -146,7 +146,7 @@ _FAN = 8
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the boxes around chords, around groups of these boxes, and so on up to one box around everything."""
+    """Return the boxes of the chords, then of groups of boxes, up to a single box around everything."""
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -282,7 +282,6 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
-    """Return the parts of a path between two vertical lines as lists of segments, in order."""
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
     return _runs(path, walls, lambda place: low <= float(place[0]) <= high)

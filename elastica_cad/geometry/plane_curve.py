@@ -123,7 +123,7 @@ class TangentBreak:
     angle: float
 
 
-SURVEY_POINTS = 601  # number of points of `PlaneCurve.survey`
+SURVEY_POINTS = 601
 
 DRAWN_POINTS = 301  # number of points of a curve in a notebook, at distances of a few pixels
 

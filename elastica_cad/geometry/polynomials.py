@@ -171,10 +171,10 @@ All zeros in the remaining interval count as one.
 """
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""Factors that detect a multiple zero. The rounding error, relative to the largest coefficient, is e^3.
+"""Factors that detect a multiple zero. The rounding error, divided by the largest coefficient, is e^3.
 
-A zero with a slope below `_GENTLE` e^2, relative to the largest coefficient, may be a multiple zero. Rounding moves
-a multiple zero by up to `_BLUR` e. A zero of a derivative is then more accurate.
+A zero may be multiple if its slope, divided by the largest coefficient, is below `_GENTLE` e^2. Rounding moves a
+multiple zero by up to `_BLUR` e. A zero of a derivative is then more accurate.
 """
 
 _EPS = float(np.finfo(float).eps)
@@ -337,7 +337,7 @@ Each step reduces the error to about its third power.
 """
 
 _REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
-# extremes are computed if they are within this fraction of the range of the largest or smallest value
+# extremes closer to the largest or smallest sample than this fraction of the range are computed
 _NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)

@@ -12,7 +12,7 @@ from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
-_MOST_HALVINGS = 30  # largest number of halvings of a piece to make its weights positive
+_MOST_HALVINGS = 30
 
 IN_LINE_SHARE = 1e-9
 """Points are collinear if their triangle is lower than this fraction of the size of all four points."""

@@ -30,7 +30,7 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    # index of the first knot of each run of equal knots, and the number of knots
+    # first knot of each run of equal knots, followed by the number of knots
     first = rises.nonzero()[0]
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
@@ -391,13 +391,12 @@ _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 _MOST_DEGREE = 12
 
 _MOST_SPANS = 3000
-"""Largest number of knot spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
 """Least width of a knot span, as a fraction of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # breaks closer than this fraction of the domain count as equal
-# the same fraction for breaks with a continuous slope, because a knot span between them would be singular
+# larger for breaks with a continuous slope, because a knot span between them would be singular
 _ALIKE = 1e-7
 # a knot span that is this many times wider than a neighbour with a large error is divided too
 _WIDER_TIMES = 8.0
@@ -414,7 +413,7 @@ _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated by a dense linear system."""
 
-# if moves change the order of parameters, each is limited to this fraction of the distance to the next
+# largest move of a parameter, as a fraction of the distance to the next, if moves would change the order
 _STRIDE_SHARE = 0.4
 # penalty that has no visible effect, but determines the coefficients where there are no data
 _LEAST_PENALTY = 1e-11
@@ -507,7 +506,7 @@ def _first_edges(
         if before is None or place - latest > apart * length:
             order[place] = continuity
             latest = place
-        elif continuity < before:  # of two close breaks, keep the one with fewer continuous derivatives
+        elif continuity < before:
             del order[latest]
             order[place] = continuity
             latest = place
@@ -672,11 +671,10 @@ class _Problem:
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
-        """Return the penalty weight for the argument `smoothing`, at least `_LEAST_PENALTY`."""
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Return control points and parameters after `corrections` moves of parameters to nearest curve points."""
+        """Fit the control points, and move the parameters to the nearest curve points `corrections` times."""
         control = self.at(t, weight)
         for _ in range(corrections):
             t = self.feet(control, t)
@@ -822,7 +820,6 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """Return new knots in spans with an error above the tolerance, largest error first."""
     span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

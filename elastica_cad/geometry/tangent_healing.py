@@ -1,9 +1,8 @@
 """Removal of corners that are caused by rounding of coordinates.
 
-A handle is the vector from a node of a spline to its neighbouring control point. If the coordinates in a file are
-rounded to multiples of 2 h, each coordinate moves by at most h. A point moves by at most h sqrt(2). A handle of
-length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the corner at a
-node, the curve was smooth there when it was drawn. Both handles are then turned into a common direction.
+A handle is the vector from a node of a spline to its neighbouring control point. If rounding moves each coordinate
+by at most h, a handle of length l turns by at most asin(2 sqrt(2) h / l). If this explains the corner at a node,
+both handles are turned into a common direction.
 """
 
 from dataclasses import dataclass
@@ -23,7 +22,7 @@ SURE = np.radians(5.0)
 # a control point closer to a chord than this fraction of the chord is on the chord
 _STRAIGHT = 1e-12
 _CLOSED = 1e-9  # ends closer than this fraction of the size coincide
-_SHORT = 1e-12  # control points closer than this fraction of the longest handle coincide
+_SHORT = 1e-12  # control points closer than this fraction of the extent of both pieces coincide
 
 
 @dataclass(frozen=True)
