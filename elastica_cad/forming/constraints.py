@@ -162,7 +162,6 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return weights (4,) and the slice of the four nodes that give the nearest point, and the unit normal."""
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )

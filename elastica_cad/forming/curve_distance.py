@@ -68,7 +68,7 @@ class TargetCurve:
         return np.interp(s, even_steps(self.angle.size), self.angle)
 
     def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
-        """Return the arc lengths (n,) nearest to `points` (n, 2), in a window around `near` (n,)."""
+        """Return the arc lengths (n,) of the target points nearest to `points` (n, 2), in windows around `near`."""
         offsets = np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)
         tries = np.clip(near[:, None] + offsets, 0, 1)
         spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
@@ -232,13 +232,12 @@ class LargestDistance:
         # signed distances (negative on the right of the target) after the change to equilibrium
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the small mean square makes the best step unique
+        # a small fraction of the mean square makes the best step unique
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        """Return the signed weighted distances (n+1,), and the nodes with at least half the largest distance."""
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)

@@ -93,7 +93,6 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halve the longest of the knot spans at and beside the `places`."""
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -194,7 +193,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # with a rest curvature, the parameter must be the arc length at these inflections
+    # only a rest curvature requires that the parameter is the arc length at inflections
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [

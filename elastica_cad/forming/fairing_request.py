@@ -137,7 +137,6 @@ class Smoothing:
         )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
-        """Return True if smoothing to `curve` adds no inflection and hardly increases the stiffness ratio."""
         if self._inflections(curve) > self._inflections(self.drawn):
             return False
         if self._rod_as_drawn is None:

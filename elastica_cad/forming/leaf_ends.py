@@ -212,7 +212,6 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _separated(self, places: FloatArray) -> FloatArray:
-        """Sort the positions (m,) and move them to the least distance from each other and from the ends."""
         m = places.size
         clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)

@@ -45,8 +45,7 @@ class SearchSettings(NamedTuple):
     ----------
     steps, unmet_steps : int
         Total number of steps after which no further initial guess is tried. `unmet_steps` applies while no result
-        meets the limits, or if a margin is required and the first result violates a limit. A stalled search counts
-        as a search with the largest number of steps.
+        meets the limits, or if a margin is required and the first result violates a limit.
     tensions : tuple of float
         Tensions along the chord of initial guesses, as fractions of the tension that alone provides the margin.
         Guesses under tension are stable.
@@ -75,14 +74,14 @@ class SearchSettings(NamedTuple):
     closed_gap : float
         Distance between the ends, as a fraction of the length, below which the tension of a guess is reduced.
     rescalings : int
-        Largest number of searches that are repeated to determine the scale of the sections.
+        Largest number of searches to determine the scale of the sections.
     scale_reserve, scale_change : float
-        For a margin that depends on the widths: factor on the largest scale, because the widths may still change,
-        and growth of the scale below which the search ends.
+        Factor on the largest scale, because the widths may still change, and growth of the scale below which the
+        search ends. These and the next settings apply if the margin depends on the widths.
     scale_factors : tuple of float
-        For a margin that depends on the widths: factors on the scale that are tried in order.
+        Factors on the scale that are tried in order.
     margin_fraction : float
-        For a margin that depends on the widths: fraction of the margin that a first search requires.
+        Fraction of the margin that a first search requires.
     """
 
     steps: int = 600
@@ -274,7 +273,6 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Yield results of other shapes whose distances are hardly larger than the least distance."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )
@@ -445,7 +443,7 @@ def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 _MOST_NODES = 5000  # more nodes hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which a message explains a failed search by the weight."""
+"""Length of a curve, in elasto-gravity lengths, above which the weight explains a failed search."""
 
 
 def nearest_rod(

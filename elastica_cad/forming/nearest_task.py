@@ -257,7 +257,6 @@ def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> Floa
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
-    """Return the natural curvature times `size`: a number, or an array (nodes,) for a pre-bent strip."""
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest

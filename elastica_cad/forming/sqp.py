@@ -28,20 +28,19 @@ No constraint has so many values.
 class ProgramSettings(NamedTuple):
     """Settings of a search.
 
-    The defect of a point is the change of its state, rad, that brings the point into equilibrium. A change by about
-    1 rad is too large for a linear model. Radii and distances "in scales" are multiples of the typical sizes of the
-    unknowns.
+    The defect of a point is the change of its state, rad, that brings the point into equilibrium. Radii and
+    distances "in scales" are multiples of the typical sizes of the unknowns.
 
     Attributes
     ----------
     steps, lifted_steps : int
-        Largest number of steps in a search, and of lifted steps (see `lift`). A search usually needs less than half
-        of `steps`. Lifted steps converge quadratically or not at all.
+        Largest number of steps in a search, and of lifted steps (see `lift`). Lifted steps converge quadratically
+        or not at all.
     progress_tolerance : float
         The search ends if the model predicts that a step reduces the objective by less than this fraction.
     resolution : float
-        Absolute accuracy of the objective, which is half a mean of squared distances. The accuracy corresponds to
-        about 1 um for a strip of 300 mm.
+        Absolute accuracy of the objective, which is half a mean of squared distances: about 1 um for a strip of
+        300 mm.
     smallest_radius, lifted_radius : float
         Radius of the trust region, in scales, at which the search ends without success, and radius for lifted
         steps.
@@ -49,8 +48,7 @@ class ProgramSettings(NamedTuple):
         Radius, in scales, below which the search ends if the model predicts an increase of the objective.
     damping, lifted_damping : float
         Damping of steps, and of the first lifted step, as a fraction of the largest second derivative of the
-        objective. Damping makes the quadratic program strictly convex, so that the smallest of several possible
-        changes is selected.
+        objective. Damping selects the smallest of several possible steps.
     damping_cost : float
         Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
     least_damping : float
@@ -73,8 +71,7 @@ class ProgramSettings(NamedTuple):
     bound_tolerance : float
         Distance from a bound, in scales, below which an unknown counts as at the bound.
     closed_defect : float
-        Defect below which a point counts as in equilibrium, because the square of the defect is less than
-        rounding errors.
+        Defect below which a point counts as in equilibrium.
     divergence_defect, start_defect : float
         Defect above which Newton corrections diverge (about a quarter turn), and largest defect of an initial
         point. An initial point with a larger defect is replaced by the point in equilibrium with the same
@@ -91,8 +88,7 @@ class ProgramSettings(NamedTuple):
     clearance : float
         Distance from an active limit that prevents a violation by rounding errors.
     exact_steps : int
-        Number of final Newton steps, which correct the violation at the end of a search. Each step squares the
-        violation.
+        Number of final Newton steps. Each step squares the violation.
     correctable_violation, exact_violation : float
         Largest violation that the final Newton steps correct, and violation at which these steps end.
     correction_bound : float

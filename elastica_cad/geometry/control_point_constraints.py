@@ -314,7 +314,7 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Return the derivatives (k, 2 m) of <direction[k], sum of basis[k, i] q_i> by the control points q_i."""
+    """Return derivatives (k, 2 m) by the control points q_i: of the sum over i of basis[k, i] <direction[k], q_i>."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
@@ -345,7 +345,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
     """Return the parameters (k,) of the inflections nearest to parameters `near` (k,).
 
-    If the curve has exactly k inflections, each is used once, in order.
+    If the curve has exactly k inflections, each belongs to one parameter, in order.
     """
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:

@@ -287,7 +287,6 @@ class _Problem:
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
     def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
-        """Return matrix and right-hand side of the normal equations of rows @ points = target."""
         sought = rows @ self.chosen
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 

@@ -385,7 +385,7 @@ def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Count how many of angle, curvature and its slope agree on both sides of each knot, until one differs."""
+    """Return how many of angle, curvature and slope, in this order, agree on both sides of each knot."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])

@@ -94,7 +94,6 @@ def _split_at_corners(segment: Segment) -> list[Segment]:
 
 
 def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """Return the segment moved to the left, or None for an arc whose radius would not be positive."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)

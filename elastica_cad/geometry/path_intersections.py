@@ -184,7 +184,6 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
-    """Return the crossing found by Newton's method, or None if it is not on the segments."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = (

@@ -139,7 +139,6 @@ def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
-    """Return the matrix (n+1, n+1) of `divide_out_end_root` for polynomials of degree n."""
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))

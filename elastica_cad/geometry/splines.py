@@ -286,7 +286,6 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
-        """Bezier coefficients (degree + 1, p, ...) of the p pieces."""
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
@@ -396,7 +395,7 @@ _NARROWEST_SHARE = 1e-9
 """Least width of a knot span, as a fraction of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # breaks closer than this fraction of the domain count as equal
-# larger for breaks with a continuous slope, because a knot span between them would be singular
+# breaks with a continuous slope count as equal if they are closer than this fraction of the domain
 _ALIKE = 1e-7
 # a knot span that is this many times wider than a neighbour with a large error is divided too
 _WIDER_TIMES = 8.0

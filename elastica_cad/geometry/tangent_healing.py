@@ -175,7 +175,6 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
-    """Return the control points of the last and the first piece, with the joint in the middle."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
