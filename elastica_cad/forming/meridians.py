@@ -244,7 +244,7 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return an initial guess of the unknowns from a spline through the points, and the length of the spline."""
+    """Return initial unknowns from a spline through the points, and the length of the spline."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position

@@ -69,8 +69,8 @@ class SearchSettings(NamedTuple):
     spline_factor : float
         Factor on the least stiffness ratio, because the stiffness is a spline with few coefficients.
     tie_factor, tie_distance : float
-        A further result is reported if its distance is at most `tie_factor` times the least distance, and it is
-        farther than `tie_distance` from the other reported rods.
+        Further results are reported if their distance is at most `tie_factor` times the least distance, and they
+        are farther than `tie_distance` from each other.
     closed_gap : float
         Distance between the ends, as a fraction of the length, below which the tension of a guess is reduced.
     rescalings : int

@@ -1,8 +1,7 @@
 """Triangle meshes with merged vertices, and their plane sections as ordered lines.
 
-A vertex in the plane counts as a vertex on one side (simulation of simplicity), so every face with vertices on both
-sides is crossed at two edges. Edges are identified by their vertices, so the pieces of a section are joined without
-comparing coordinates.
+A vertex in the plane counts as a vertex on one side (simulation of simplicity). So every face with vertices on both
+sides is crossed at two edges. Pieces of a section are joined by the vertices of these edges, not by coordinates.
 """
 
 from collections.abc import Sequence

@@ -314,7 +314,7 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Return derivatives (k, 2 m) by the control points q_i: of the sum over i of basis[k, i] <direction[k], q_i>."""
+    """Return the derivatives (k, 2 m) of sum_i basis[k, i] <direction[k], q_i> by the control points q_i."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 

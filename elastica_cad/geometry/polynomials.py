@@ -282,7 +282,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Join close intervals of a polynomial, except two single points."""
+    """Join close intervals of the same polynomial. Two single points are not joined."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
