@@ -298,7 +298,7 @@ _NEAR = 0.6
 _STEP = 1e-5  # relative step of the stiffness in finite differences of the strain
 # reserve for larger curvature between nodes, as a fraction of the largest stiffness
 _SAFETY_SHARE = 0.01
-# relative step of stiffness and curvature in finite differences, too large for kinks to matter
+# relative step of stiffness and curvature in finite differences, so large that kinks have little effect
 _TANGENT_STEP = 1e-3
 
 

@@ -154,7 +154,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # the measure "max" does not minimise the mean distance, which identifies known optima
+            # known optima are recognised by their mean distance, which the measure "max" does not minimise
             optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=optima))
     best = min(outcomes, key=_rank)

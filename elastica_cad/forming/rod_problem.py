@@ -150,7 +150,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-# reserve for rounding errors, as a fraction of the tolerance of the length of a pre-bent strip
+# fraction by which the length tolerance of a pre-bent strip is reduced, because of rounding errors
 _SAME_LENGTH = 1e-6
 # tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
 _SAME_CURVATURE = 1e-6

@@ -185,8 +185,8 @@ class ConstraintRows:
 class Linearization(Generic[Point]):
     """A point with its derivatives.
 
-    A change (p + 1,) is a step of the p unknowns, followed by the fraction by which residuals of the state equations
-    are reduced.
+    A change (p + 1,) is a step of the p unknowns, followed by the fraction by which the residuals of the state
+    equations are reduced.
 
     Attributes
     ----------
@@ -701,7 +701,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # one more unknown is at least every peak, and so equals the maximum; a large penalty makes this exact
+        # minimise an additional unknown that is at least every peak; the large penalty makes this exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)

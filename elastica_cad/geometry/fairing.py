@@ -94,7 +94,7 @@ _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
 _LINEARISATIONS = 3
 _HALVINGS = 14
-# samples must be within this fraction of the tolerance, because the distance between samples may be larger
+# samples must be within this fraction of the tolerance, because the curve may be farther away between samples
 _USED = 0.96
 _SLIDE = 1e4  # weight of distances along the drawn curve, relative to distances normal to it
 _FINE = 1.5  # least ratio of the smoothing length to the length of a knot span

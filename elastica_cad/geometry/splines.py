@@ -211,7 +211,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a for Bezier points j < level, and b for the others
+        # this argument of the blossom is the start of the span for Bezier points j < level, and else its end
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
