@@ -360,7 +360,6 @@ class FollowedMarginLimit(MarginLimit):
 
     Attributes
     ----------
-    section : SectionScale
     rest : float or (n+1,) array
         Natural curvature times the length of the target.
     size : float

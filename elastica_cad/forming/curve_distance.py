@@ -184,7 +184,6 @@ class ClosestDistance:
 
     Attributes
     ----------
-    target : TargetCurve
     shares : (n+1,) array
         Weights with the sum 1.
     """
@@ -209,7 +208,6 @@ class LargestDistance:
 
     Attributes
     ----------
-    target : TargetCurve
     factors : (n+1,) array
         Weights, of which the largest is 1.
     """

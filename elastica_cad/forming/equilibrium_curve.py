@@ -41,7 +41,6 @@ class EquilibriumCurve:
 
     Attributes
     ----------
-    check : EquilibriumCheck
     balance : BalancedStiffness
         Moments, forces and stiffness before the division by `scale`.
     places : pair of arrays

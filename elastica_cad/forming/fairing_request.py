@@ -57,12 +57,9 @@ class Smoothing:
 
     Attributes
     ----------
-    drawn : PlaneCurve
     smooth : float or None
         Requested largest distance between drawn and smoothed curve, mm. With None, the curve is smoothed only if
         the width of the strip would have steps.
-    supports : Supports or None
-    natural_curvature : float or RestCurvature
     widths : (float or None, float or None)
         Requested largest and least width, mm, or None.
     """

@@ -43,11 +43,8 @@ class NearestTask:
 
     Attributes
     ----------
-    request : RodSpec
-    target : TargetCurve
     limits : Limits
         Limits of the request, with the stiffness ratio that its section law allows.
-    keep : Keep
     weights : (nodes,) array
         Weights of the nodes in the distance; their mean is 1.
     coefficients : int

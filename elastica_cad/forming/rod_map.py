@@ -31,7 +31,6 @@ class StiffnessBasis:
 
     Attributes
     ----------
-    count : int
     mirrored : bool
         True if each function and its mirror image have the same coefficient.
     """
@@ -82,7 +81,6 @@ class SectionScale:
 
     Attributes
     ----------
-    law : BoundedLaw
     scale : float
         Bending stiffness for K = 1, N mm2.
     ratio : float
@@ -356,7 +354,6 @@ class StripGrid:
         by K. By default q = K.
     natural_curvature : float or (n+1,) array
         Natural curvature times the unit of length.
-    supports : Supports
     """
 
     basis: FloatArray

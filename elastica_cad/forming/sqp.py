@@ -190,7 +190,6 @@ class Linearization(Generic[Point]):
 
     Attributes
     ----------
-    point : Point
     z : (p,) array
         Unknowns of the point.
     rows : ConstraintRows
@@ -298,8 +297,6 @@ class Iterate(Generic[Point]):
 
     Attributes
     ----------
-    program : NonlinearProgram
-    local : Linearization
     active : ActiveSet
         Rows with given values in equilibrium.
     """
@@ -451,7 +448,6 @@ class Outcome(Generic[Point]):
         Derivatives of the objective with respect to the values of each constraint.
     at_lower, at_upper : (p,) arrays
         Multipliers of the lower and the upper bounds.
-    iterations : int
     settled, stalled : bool
         `settled` is True if no step predicts a further decrease. `stalled` is True if the violation decreased too
         slowly.
@@ -545,7 +541,6 @@ class _Walk(Generic[Point]):
 
     Attributes
     ----------
-    here : Iterate
     penalties : (c,) array
         Penalties of the constraints in the merit function.
     radius : float
