@@ -47,7 +47,7 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices (j,) of values that a step may violate, and the derivatives (j, p) of these values."""
+        """Return the indices (j,) of values that a step may violate, and their derivatives (j, p) by p unknowns."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
@@ -314,7 +314,7 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Difference between margin and limit that counts as a violation of 1."""
+        """Difference between limit and margin that counts as a violation of 1."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:

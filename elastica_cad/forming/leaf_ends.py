@@ -200,7 +200,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return offsets from `drawn`, the sum of whose squares is the mean squared distance / length^2.
+        """Return offsets from `drawn`. The sum of their squares is the mean squared distance / length^2.
 
         The offsets are large if the stack has no rest shape.
         """
@@ -244,7 +244,7 @@ class _Search:
         return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
 
     def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return 1 / (E I) (n,) and the weight per length (n,), N/mm, as means around n nodes."""
+        """Return the means of 1 / (E I) (n,) and of the weight per length (n,), N/mm, around n nodes."""
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
         values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)

@@ -41,7 +41,7 @@ GOOD = 1e-7
 """Residual below which a meridian is accepted, as a fraction of the extent of the points."""
 
 ROUGH = 1e-2
-"""Residual between nodes above which there is no meridian; more nodes reduce smaller residuals."""
+"""Residual between nodes above which more nodes are useless, because there is no meridian."""
 
 FINER = 3
 """Largest number of times that the number of nodes is doubled."""
@@ -152,7 +152,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 
 
 class _Equations:
-    """Equations of a meridian that consists of one piece between each two given points.
+    """Equations of a meridian with one piece between each pair of successive points.
 
     At the nodes, distance from the axis * curvature = a + <b, point>. Each piece ends at the next point, and the
     angle is continuous. The unknowns are the nodal angles and the length of each piece, followed by a and b (2).

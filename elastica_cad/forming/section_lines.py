@@ -455,7 +455,7 @@ def _curve(
 
 
 def _filled(points: FloatArray) -> FloatArray:
-    """Add points to long sides, because a curve fitted to their ends could deviate from them."""
+    """Add points to long sides, because a curve fitted only to vertices could deviate from the sides."""
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
     index = np.repeat(np.arange(len(counts)), counts)

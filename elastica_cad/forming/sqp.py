@@ -638,7 +638,7 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Return the start if its defect is small, as the first iterate.
+    """Return the first iterate: the start, if its defect is small.
 
     Otherwise return the point in equilibrium with the same unknowns, or the fallback of the program.
     """
@@ -666,10 +666,7 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 def _penalties(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
-    """Return the penalties of the merit function (Powell's rule).
-
-    The penalties are 1.5 times the multipliers, but at least a tenth of the penalties `before`.
-    """
+    """Return the penalties of the merit function by Powell's rule, from the penalties `before`."""
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)
@@ -742,7 +739,7 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Return a point in equilibrium that meets nearly met constraints exactly, except for rounding errors.
+    """Return a point in equilibrium whose small violations are reduced to rounding errors.
 
     Newton's method is used, with steps of least norm within the bounds.
     """

@@ -206,7 +206,7 @@ def estimate_noise(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Return the noise, mm, estimated from the median divided difference of this order normal to the curve."""
+    """Return the noise, mm, as the scaled median of divided differences of an order, normal to the curve."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
