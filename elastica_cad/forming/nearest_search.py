@@ -232,7 +232,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Complete a search with an equally near rod of least stiffness ratio, or with all equally near results."""
+    """Complete a search: take an equally near rod of least stiffness ratio, or list all equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:

@@ -659,7 +659,6 @@ def remove_false_inflections(
 
 
 def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
-    """Return the parts between inflections that turn by less than `turn`, as pairs of arc lengths (k, 2)."""
     marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
     if marks.size == 2:
         return np.empty((0, 2))

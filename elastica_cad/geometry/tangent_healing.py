@@ -1,8 +1,8 @@
 """Removal of corners that are caused by rounding of coordinates.
 
 A handle is the vector from a node of a spline to its neighbouring control point. If rounding moves each coordinate
-by at most h, a handle of length l turns by at most asin(2 sqrt(2) h / l). If this explains the corner at a node,
-both handles are turned into a common direction.
+by at most h, a handle of length l turns by at most asin(2 sqrt(2) h / l). If the turns of both handles explain the
+corner at a node, both handles are turned into a common direction.
 """
 
 from dataclasses import dataclass
