@@ -84,7 +84,6 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Mesh a layer that is bent into a circular arc, and return the mesh unrolled to the flat strip."""
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
@@ -221,7 +220,6 @@ class Travel:
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Shapes in equal steps along the path, starting with the design, as initial guesses for other shapes."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:

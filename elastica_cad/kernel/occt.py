@@ -86,7 +86,6 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
 
 
 def _with_few_faces(shape: Shape) -> Shape:
-    """Return the shape with adjacent coplanar faces and collinear edges joined."""
     joined = kernel().ShapeUpgrade_UnifySameDomain(shape, True, True, False)
     joined.Build()
     return joined.Shape()

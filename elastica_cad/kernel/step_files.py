@@ -77,7 +77,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         os._exit(1)
     try:
         status = os.waitpid(copy, 0)[1]
-    except BaseException:  # such as Ctrl-C
+    except BaseException:  # also after Ctrl-C
         os.kill(copy, signal.SIGKILL)
         raise
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
@@ -107,7 +107,7 @@ def _limit(parent: int, seconds: int) -> None:
         import ctypes
 
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # the parent has ended before `prctl`
+        if os.getppid() != parent:  # the parent ended before the call of `prctl`
             os._exit(1)
 
 
@@ -122,7 +122,7 @@ def _has_many_wires(shape: Shape) -> bool:
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """Give each wire that shares a vertex with another wire of its face vertices of its own.
+    """Give the wires of a face separate vertices where they share a vertex.
 
     OpenCASCADE's writer does the same, but slowly, because it compares all pairs of wires.
     """

@@ -268,7 +268,6 @@ class StripBody:
             self._made = replace(made, strip=made.strip.labelled(label))
 
     def _start(self) -> Frame | None:
-        """Return the current frame of the joint "start", or None if the body has no such joint."""
         raise NotImplementedError
 
     @property
@@ -311,7 +310,6 @@ class StripBody:
 
     @property
     def _changed_color(self) -> tuple[float, ...] | None:
-        """Screen colour of the body, or None if it is the colour of the sheet."""
         color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
         usual = (*sheet_color(self.strip.sheet), 1.0)
         return (
@@ -352,7 +350,6 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
-        """Yield the bent sheets, the base first, as TopoDS_Solid, name and colour."""
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self._made.name, self.strip)
@@ -360,7 +357,6 @@ class StripBody:
         yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
 
     def _engraving(self) -> list[Shape]:
-        """Return the strokes of the engraved text, on the upper face of the flat base, as TopoDS_Wires."""
         face = Frame((0.0, 0.0, self.strip.layers[0].high))
         strokes = self.strip.drawing().strokes
         return [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]

@@ -31,7 +31,6 @@ from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
-# the package loads faster without these imports
 if TYPE_CHECKING:
     from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
@@ -187,7 +186,6 @@ def _require_tabs(ends: Any) -> None:
 
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    """Convert the inclinations of slots from degrees to rad. Warn if they were probably given in radians."""
     in_degrees = several("slots", slots, Slot, "Slot")
     warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
     return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
@@ -270,7 +268,6 @@ def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
 
 
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
-    """Raise InputError for unknown options. For common mistakes, the message names the right option."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     names = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {

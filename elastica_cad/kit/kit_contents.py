@@ -158,7 +158,6 @@ def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str,
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
-    """Return the strips that are longer than the stock, divided into pieces, by name."""
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
@@ -168,7 +167,6 @@ def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Return True if numbers are engraved at the ends of strips, for slots or for printed templates."""
     return bool(spec.holders or model.plates or spec.pages)
 
 
@@ -184,7 +182,6 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """Return all parts to cut. A strip that is joined from pieces is replaced by these pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -193,9 +190,8 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
-    """Return warnings about strips that cannot be cut or handled; refuse them unless `ignore_limits` is set."""
     messages: list[str] = []
-    # layers in which no faults were found, and their limits; equal strips share their layers
+    # pairs of layers and limits without faults; equal strips share their layers
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)
@@ -350,7 +346,6 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _shapes_in_holders(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Return the shape of each strip in its holders, and notes on the clearance of tabs and on missing shapes."""
     held_shapes = dict[str, HeldShape]()
     names = distinct_names(model.placed)
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]

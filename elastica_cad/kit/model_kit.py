@@ -284,7 +284,6 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """Return the holding template of each strip, framed by a cutting line, unless the model has holders."""
     if _has_holders(contents):
         return []
     templates = []
@@ -315,7 +314,6 @@ def _has_holders(contents: KitContents) -> bool:
 
 
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the file from which each piece is cut: the file of the part, or the file of a nested sheet."""
     named = contents.spec.cutting.file_name
     no_file = not parts or contents.spec.cutting.service
     rods = {piece.name: "" for piece in contents.pieces if piece.is_rod and no_file}

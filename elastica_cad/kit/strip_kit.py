@@ -132,7 +132,6 @@ class StripResult:
     def _drawn(
         self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
-        """Return the files of the drawing that `draw` makes, one for each requested format."""
         cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
