@@ -115,29 +115,27 @@ def _cell_stations(rod: Rod) -> FloatArray:
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Return the mean, for each node, of values at `_cell_stations` between the middles of the adjacent edges."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet. In a sheet with grain, sqrt(E / G)
-differs from its isotropic value. `CUT` is then multiplied by this ratio to the power of `CUT_GRAIN`.
+"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet.
 
-Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+For a sheet with grain, this factor is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its
+isotropic value. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Constants of the unstressed corners beside a step of the width or a tab.
+"""Constants of the unstressed corners beside a step of the width (`STEP`) or a tab (`TAB`, `TAB_REACH`).
 
-Such corners reduce the energy of the strip, as a crack does. `STEP` and `TAB` are this reduction relative to a
-crack (`crack_energy`). `TAB_REACH` is the distance of the unstressed corners from the tab, as a
-fraction of the difference between the widths of strip and tab.
+`STEP` and `TAB` are the reductions of the strip's energy by these corners, relative to a crack
+(`crack_energy`). `TAB_REACH` is the distance of the corners from the tab, as a fraction of the difference in
+width between strip and tab.
 
 `TAB` is fitted for the Poisson ratio 0, because a tab prevents curling across the strip. `TAB_REACH` is for an
 isotropic sheet. The distance is proportional to sqrt(E / G). Fitted to finite elements
-(`tests/campaign/finite_elements/idle_corners.py`).
-"""
+(`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
 """`RESTRAINT` is the length along which a clamp prevents curling across the strip, as a multiple of the
@@ -156,13 +154,13 @@ zero."""
 PLATES = "plates"
 
 LEAST_SHEARING = 0.8
-"""A sheet counts as a sheet with grain if G / E is less than this fraction of the isotropic value."""
+"""Ratio G / E, relative to the isotropic value, below which a sheet counts as a sheet with grain."""
 
 SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return factors (n,) on the stiffness at the nodes, for cuts given as (position, added length), mm."""
+    """Return factors (n,) on the stiffness at the nodes, for cuts (position, added length), mm."""
     at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
@@ -236,16 +234,13 @@ class Curl:
     def on(self, rod: Rod) -> Rod:
         """Return a rod with curvature-dependent stiffness, equal to that of `rod` in the designed shape."""
         below = rod.law
-        if isinstance(below, CurlingLaw):  # the new law for curling replaces the law of the rod
+        if isinstance(below, CurlingLaw):
             below = below.below
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their curvature, or None for a strip without curling.
-
-    Plates over joints are ignored.
-    """
+    """Return None for a strip that does not curl. Ignore plates over joints."""
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
@@ -304,7 +299,6 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
 ) -> list[tuple[float, float]]:
-    """Return the position and the added length of each slot, mm: see `rod_as_built`."""
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -316,7 +310,6 @@ def _lengths_added_by_slots(
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the positions, mm, of the first two slots whose distance is less than the larger slot depth."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
@@ -339,10 +332,10 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
 def _lengths_added_by_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """Return (position, added length), mm, of each end that is wider than its tab, due to unstressed corners.
+    """Return (position, added length), mm, for each end that is wider than its tab.
 
-    A tab prevents curling across the strip nearby, which reduces the added length by `restraint` times the
-    width. `restraint` (2,) is for start and end.
+    A tab keeps the strip near it from curling, which reduces the added length by `restraint` (2,) times the
+    width.
     """
     places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
@@ -362,7 +355,7 @@ def _lengths_added_by_tabs(
 
 
 def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return (position, added length), mm, for each step of the width, whose corners carry no stress."""
+    """Return (position, added length), mm, for each step of the width."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     places = []
@@ -472,7 +465,6 @@ class StripAsMade:
         It is not in equilibrium until its rest shape is computed.
         """
         rod = _with_factors(self.cut, list(self.factors.values()))
-        # a lap joint is stiffer than the strip, and has another rest curvature
         if self.lap is not None:
             rod = replace(_with_factors(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
@@ -585,10 +577,9 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacement (n, 2), mm, of the full-length ply due to shorter plies; zero for strips without plies.
+        """Displacement (n, 2), mm, of the nodes because shorter plies end; zero for strips without plies.
 
-        Where a shorter ply ends, the neutral axis jumps. It is not at the centre of the full-length ply, so
-        the force in the strip adds a moment.
+        The neutral axis is not at the centre of the full-length ply, so the force in the strip adds a moment.
         """
         design, stack = self.design, self.layout.stack
         if stack is None:

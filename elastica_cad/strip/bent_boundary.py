@@ -44,8 +44,8 @@ class SpaceCurve:
 class PlacedSegment:
     """A plane segment with its frame in space.
 
-    Its parameter is the distance from the start of a `Line`, mm, the angle of an `Arc`, rad, and the
-    parameter of a `Spline`.
+    Its parameter is the distance (mm) along a `Line`, the angle (rad) of an `Arc`, or the parameter of a
+    `Spline`.
     """
 
     segment: Segment
@@ -185,7 +185,7 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1  # safety factor on the number of parts of a span, which is computed from the error
+SAFETY_FACTOR = 1.1  # factor on the computed number of parts of a span
 FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
@@ -286,7 +286,6 @@ class BentMap:
 
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
-        """Interior knots, and the number of continuous derivatives at each knot."""
         knots, counts = knot_runs(self.knots)
         return knots[1:-1], DEGREE - counts[1:-1]
 
@@ -297,9 +296,9 @@ class BentMap:
     def _common_knots(
         self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
     ) -> tuple[FloatArray, int]:
-        """Return knots and degree of a spline basis that contains a segment and its bent image.
+        """Return knots and degree of a basis for a segment and its bent image.
 
-        `even` is the offset and the slope of x as a linear function of the segment's parameter.
+        `even` is (offset, slope) of x as a linear function of the segment's parameter.
         """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
@@ -374,7 +373,7 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
     """Return a function from arc length to position and unit tangent, and the breaks of the curve.
 
-    A break is its arc length and its number of continuous derivatives.
+    Each break is (arc length, number of continuous derivatives).
     """
     curve = rod.curve
     scale = curve.length / rod.length
@@ -388,10 +387,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return the number of geometrically continuous derivatives of the curve at a knot.
-
-    Fewer derivatives with respect to the parameter may be continuous.
-    """
+    """Return how many derivatives of the curve are geometrically continuous at a knot."""
     if continuity >= 2:
         return continuity
     t0, t1 = curve.domain
@@ -493,7 +489,6 @@ class BoundaryMaker:
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
 
     def _add_edges(self, region: Region) -> None:
-        """Add the vertices and edges at every height, in the order of the heights."""
         shape = self.maps[region.interval]
         pieces = [piece for loop in region.loops for piece in loop]
         fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
@@ -533,10 +528,7 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
-        """Add the side wall along a piece of a loop.
-
-        The parameter u of the wall is the parameter of the piece, and v is the height.
-        """
+        """Add a side wall. Its parameters (u, v) are the parameter of the piece and the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
@@ -601,8 +593,8 @@ class BoundaryMaker:
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
     """Return the edges of a side wall at `heights`, in the parameters of the wall's surface.
 
-    On a B-spline surface, the edges have the knots of the surface, because CAD kernels integrate over a face
-    from knot to knot of its edges.
+    The edges have the knots of a B-spline surface, because CAD kernels integrate from knot to knot of the
+    edges.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
@@ -637,7 +629,7 @@ def _y_limits(segment: Segment) -> tuple[float, float]:
 
 
 def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
-    """Return the corners at the ends of a piece, in the direction of increasing parameter."""
+    """Return the start and end corners of a piece, in the direction of increasing parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 

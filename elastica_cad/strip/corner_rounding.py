@@ -23,15 +23,15 @@ MOST_SHORTENED_STEPS = 6
 would pass the end of the side."""
 
 CLOSE_MM = 1e-9
-"""Both sides of a corner give a centre of its arc. Centres closer than this, mm, coincide."""
+"""Largest distance, mm, between the arc centres computed from the two sides of a corner."""
 
 PARALLEL = 1e-200
 """Value that replaces the determinant 0 of parallel sides. The computed arc then ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
-"""Tolerance of the test whether an arc crosses a side that it replaces, as a fraction of its radius.
+"""Tolerance of the test whether an arc crosses a side, as a fraction of the arc's radius.
 
-For the test, the side is a polyline with this chord error."""
+For the test, the side is replaced by chords with the same error."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
@@ -61,8 +61,8 @@ def too_small_for(radius: float, path: Path) -> InputError:
 def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
     """Return paths with rounded corners, and None for paths whose sides are too short for the radius.
 
-    A side that is too short for the arcs at both its ends is omitted if an arc fits between the sides before
-    and after it. For example, a pointed hole with a truncated tip is rounded as if its tip were sharp.
+    A side too short for its two arcs is omitted if a single arc fits between its neighbours. For example, a
+    pointed hole with a truncated tip is rounded as if its tip were sharp.
     """
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
@@ -187,7 +187,7 @@ def _corners(
         gap = _offset_points(*near, side[open_]) - _offset_points(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
-        # Newton's step takes the sides as straight, because their curvature is small
+        # Newton's method treats the sides as straight, because their curvature is small
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = cross(w, v)
@@ -218,7 +218,6 @@ def _offset_points(points: FloatArray, velocities: FloatArray, distance: FloatAr
 
 
 def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
-    """Return the lengths (n,) of segments, mm. For splines they are upper bounds."""
     sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
     splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
     if splines:
@@ -226,6 +225,6 @@ def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # the line between two control polygons is not a side
+        sides[begins[1:] - 1] = 0.0  # the gap between two control polygons is not a side
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -12,8 +12,9 @@ from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
 
 BEST_LOAD = 5.0
-"""Dimensionless weight w L^3 / EI at which the tip of a clamped level strip sags by half its length L. The
-sag is then most sensitive to E. w is the weight per length."""
+"""Dimensionless weight w L^3 / (E I) at which the tip of a clamped level strip sags by half its length L.
+
+w is the weight per length. The sag is then most sensitive to Young's modulus E."""
 
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Spacing of ticks and of long ticks on the scale, mm."""
@@ -27,8 +28,8 @@ EDGE_MM = 0.5
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     """Return the free length of the coupon, mm, at which its tip sags by about half that length.
 
-    At this length, reading errors have the least effect. It is rounded down to whole centimetres and is at
-    most `max_overhang`, mm.
+    At this length, reading errors have the least effect. The length is rounded down to whole centimetres and
+    is at most `max_overhang`, mm.
 
     Examples
     --------
@@ -51,9 +52,9 @@ def coupon_drawing(
 ) -> Drawing:
     """Return a rectangular test strip with an engraved scale.
 
-    Cut it along the grain, clamp it level at a tick, and measure the sag of its tip, for example with the
-    scale of a second coupon. Long ticks are labelled with their free length. The tick of the longest overhang
-    is at x = 0.
+    Cut the strip along the grain, clamp it level at a tick, and measure the sag of its tip. A second coupon
+    can be the ruler. Long ticks are labelled with their free length. The tick of the longest overhang is at x
+    = 0.
 
     Parameters
     ----------
@@ -153,7 +154,7 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # the longest length is at the other edge, clear of the next number
+            # write the longest length at the other edge, clear of the next number
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -52,7 +52,7 @@ def common_request(
 
 @dataclass(frozen=True, repr=False)
 class CurveCheck(EquilibriumCheck):
-    """Result of the check of a drawn curve by Theorem 1. `cures` are changes that make the curve possible.
+    """Result of the check of a drawn curve by Theorem 1.
 
     Attributes
     ----------
@@ -71,7 +71,7 @@ class CurveCheck(EquilibriumCheck):
     def cures(self) -> "tuple[Suggestion, ...]":
         """At most four changes that make an impossible curve possible.
 
-        Each was tested for a strip of a common sheet: it is stable and within the sheet's strain limit.
+        Each change was tested: a strip of a common sheet is then stable and within its strain limit.
 
         Examples
         --------

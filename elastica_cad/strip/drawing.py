@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # boxes are points with four coordinates, so small differences add up to sqrt(4) SAME_MM
+    # each of the four coordinates may differ by SAME_MM, so boxes may be 2 SAME_MM apart
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -185,7 +185,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Least and largest tolerance, mm, for splines offset by half a kerf. No machine is more exact."""
+"""Least and largest tolerance, mm, for splines offset by half a kerf."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""
@@ -280,10 +280,10 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Least angle, rad, of a corner. Bridges are kept away from corners. Fitted curves have smaller angles."""
+"""Least change of direction, rad, at a corner, where no bridge is placed. Fitted curves have smaller angles."""
 
 SAME_PLACE_MM = 1e-9
-"""Arc lengths that differ by less than this, mm, are equal."""
+"""Difference, mm, below which two arc lengths are equal."""
 
 
 @dataclass(frozen=True)
@@ -344,7 +344,7 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
 
 
 FLAT_MM = 0.02
-"""Largest distance, mm, between an outline and the polygon with which the holes inside it are found."""
+"""Chord error, mm, of the polygons that decide which holes are inside an outline."""
 
 
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
@@ -400,7 +400,6 @@ class _Loop:
         )
 
     def opened(self, tabs: HoldingTabs) -> list[Path]:
-        """Return the open cuts between the bridges."""
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(

@@ -23,7 +23,7 @@ from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
 WIDENING_ITERATIONS = 4
-"""Number of fixed-point iterations: the widening at a cut depends on the widened width."""
+"""Number of iterations for the widening at a cut, which depends on the widened width."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
@@ -153,7 +153,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_narrower_cut(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # at a free end a cut has no effect
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # a cut at a free end has no effect
     peaks = np.zeros(len(cuts))
     for _ in range(WIDENING_ITERATIONS if cuts else 0):
         bumps = []
@@ -188,9 +188,9 @@ def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profi
 
 @dataclass(frozen=True)
 class _Bump:
-    """Shape of a widening: a cubic B-spline with the value 1 at arc length `at`, mm.
+    """Shape of a widening: a cubic B-spline that is 1 at arc length `at` and 0 beyond `reach`, mm.
 
-    It is 0 at distances above `reach`, mm. `width` is the width of the strip without the widening, mm.
+    `width` is the width of the strip without the widening, mm.
     """
 
     at: float
@@ -202,7 +202,6 @@ class _Bump:
         return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
-        """Return the peak of the widening that compensates the bend added by a cut."""
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
         shape = self(low + (high - low) * FRACTIONS)
 
@@ -226,10 +225,7 @@ class StrainedCut:
 
     @property
     def verdict(self) -> StrainVerdict:
-        """Verdict on the strain.
-
-        It is at most a warning, because the strain decreases rapidly away from the edge of the cut.
-        """
+        """Verdict on the strain: at most a warning, because the strain decreases rapidly away from the cut."""
         judged = judge_strain(self.sheet, self.strain, self.cut.at)
         return replace(judged, state=min(judged.state, StrainState.WARNED))
 
@@ -286,7 +282,6 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
 
 
 def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
-    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,), ends excluded."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
     before = np.flatnonzero(aside[:-1] * aside[1:] < 0)

@@ -22,12 +22,12 @@ SMOOTH = 2
 """Number of continuous derivatives inside an edge. Offsetting a face in a CAD kernel loses one derivative."""
 
 RAMP_FRACTION = 2e-5
-"""A piece of a loop between two kinks counts as a step of the width if it is shorter than this fraction of
-the loop."""
+"""Length, as a fraction of the loop, below which a piece between two kinks counts as a step of the width."""
 
 NO_JUMP = 1e-4
-"""A jump of the second derivative of a spline is smoothed if the jump times the square of the span length is
-less than this, mm. The smoothing moves the curve by at most 1 % of this value."""
+"""Largest jump of the second derivative that is smoothed, times the square of the span length, mm.
+
+The smoothing moves the spline by at most 1 % of this value."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
@@ -91,7 +91,6 @@ def in_short_pieces(path: Path) -> Path:
 
 
 def _extent(path: Path) -> float:
-    """Return the extent of the loop in x, mm. Splines are measured by their control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -100,7 +99,6 @@ def _extent(path: Path) -> float:
 
 
 def _possible_kinks(segment: Segment) -> FloatArray:
-    """Return the parameters (k,) inside a segment at which its tangent or curvature may jump."""
     if not isinstance(segment, Spline):
         return np.empty(0)
     curve = segment.curve
@@ -110,7 +108,6 @@ def _possible_kinks(segment: Segment) -> FloatArray:
 
 
 def _smoothed(segment: Segment) -> Segment:
-    """Return the segment without the double knots at negligible jumps of its curvature."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
     curve = clamp_ends(segment.curve)
@@ -139,7 +136,7 @@ def _smoothed(segment: Segment) -> Segment:
 class _Cut:
     """Division of a spline into smooth parts.
 
-    `kept` has the parameter ranges of the parts. `over` has the ranges to which the parts are extended.
+    `kept` has the parameter ranges of the parts, and `over` the wider ranges to which the parts are extended.
     """
 
     curve: PlaneCurve
@@ -147,7 +144,6 @@ class _Cut:
     over: list[tuple[float, float]] | None
 
     def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
-        """Return the smooth parts, with lines perpendicular to the strip in place of ramps."""
         if self.over is None:
             return [Spline(part) for part in parts]
         parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
@@ -177,10 +173,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield three parameters for each joint between two parts.
-
-    They are the parameters at the joint, at the end of the part before, and at the start of the part after it.
-    """
+    """Yield parameters for each joint: the joint, the end of the part before, the start of the part after."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -278,8 +271,6 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
-    """Divides the loops of a pattern by station lines across the strip, and closes the parts along these lines."""
-
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
     loops: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
@@ -348,7 +339,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
-        """Return the interval of a piece. A piece on a station line belongs to the interval on its left."""
+        """Return the interval of a piece; on a station line, the interval on its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -366,7 +357,6 @@ class _Cutter:
         return sorted(corners, key=lambda i: float(self.points[i][1]))
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
-        """Return the loops of an interval, with its open chains joined by seams."""
         chains = list(self.chains.get(interval, []))
         loops: list[list[SegmentPart]] = []
         while chains:
@@ -391,7 +381,7 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line of a corner, from low to high y, and a direction along it.
+        """Return the corners on the station line of a corner, in order of y, and a direction on that line.
 
         The direction is 1 (up) or -1 (down), with the interval on the left.
         """
@@ -411,7 +401,6 @@ class _Cutter:
         return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 
     def _grouped(self, loops: list[list[SegmentPart]]) -> list[list[list[SegmentPart]]]:
-        """Return groups of loops: every outer loop with the holes inside it."""
         if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
             return [loops]
         polygons = [_polygon(loop) for loop in loops]
@@ -425,7 +414,6 @@ class _Cutter:
 
 
 def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
-    """Split a loop at corners that it passes twice, such as the tip of a hole on a station line."""
     walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)

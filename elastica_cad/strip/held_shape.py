@@ -232,7 +232,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # to first order, rotations do not change the length of a straight rod, so the rows can be singular
+    # the rows can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))

@@ -181,7 +181,6 @@ class HeldElement:
     face: FloatArray | None = None
 
     def __str__(self) -> str:
-        """Return the description of the element that is engraved on the template."""
         at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
         if isinstance(self.action.element, Tie):
             length = float(np.hypot(*(self.places[1] - self.places[0])))
@@ -243,7 +242,7 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # `ElementForce.element` can be a mass, although its annotation does not list masses
+    mass: Any  # the element can be a mass, which the annotation of `ElementForce.element` omits
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])
@@ -251,7 +250,6 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
 
 
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
-    """Yield the lines of an element: the cord of a tie, a cross for a pin, the bar of a rail, or an arrow."""
     if isinstance(held.action.element, Tie):
         yield [*held.position]
         return

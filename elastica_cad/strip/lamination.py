@@ -26,8 +26,7 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""A stiffness that exceeds a limit by less than this fraction is clipped, because the limits are computed
-only at some stations."""
+"""Fraction by which a stiffness may exceed its limits, because they are computed only at stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -109,7 +108,7 @@ class Laminated:
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # `laid_out` raises the error
+        if least >= most:  # `laid_out` reports this error
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))
@@ -117,7 +116,7 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return the bending stiffness of the strip where K = 1, N mm2.
+        """Return the bending stiffness of the strip where the relative stiffness is 1, N mm2.
 
         If the rod has no bending stiffness, return the largest possible value.
         """

@@ -112,14 +112,14 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # for each chord: index of the first station in its range of x, and number of stations there
+        # for each chord: index of its first station, and number of its stations
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
-        # widths have the right sign whether a loop is clockwise or not
+        # the outline counts as positive and holes as negative, whether a loop is clockwise or not
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
         net_width = np.empty(at.size)
@@ -134,7 +134,6 @@ class Layer:
         """
         loops = self.outline, *self.holes
         which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
-        # a chord's end is the next chord's start
         same_loop = np.append(which[1:] == which[:-1], False)
         loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[same_loop]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
@@ -167,7 +166,7 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Return the plies as rectangular layers, starting with the full-length ply.
+    """Return the plies as rectangular layers, the full-length ply first.
 
     A ply that reaches an end includes its tab.
     """
@@ -231,7 +230,6 @@ def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, .
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    """Return lines across a ply that show where the shorter plies glued to it end."""
     (left, low), (right, high) = layer.outline.bounds
     above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
@@ -251,13 +249,11 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Return True if a slot in a layer of width `outer` also reaches a layer of the smaller width `inner`."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Return marks where the tabs begin and where the lap joint ends; none on a perforated strip."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
@@ -287,16 +283,14 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance from an end without a tab, mm, at which the net width is measured, because it is zero at the end
-itself."""
+"""Distance from an end without a tab, mm, at which the net width is measured. At the end itself, it is zero."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Lengths without stiffening by a glued plate: at each end of the plate, and over the joint.
+"""Lengths along which a glued plate does not stiffen the strip, in thicknesses of the plate.
 
-Both are multiples of the plate's thickness.
-
-`PLATE_END` is fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is for strip and plate cut half
-through: an edge crack in bending adds the angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
+`PLATE_END` is for each end of the plate, fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is
+for the joint, which is an edge crack through half of the total thickness. Such a crack in bending adds the
+angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -201,7 +201,6 @@ def _glyph(character: str) -> tuple[Path, ...]:
 
 @lru_cache(maxsize=256)
 def _span(character: str) -> tuple[float, float]:
-    """Return the heights of the lowest and the highest stroke of a character, in units of the alphabet."""
     bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
     if not bounds:
         return 0.0, 0.0

@@ -43,7 +43,7 @@ SIZE_PENALTY = 7e-3  # weight of the size of a correction relative to the deviat
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     """Return the values (n, m) of m cubic B-splines at stations s (n,).
 
-    In a closed strip, the start and the end are the same place, so their B-splines are combined.
+    At the joint of a closed strip, the first and last B-splines are combined.
     """
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
@@ -150,7 +150,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # first guess: widen each place by its loss of stiffness, smoothed along the strip
+    # first guess: the widths compensate the loss of stiffness, smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
@@ -186,7 +186,6 @@ class _CorrectedStrip(NamedTuple):
 
 
 def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _CorrectedStrip | None:
-    """Return the strip with corrected widths, or None if it cannot be made or has no rest shape."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -200,7 +199,6 @@ def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Corr
 JOINT_STATIONS = 400
 
 PIECE_SPACING_MM = 5.0
-"""Distance between pieces in a drawing, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -301,7 +299,6 @@ class Splice:
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
-        """Holes of the base that are not under a plate."""
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
@@ -349,7 +346,6 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """Return the range of arc length, mm, in which a piece from `low` to `high` is under a plate."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
@@ -464,7 +460,6 @@ def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
 
 
 def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Return True where a plate centred at arc length `at`, mm, is half a slot width clear of a slot."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2

@@ -87,7 +87,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""Mistakes in the order of readings. For each mistake: the name under which each quantity was written."""
+"""For each mistake in the order of readings, the name under which each quantity was written."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
@@ -169,7 +169,7 @@ class Measuring:
         chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
         apart[owners.index("ends apart")] = chord / np.hypot(*chord)
-        if "thinner sheet" in owners:  # E I is proportional to h^3, and weight is proportional to h
+        if "thinner sheet" in owners:  # for a thickness h, E I varies as h^3 and weight as h
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)
@@ -281,7 +281,7 @@ class Measuring:
     def _slips(
         self, measured: Mapping[str, float], errors: Mapping[str, float]
     ) -> Iterator[tuple[float, str]]:
-        """Yield the sum of squares and the message of each slip that alone explains all readings."""
+        """Yield the sum of squares and the message of each mistake that alone explains all readings."""
         from scipy.special import chdtri
 
         lengths = {name: measured[name] for name in errors if name in LENGTHS}
@@ -301,7 +301,6 @@ class Measuring:
                 yield rest, SLIPS[slip]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
-        """Return True if a height changes by more than the largest height, as in a mirrored strip."""
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
         return any(amount * abs(change[name]) > largest for name in heights)

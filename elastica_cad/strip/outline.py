@@ -227,7 +227,6 @@ class Tab:
         )
 
     def _outer_edge(self, far: float) -> list[tuple[float, float]]:
-        """Return the corners of the outer edge from y = -far to y = far, including the T-slot."""
         ends = (self.length, -far), (self.length, far)
         if self.t_slot is None:
             return list(ends)
@@ -382,7 +381,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    # the first row is a graph y(x), and the other rows have the same x, so they are graphs too
+    # all rows have the same x, so all are graphs y(x) if the first is
     return [Spline(curve) for curve in first.siblings(points)]
 
 
@@ -416,10 +415,6 @@ def _meet(before: Segment, after: Segment) -> bool:
 
 
 def _parts_between_jumps(width: Profile) -> list[Profile]:
-    """Return the parts of a profile between its jumps.
-
-    A jump is an interior knot of multiplicity degree + 1.
-    """
     k = width.degree
     knots, counts = knot_runs(width.knots)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
@@ -438,7 +433,6 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _without_small_shoulders(tab: Tab, width: float) -> Tab:
-    """Return the tab, or a tab as wide as the strip if the shoulders are too small to cut."""
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
@@ -448,7 +442,6 @@ def _end_widths(width: Profile) -> tuple[float, float]:
 
 
 def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
-    """Return the outline of a tab in the coordinates of the strip."""
     placed: list[Line | Arc] = []
     for segment in rim:
         if isinstance(segment, Line):
@@ -460,5 +453,5 @@ def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line 
 
 
 def _tab_to_strip(x: float, direction: int) -> FloatArray:
-    """Return the map from the coordinates of a tab to those of the strip. `direction` is -1 at the start."""
+    """Return the map from the coordinates of a tab to the strip; `direction` is -1 at the start."""
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

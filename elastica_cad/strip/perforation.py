@@ -178,7 +178,6 @@ class DiamondPattern:
 
     @cached_property
     def _rows(self) -> list["_Row"]:
-        """Rows of full diamonds alternating with rows of diamonds in the gaps."""
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -192,7 +191,6 @@ class DiamondPattern:
 
     @property
     def _stretches(self) -> list["_Stretch"]:
-        """Parts of the pattern between hole tips and jumps of the width, with the widths as splines."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
@@ -215,7 +213,7 @@ class DiamondPattern:
         return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
-        """Return the columns (n, 3) of outline width, net width and width of a full diamond at stations, mm."""
+        """Return the columns (n, 3): outline width, net width and width of a full diamond, mm."""
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.clip(np.floor(s / half), 0, last)
@@ -253,7 +251,6 @@ class _Row:
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
-        """Lower and upper sides of the holes for every part of the row. The upper sides run backwards."""
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
@@ -282,7 +279,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        # the mean of equal knots may be rounded to a value beyond the ends
+        # rounding can put the mean of equal knots beyond the ends
         sites = np.clip(greville(knots, 3), a, b)
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
@@ -451,8 +448,6 @@ class Perforated:
 
 
 class _Fit:
-    """Range of the bending stiffness in which ligaments and holes meet all limits."""
-
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
         self.holes = 2 * style.columns * style.least_hole
@@ -484,7 +479,7 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness of the strip where K = 1, N mm2.
+        """Return the bending stiffness of the strip where the relative stiffness is 1, N mm2.
 
         If the rod has no bending stiffness, return the largest value that `max_width` allows.
         """

@@ -107,7 +107,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}
-    known: dict[int, list[int]] = {}  # each strip is compared only once
+    known: dict[int, list[int]] = {}  # a strip that occurs several times is compared once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
@@ -220,7 +220,6 @@ def _samples(path: Path) -> FloatArray:
 
 
 def _along(path: Path, points: FloatArray) -> bool:
-    """Return True if the distances of all points from a path are at most `SAME_MM`."""
     remaining = points
     for segment in path.segments:
         low, high = segment.bounds
@@ -314,7 +313,7 @@ class Piece:
 LONGEST_WORD = 60
 """Largest number of characters of a label in a file name, because file systems limit names to 255 bytes."""
 
-_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # Windows devices
+_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # Windows device names
 
 
 def file_word(text: str) -> str:
@@ -393,7 +392,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _stock(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """Return the sheet of a layer, and the mass, g, of a planed or turned strip or None for other strips.
+    """Return the sheet of a layer and, for a planed or turned strip, its mass, g.
 
     A planed strip is cut from a sheet of its largest thickness; a turned strip is a rod.
     """

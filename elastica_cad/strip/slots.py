@@ -208,7 +208,6 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
-    """Return the side through points (n, 2): a line if the points are collinear, otherwise a spline."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
@@ -222,15 +221,12 @@ FLAT_MM = 1e-3
 """Chord error, mm, of the polylines that are tested for crossings. Cutting machines have larger errors."""
 
 SAME_POINT_MM = 1e-9
-"""Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
 """Difference of the parameters of two positions on a segment, below which their distance is checked."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""Lengths by which the sides of a slot are extended to the edge, as multiples of the width of the slot.
-
-The lengths are tried in this order until the sides meet the edge."""
+"""Extensions of the sides of a slot, in widths of the slot, tried in order until the sides meet the edge."""
 
 
 @dataclass(frozen=True)
@@ -285,8 +281,6 @@ def cut_slots(
 
 
 class _Edge:
-    """Chords of the outline, for a fast search of crossings with many slots."""
-
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
         self.chords = [Chords.of(segment) for segment in self.segments]
@@ -297,7 +291,6 @@ class _Edge:
         self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
-        """Return the opening of a slot, with its sides extended up to the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
         for reach in REACHES:
@@ -362,7 +355,6 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return the part of a segment between two parameters, or an empty list if the part has no length."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -406,7 +398,7 @@ COARSE_MM = 0.02
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
-    """Return the corners (4, 2) of the bounding box of a text, anticlockwise, enlarged by `distance`, mm."""
+    """Return the corners (4, 2) of the box around a text, anticlockwise, enlarged by `distance`, mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
@@ -599,7 +591,6 @@ def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: C
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield texts for a slot, large letters first, at positions beyond its inner end and on either side."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

@@ -197,7 +197,6 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
-    """Return a planed strip or a round rod, flat on the xy plane of `frame` or bent in that plane."""
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
     view = side_view(strip, bent=bent)

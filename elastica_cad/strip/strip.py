@@ -163,9 +163,7 @@ class Shoulder:
 
     @property
     def least_tab(self) -> float:
-        """Least width of the tab, mm, at which its strain is within the limit; at most the width of the
-        strip.
-        """
+        """Least width of the tab, mm, that keeps its strain within the limit; at most the width of the strip."""
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
         tried = (
             replace(self, tab=float(width), strain=self.strain * self.tab / float(width)) for width in wider
@@ -205,7 +203,6 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # a strip strained beyond the limit has another warning
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -296,7 +293,6 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
 
 
 def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
-    """Yield a warning for a closed strip with unequal end widths, and for a strip wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
@@ -330,7 +326,6 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 
 
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
-    """Yield a warning if creep of the most strained layer is nonlinear, or if creep makes the strip snap."""
     if strained.largest > LINEAR_CREEP_FRACTION * strained.limit:
         yield note(
             "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
@@ -488,7 +483,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def _repr_html_(self) -> str:
-        summary = import_module("elastica_cad.strip.summary")  # imported here, because it imports this module
+        summary = import_module("elastica_cad.strip.summary")  # that module imports this module
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:
@@ -515,10 +510,10 @@ class Strip:
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """The "thickness" or "diameter", mm, that varies along the strip; empty if only the width varies."""
+        """The varying "thickness" or "diameter", mm, by its name; empty if neither varies."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}  # in a stack, the number of plies varies
+            return {}
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
@@ -641,7 +636,6 @@ class Strip:
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        """Tabs, and cuts for pins and ties, that are strained beyond the limit."""
         shoulders = _overstrained_tabs(self.layout, self.ends, self.strains)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
@@ -765,8 +759,7 @@ class Strip:
 
     @property
     def compressed_length(self) -> float:
-        """Length, mm, by which the force along the strip shortens it in the designed shape; negative if the
-        force stretches it.
+        """Shortening of the designed strip by its axial force, mm; negative if the force stretches the strip.
 
         The strip takes the drawn curve if its ends are held closer together by this length.
         """
@@ -787,8 +780,9 @@ class Strip:
         return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
-        """Return the shape of the finished strip in its holders. An end whose holder is None is clamped as
-        designed.
+        """Return the shape of the finished strip in its holders.
+
+        An end without a holder is clamped as designed.
 
         Raises
         ------

@@ -239,7 +239,7 @@ def _limits_with_sheet_and_widths(
                 where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
-    if narrowest > widest:  # `_ratio_of_widths` raises the error
+    if narrowest > widest:  # `_ratio_of_widths` reports this error
         return limits
     return replace(limits, width=(narrowest, widest))
 
@@ -596,7 +596,6 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _gravity_and_fraction(self) -> tuple[Gravity | None, float]:
-        """Gravity in the plane of the curve, and the fraction of a weight that acts in this plane."""
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
@@ -710,12 +709,12 @@ class StripSpec(EqualByValue):
         By default, the seam of a curve that must not change is at the point of least curvature.
         """
         curve = self.run_ins.bent
-        # corners are refused when the rod is computed
+        # a curve with corners is refused later, when the rod is computed
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)
-        # stations of a rest curvature are measured from the start of the curve
+        # keep the start of the curve, because stations of a rest curvature are measured from there
         counted = isinstance(self.natural_curvature, RestCurvature)
         return curve if self.limits or self.keep or counted else begin_at(curve, flattest_place(curve))
 
@@ -731,7 +730,6 @@ class StripSpec(EqualByValue):
 
     @property
     def _width_law(self) -> WidthLaw:
-        """Section law of a solid strip for the requested largest width or, if it is None, the least width."""
         if self.max_width is not None:
             return WidthLaw(self.material, 0.0, self.max_width)
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
@@ -762,7 +760,6 @@ class StripSpec(EqualByValue):
 
     @property
     def _makeable_limits(self) -> Limits:
-        """Limits of the request, narrowed by sheet and widths so that the nearest strip can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
@@ -803,7 +800,7 @@ class StripSpec(EqualByValue):
         """Return the strip of a rod, without joints, compensation or checks for the workshop."""
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
-        # the style of a laminate computes the section from the stiffness of the rod
+        # the style of a laminate computes its section from the stiffness of the rod
         if isinstance(self.style, Laminated):
             rod = replace(rod, section=None)
         tabs_note = self.tabs_message

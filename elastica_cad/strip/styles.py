@@ -47,7 +47,7 @@ CORRECTION_TOLERANCE = 1e-6
 CURVATURE_STATIONS = 2001
 """Number of stations on a curve at which the strain is computed."""
 
-_CACHED_RODS = 64  # number of rods in the cache of `bends_along`; equal strips of a model have the same rod
+_CACHED_RODS = 64  # number of rods cached by `bends_along`; equal strips share a rod
 
 MOST_EXTREMES = 200
 """Largest number of local extremes that get additional stations. More extremes are rounding errors."""
@@ -69,7 +69,7 @@ class Bends:
     Attributes
     ----------
     amount : (n,) array
-        |kappa - kappa_0|, 1/mm.
+        Magnitude |kappa - kappa_0| of the change, 1/mm.
     places : (n,) array
         Arc lengths of the stations, mm, or their parameters on `curve`.
     curve : PlaneCurve, optional
@@ -342,9 +342,9 @@ def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the bend kappa - kappa_0 (n,), 1/mm, at stations s (n,), mm.
+    """Return the change of curvature kappa - kappa_0 (n,), 1/mm, at stations s (n,), mm.
 
-    The bend is interpolated across steps of the stiffness.
+    The change is interpolated across steps of the stiffness.
     """
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
@@ -412,7 +412,8 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # `with_stiffness` divides the corrected K by its minimum, so the stiffness for K = 1 is divided by it too
+    # `with_stiffness` divides the relative stiffness K by its minimum, so the stiffness for K = 1 is divided
+    # too
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

@@ -30,7 +30,6 @@ from elastica_cad.strip.strip_spec import StripSpec
 MOST_SUGGESTIONS = 4
 
 FIRST_FIELDS = ("smooth", "split_corners", "nearest")
-"""Fields whose changes are tested first."""
 
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
@@ -207,7 +206,7 @@ def suggest(
         return
     count, far = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
-    # if the width was refused, other fields are tested without a change of width
+    # after a refused width, other fields are tested without a change of width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)

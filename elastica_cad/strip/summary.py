@@ -238,7 +238,6 @@ def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
 
 
 def _cut_rows(strip: Strip) -> Iterator[Row]:
-    """Yield a row on the positions, in the flat strip, of the holes and notches for pins and cords."""
     cuts, first = element_cuts(strip.rod), strip.ends[0].length
     if not cuts:
         return

@@ -166,7 +166,7 @@ class TabSeat:
 
 STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the length
 STEP_RAD = 0.15  # largest turn of an end in a step, rad
-# penalty for an overlap relative to the forces; larger than most Lagrange multipliers of contacts
+# penalty for an overlap relative to the forces; it exceeds most contact forces
 OVERLAP_PENALTY = 100.0
 TAB_PIECES = 16  # number of rigid pieces of an elastic tab; the error of its slope at the bent part is 0.5 %
 
@@ -216,9 +216,7 @@ class SeatedEnd:
 
     @cached_property
     def sideways(self) -> FloatArray:
-        """Derivatives (k, m), mm, of the gaps between holder and tab with respect to the angles of the
-        pieces.
-        """
+        """Derivatives (k, m), mm, of the gaps with respect to the angles of the tab's pieces."""
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
@@ -230,11 +228,10 @@ class SeatedEnd:
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Return the derivatives of the energy over the bending stiffness B with respect to shift and turn,
-        1/mm2.
+        """Return the gradient of energy / B with respect to shift and turn, 1/mm2.
 
-        The derivatives are the force and, divided by `length`, the moment of the holder on the rod. The argument
-        `left` is the result of the method `left`.
+        B is the bending stiffness. The gradient is the force and, divided by `length`, the moment of the holder on
+        the rod. The argument `left` is the result of the method `left`.
         """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
@@ -257,7 +254,7 @@ class SeatedEnd:
 
 def _chain(pieces: int) -> FloatArray:
     """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have stiffness 1."""
-    # the first joint represents only half a piece, because the tab begins there, so it is twice as stiff
+    # the first joint represents half a piece at the start of the tab, so it is twice as stiff
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
@@ -412,7 +409,6 @@ class _ContactProblem:
 
     @cached_property
     def slices(self) -> list[slice]:
-        """Slices of the vector of unknowns q, in the order of the ends."""
         ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
         return [
             slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
@@ -423,7 +419,6 @@ class _ContactProblem:
 
     @cached_property
     def poses(self) -> list[int]:
-        """Indices of the shifts and turns of the tabs in the vector of unknowns q."""
         return [columns.start + k for columns in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
@@ -441,14 +436,11 @@ class _ContactProblem:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """Return the derivatives of the energy over the bending stiffness B with respect to the shifts and
-        turns, 1/mm2.
-        """
+        """Return the results of `SeatedEnd.load` for all ends, 1/mm2."""
         loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
         return np.array(loads).ravel()
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
-        """Return the derivatives of `reactions` with respect to the shifts and turns, 1/mm3."""
         reactions, difference = self.reactions(rod), DIFFERENCE_FRACTION * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
@@ -496,9 +488,7 @@ class _ContactProblem:
         penalty: float = OVERLAP_PENALTY,
         reach: float = np.inf,
     ) -> QuadraticSolution:
-        """Return the next step of sequential quadratic programming; no unknown changes by more than `reach`
-        mm.
-        """
+        """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
         length = self.design.length
         # H: Hessian of the energy of the tabs, 1/mm3; the energy of the rod is added below
         H = _block_diagonal(
@@ -520,7 +510,6 @@ def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
 
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
-    """Return the symmetric matrix (n, n) with its eigenvalues replaced by their absolute values."""
     values, vectors = np.linalg.eigh(stiffness)
     values = np.maximum(np.abs(values), LEAST_EIGENVALUE_FRACTION * np.abs(values).max())
     return np.asarray(vectors @ np.diag(values) @ vectors.T)
@@ -554,8 +543,10 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float, float]:
-        """Return where the resting tab is nearest to a wall: the distance into the tab, mm, the slope of the tab
-        there, and the distance, mm, of its centre line from the wall.
+        """Return where the resting tab is nearest to a wall.
+
+        The result is the distance into the tab, mm, its slope there, and the distance of its centre line from
+        the wall, mm.
 
         Parameters
         ----------
@@ -576,9 +567,7 @@ class Lean:
 
     @cached_property
     def resting(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Slopes (k,) of the pieces of the resting tab, and the coordinates `into` and `left` (k + 1,) of the
-        ends of the pieces, mm.
-        """
+        """Slopes (k,) of the pieces of the resting tab, and `into` and `left` (k + 1,), mm, of their ends."""
         slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent

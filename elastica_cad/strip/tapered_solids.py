@@ -87,7 +87,6 @@ def _flat_face(size: Profile, side: int) -> PlaneCurve:
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
-    """Return the left (`side` 1) or right (-1) face of the bent strip."""
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
@@ -171,9 +170,7 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Return knots and coefficients (m, 5) of a spline: axis (2), radius times unit normal (2), and
-        radius.
-        """
+        """Return knots and coefficients (m, 5) of a spline: axis, radius times unit normal, and radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -189,7 +186,6 @@ class RoundSolid:
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
 
     def _cross_section(self, s: float) -> Frame:
-        """Return the plane of the cross section at arc length s. The x axis is the normal of the curve."""
         axis, normal, _ = self._at(np.array([s]))
         return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
@@ -242,7 +238,6 @@ class _RoundBoundary:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
-        """Add the plane end face inside the outer circle and outside the bore."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):
@@ -265,7 +260,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # both halves must meet exactly
+    weights[[0, -1]] = 1e6  # both halves of the cross section must meet exactly
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

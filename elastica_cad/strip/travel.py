@@ -135,9 +135,7 @@ class Travel:
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm; turn, degrees, if the ends only turn; percent of the steps if the ends do not
-        move.
-        """
+        """Travel (k,), mm; turn, degrees, if the ends only turn; percent of the steps if they do not move."""
         if self.is_still:
             return 100 * self._movement.progress[1:]
         return np.degrees(self.turn) if self.is_turn else self.travel
@@ -237,7 +235,7 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before the ends are moved. Its weight may differ from the weight of the design."""
+        """Rod in equilibrium before the ends are moved. Its weight may differ from the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:
@@ -300,12 +298,11 @@ def bend_strip(
 ) -> Travel:
     """Return forces, energy, strain and stability of a strip whose ends are moved along a path.
 
-    Forces follow from the internal force -lambda B, where lambda is that of the rod (paper, Eq. 2) and B is the
-    bending stiffness for K = 1. The
-    stiffness of each step includes anticlastic bending of sheets with a known Poisson's ratio, and the
-    curling of the borders of laminates. If the widths do not compensate these effects, the strip deviates
-    from its design before its ends are moved, as `Strip.held` reports. Other effects of `Strip.held`, such as
-    slots, are ignored.
+    Forces follow from the internal force -lambda B, where lambda is that of the rod (paper, Eq. 2) and B is
+    the bending stiffness for K = 1. The stiffness of each step includes anticlastic bending of sheets with a
+    known Poisson's ratio, and the curling of the borders of laminates. If the widths do not compensate these
+    effects, the strip deviates from its design before its ends are moved, as `Strip.held` reports. Other
+    effects of `Strip.held`, such as slots, are ignored.
 
     Parameters
     ----------
@@ -362,9 +359,7 @@ def bend_strip(
 
 
 def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    """Return unit vectors (k, 2) along the path of the end relative to the start; zero while the end is at
-    rest.
-    """
+    """Return unit vectors (k, 2) along the path of the end relative to the start; zero without movement."""
     first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])

@@ -29,8 +29,8 @@ LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip in thicknesses; narrower
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot that holds its tab, as a multiple of the tab's thickness: a tab 0.8 mm thick may meet a
-# plate of 3 mm at 32 degrees, and a plate of 1.5 mm at 20 degrees
+# largest width of a slot that holds its tab, in thicknesses of the tab; for example, a tab of 0.8 mm may meet
+# a plate of 3 mm at 32 degrees
 WIDEST_SLOT_THICKNESSES = 8.0
 FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
@@ -141,11 +141,10 @@ DEFAULT_LIMITS = FabricationLimits()
 # number of points along a cut per least width; the error of widths is then 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
-# For points that face each other: least cosine of the angle between a normal and the connection of the points.
-# In corners wider than 50 degrees, no points face each other.
+# least cosine of the angle between a normal and the line to the facing point; in corners wider than 50
+# degrees, no points face each other
 LEAST_FACING_COSINE = 0.9
-# largest slope of the width along the strip for which `_is_obviously_wide` is valid; each edge then slopes by 26
-# degrees
+# largest slope of the width for which `_is_obviously_wide` is valid; each edge then slopes by 26 degrees
 STEEPEST_WIDTH_SLOPE = 1.0
 # successive search distances, as fractions of the least width
 _SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
@@ -183,7 +182,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    # between chords of two holes, the measured width is too large by two chord errors
+    # the width between two holes is measured between chords, so it is too large by two chord errors
     reach = (1 + 2 * CHORD_ERROR_FRACTION) * least
     parts = _Chords.of(outlines, holes, CHORD_ERROR_FRACTION * least).divided(LONGEST_PART * least)
     near = parts.at(_chords_near_others(parts, reach))
@@ -207,7 +206,6 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
 
 def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float | None:
-    """Return the least width of material, mm, between two circles side by side or one inside the other."""
     (first, *others), (second, *more) = circle.segments, hole.segments
     if circle is hole or others or more or not (isinstance(first, Arc) and isinstance(second, Arc)):
         return None
@@ -216,7 +214,6 @@ def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float |
 
 
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
-    """Return the indices (n,) of chords that have another chord less than `least` mm across the material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
     opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * LEAST_FACING_COSINE**2
@@ -233,7 +230,7 @@ def _opposed_points(
     The first point of each pair is among `searching`. One search compares points and normals, because the
     normals times `least` are appended to the coordinates.
     """
-    # the sum of the normals of two facing points is at most 2 sin(acos(LEAST_FACING_COSINE)) long
+    # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
     i, j = near_pairs(here, there, float(radius))
@@ -276,7 +273,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # least rank by width, found so far, in the group of each place
+    thinnest, known = ranks.copy(), None  # least rank, by width, found so far among near places
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -291,9 +288,7 @@ def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """Midpoints and vectors (m, 2), mm, of chords along the cuts with the material on the left, and the index
-    of each chord's cut.
-    """
+    """Midpoints and vectors (m, 2), mm, of chords with the material on the left, and the cut of each chord."""
 
     middle: FloatArray
     vector: FloatArray
@@ -301,7 +296,6 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
-        """Return chords along closed cuts; they deviate from the cuts by at most `flat` mm."""
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
@@ -318,11 +312,9 @@ class _Chords:
 
     @property
     def inward(self) -> FloatArray:
-        """Unit normals (m, 2) into the material."""
         return np.column_stack([-self.vector[:, 1], self.vector[:, 0]]) / self.length[:, None]
 
     def divided(self, longest: float) -> "_Chords":
-        """Return the chords, divided into equal parts of at most `longest` mm."""
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
         count = np.repeat(parts, parts)[:, None]
         whole = self.at(np.repeat(np.arange(parts.size), parts))
@@ -550,7 +542,7 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
     for tab in strip.ends:
         if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:
             return False
-    # a spline is nowhere steeper than its control polygon
+    # no spline is steeper than its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
     return min(width.extremes[0], strip.rod.length) >= least and bool(
         (rises < STEEPEST_WIDTH_SLOPE * runs).all()
@@ -560,9 +552,8 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    """Yield faults where a layer is narrower than `least` mm, or narrower than `web` mm beside holes."""
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # perforated strips have another limit, `ligament`
+    holes = () if pattern else layer.holes  # ligaments have another limit: see `find_strip_faults`
     places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
@@ -589,7 +580,6 @@ def _thin_strip(
 def _suggestions_for_necks(
     strip: Strip, times: float, least: float, noisy: bool
 ) -> tuple[str, tuple[Change, ...]]:
-    """Return suggestions that make a strip wider by the factor `times`, so that it is `least` mm wide."""
     wider, nearest = _change_of_width(strip, times), change_to_nearest(strip.rod)
     field = outline_field(strip.style)
     if not wider:
@@ -669,7 +659,7 @@ def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
 def _faults_at(
     name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
 ) -> Iterator[Fault]:
-    # equal gaps between holes, as of slots around a ring, are one entry
+    # list equal gaps once, such as those between the slots around a ring
     alike: dict[object, list[ThinPlace]] = {}
     for k, place in enumerate(places):
         alike.setdefault(f"{place.width:.3g}" if loops else k, []).append(place)
