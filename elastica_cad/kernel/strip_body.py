@@ -117,7 +117,9 @@ def warn_of_strip(strip: Strip) -> None:
 
 
 OFF_PLANE_MM = 1e-4
-"""A point farther from the plane of the curve than this, mm, is refused."""
+"""Largest distance of a point from the plane of the curve, mm, within 100 mm of the origin.
+
+Farther away, the limit grows with the distance."""
 
 
 class TupleLike(Protocol):

@@ -173,7 +173,7 @@ def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> Floa
 def stiffness_factors(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
-    """Return factors (n,) on the designed stiffness at the nodes, by cause, for the designed shape.
+    """Return factors (n,) on the stiffness at the nodes of the designed shape, by cause.
 
     - "slots": cuts and the unstressed corners beside them.
     - "narrow tabs": unstressed corners at ends that are wider than their tabs.
@@ -232,7 +232,7 @@ class Curl:
     factor: BendFactor
 
     def on(self, rod: Rod) -> Rod:
-        """Return a rod with curvature-dependent stiffness, equal to that of `rod` in the designed shape."""
+        """Return `rod` with a stiffness that depends on the curvature and is unchanged in the designed shape."""
         below = rod.law
         if isinstance(below, CurlingLaw):
             below = below.below
@@ -240,7 +240,7 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return None for a strip that does not curl. Ignore plates over joints."""
+    """Return the stiffness factor of a strip that curls, or None. Plates over joints are ignored."""
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
@@ -431,9 +431,10 @@ class StripAsMade:
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
     ) -> "StripAsMade":
-        """Return the model of a strip with tabs and slots, possibly joined from pieces by plates.
+        """Return the model of a strip with tabs and slots.
 
-        `whole` returns the layers without slots, and is called only if needed.
+        `plates` join the pieces of a long strip. `whole` returns the layers without slots, and is called only if
+        needed.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
@@ -460,7 +461,7 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all effects on its stiffness, including the effect of curvature.
+        """Rod with all effects on its stiffness, including curvature.
 
         It is not in equilibrium until its rest shape is computed.
         """

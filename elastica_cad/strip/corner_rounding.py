@@ -23,7 +23,7 @@ MOST_SHORTENED_STEPS = 6
 would pass the end of the side."""
 
 CLOSE_MM = 1e-9
-"""Largest distance, mm, between the arc centres computed from the two sides of a corner."""
+"""Length, mm, that counts as zero: the overlap of two arcs, or the gap between the two centres of one arc."""
 
 PARALLEL = 1e-200
 """Value that replaces the determinant 0 of parallel sides. The computed arc then ends beyond the sides."""

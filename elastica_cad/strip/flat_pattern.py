@@ -22,7 +22,7 @@ SMOOTH = 2
 """Number of continuous derivatives inside an edge. Offsetting a face in a CAD kernel loses one derivative."""
 
 RAMP_FRACTION = 2e-5
-"""Length, as a fraction of the loop, below which a piece between two kinks counts as a step of the width."""
+"""Length, relative to the extent in x, below which a piece between two kinks counts as a step of the width."""
 
 NO_JUMP = 1e-4
 """Largest jump of the second derivative that is smoothed, times the square of the span length, mm.

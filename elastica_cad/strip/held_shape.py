@@ -179,7 +179,7 @@ def _two_digits(value: float) -> float:
 
 
 def about(mm: float) -> Length:
-    """Return the length rounded to two digits, and to whole micrometres."""
+    """Return a length in mm, rounded to whole micrometres and to two digits."""
     return Length(_two_digits(round(mm, 3)))
 
 
@@ -241,7 +241,7 @@ def shape_responses(
 
 
 PHASES = 8
-"""Number of phases of a wave of thickness or grain for which the deviation is computed."""
+"""Number of phases at which a wave of the thickness or of the grain is tried."""
 
 OPEN_FRACTIONS: Mapping[str, float] = {
     "slots": 0.24,

@@ -283,7 +283,7 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance from an end without a tab, mm, at which the net width is measured. At the end itself, it is zero."""
+"""Distance from the ends, mm, at which their net width is measured. It is zero at an end without a tab."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
 """Lengths along which a glued plate does not stiffen the strip, in thicknesses of the plate.

@@ -106,9 +106,9 @@ class Measuring:
     uncertain : mapping of str to float
         Uncertainty of each expected value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
-        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent. A
-        cause without amount has its whole change. A periodic variation of the thickness has two sets of
-        changes, for sine and cosine.
+        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent. Causes
+        without an amount have their whole change. A periodic variation of the thickness has two sets of changes,
+        for sine and cosine.
     shape : tuple of (float, float)
         Evenly spaced points of the curve, mm.
     tips : float or None

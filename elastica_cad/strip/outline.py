@@ -95,7 +95,7 @@ class TSlot:
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
-        """Return the corners (x, y) of the slot with y < 0, from the outer edge at x = `edge` inward."""
+        """Return the corners of the lower half of the slot (y < 0), from the outer edge at x = `edge` inward."""
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]

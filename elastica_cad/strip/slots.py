@@ -481,8 +481,7 @@ LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
 """Heights of a label, as fractions of the usual height, in the order in which they are tried."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Distance between positions tried for a label, mm, and largest number of positions on each side of the
-middle."""
+"""Least distance between positions tried for a label, mm, and their largest number on each side of the middle."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 """Distances of a label from cuts, mm, in the order in which they are tried. A label on a very narrow strip

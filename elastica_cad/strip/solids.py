@@ -167,7 +167,7 @@ class FlatSolid:
 
     @property
     def is_prism(self) -> bool:
-        """True if the plate can be extruded. CAD kernels compute wrong areas below splines with many spans."""
+        """True if the plate can be extruded. With many spans in a spline, CAD kernels compute wrong areas."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [
             spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational

@@ -45,7 +45,7 @@ CORRECTION_TOLERANCE = 1e-6
 """Largest error of the corrected stiffness, relative to its maximum."""
 
 CURVATURE_STATIONS = 2001
-"""Number of stations on a curve at which the strain is computed."""
+"""Least number of stations on a curve at which the strain is computed."""
 
 _CACHED_RODS = 64  # number of rods cached by `bends_along`; equal strips share a rod
 
