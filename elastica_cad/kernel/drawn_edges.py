@@ -61,7 +61,7 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """Return the chains of edges that belong to no face, and the number of omitted items of each kind."""
+    """Return the chains of edges that belong to no face, and how many other items of each kind were omitted."""
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()

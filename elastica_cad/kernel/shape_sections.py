@@ -22,7 +22,7 @@ POINTS = 120
 """Number of points on each span of an edge of a section; fewer if the edge has more than four spans."""
 
 MOST = 1000
-"""Lines with more points than this are thinned. Evenly spaced points and points at bends remain."""
+"""Number of points above which a line is thinned. Evenly spaced points and points at bends remain."""
 
 BETWEEN = 1e-3
 """Largest distance, mm, of omitted points from the chords between remaining points."""

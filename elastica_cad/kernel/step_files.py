@@ -112,7 +112,7 @@ def _limit(parent: int, seconds: int) -> None:
 
 
 MANY_WIRES = 32
-"""A face with more wires than this is slow to write, because OpenCASCADE compares all pairs of wires."""
+"""Number of wires above which a face is slow to write, because OpenCASCADE compares all pairs of wires."""
 
 
 def _has_many_wires(shape: Shape) -> bool:

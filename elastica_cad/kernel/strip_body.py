@@ -36,13 +36,13 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
-"""An angle in degrees that is smaller than this, and has decimals, was probably given in radians."""
+"""Angle, degrees, below which a number with decimals was probably given in radians."""
 
 LEAST_LEAN_DEGREES = 90 / degrees(1)
-"""A slot's inclination in degrees that is smaller than this, and has decimals, was probably given in radians."""
+"""Inclination of a slot, degrees, below which a number with decimals was probably given in radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""Warnings point to the first caller outside these packages: a line of the user's script."""
+"""Packages that a warning skips, so that it points to a line of the user's script."""
 
 
 class StripWarning(UserWarning):
@@ -146,7 +146,7 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Two colours differ if a component differs by more than this, which exceeds rounding errors."""
+"""Difference of a component above which two colours differ. It exceeds rounding errors."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:

@@ -40,7 +40,7 @@ FAR_SHARE = 0.01
 """Deviation of a strip from the drawn curve, as a fraction of the length, above which a warning is issued."""
 
 SHORTEST_MM = 5.0
-"""A curve shorter than this, mm, and shorter than the width of its strip, was probably drawn in metres."""
+"""Length, mm, below which a curve shorter than its strip's width was probably drawn in metres."""
 
 KEPT_REQUESTS = 64  # number of cached strips, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)

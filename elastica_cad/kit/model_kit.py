@@ -129,7 +129,7 @@ def model_kit(
         )
     files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
     files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
-    shapes = cache(partial(_shapes, contents))  # the assembly and the files of the blocks share their bodies
+    shapes = cache(partial(_shapes, contents))  # computed once for the assembly and the blocks
     if step:
         files += _assemblies(contents, f"{MODEL}/{name}", shapes)
     if pictures:

@@ -445,7 +445,7 @@ def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""A line is perpendicular to the strip if the x coordinates of its ends differ by less than this, mm."""
+"""Difference in x between the ends of a line, mm, below which the line is perpendicular to the strip."""
 
 Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent part
 

@@ -173,7 +173,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield parameters for each joint: the joint, the end of the part before, the start of the part after."""
+    """Yield the parameters (middle of the joint, end of the part before, start of the part after)."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -281,7 +281,7 @@ class _Cutter:
     """Number of pieces of the outline, which are numbered before the pieces of the holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
-        """Split a closed loop at the stations, and sort its pieces by interval. `backward` reverses the loop."""
+        """Split a closed loop at the stations. `backward` reverses the loop."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]

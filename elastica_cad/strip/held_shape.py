@@ -72,7 +72,7 @@ Source: TypeAlias = Literal["computed", "model", "sheet"]
 and clamps."""
 
 MAIN_SOURCE_FRACTION = np.sqrt(0.5)
-"""A source is the main one if its deviation is more than this fraction of the expected deviation.
+"""Fraction of the expected deviation above which a source is the main source.
 
 The square of the expected deviation is the sum of the squares of the deviations of all sources."""
 
@@ -232,7 +232,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # the rows can be singular, because small rotations do not change the length of a straight rod
+    # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))

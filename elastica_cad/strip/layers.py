@@ -112,7 +112,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # for each chord: index of its first station, and number of its stations
+        # for the range of x of each chord: index of the first station in it, and number of stations
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)

@@ -27,8 +27,8 @@ SKETCHED = 60
 """Approximate number of points of the curve in `Measuring.shape`."""
 
 UNEVEN_SHARE = 0.02
-"""Relative difference of the stiffness at equal distances from both ends, above which a strip mounted end for end
-has another shape."""
+"""Relative difference between the stiffness at mirrored positions, above which reversing the strip changes
+its shape."""
 
 CHANCE = 0.03
 """Probability that errors of reading alone are mistaken for a cause."""
@@ -38,7 +38,7 @@ NONLINEAR = 0.2
 to first order."""
 
 LIKELY = 4.0
-"""Difference from the least sum of squares, up to which a less likely cause is also reported."""
+"""Excess over the least sum of squares up to which a less likely cause is reported too."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -77,7 +77,7 @@ SLIPS: Mapping[str, str] = {
     ),
     "tips": "The chord is measured between the tips of the tabs. Measure it where the bend begins.",
 }
-"""Message for each slip in taking the readings."""
+"""Message for each mistake in taking the readings."""
 
 MM_PER_UNIT = {"centimetres": 10.0, "inches": 25.4}
 

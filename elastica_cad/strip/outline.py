@@ -381,7 +381,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    # all rows have the same x, so all are graphs y(x) if the first is
+    # all rows are graphs y(x), because they have the same x as the first row
     return [Spline(curve) for curve in first.siblings(points)]
 
 

@@ -483,7 +483,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def _repr_html_(self) -> str:
-        summary = import_module("elastica_cad.strip.summary")  # that module imports this module
+        summary = import_module("elastica_cad.strip.summary")  # as `summary` imports this module
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:

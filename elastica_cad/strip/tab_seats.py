@@ -1,4 +1,4 @@
-"""Contact of tabs with their holders, and the rest shape of a strip whose tabs have play."""
+"""Contact of tabs with their holders, and the rest shape of a strip whose tabs fit loosely."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -173,7 +173,7 @@ TAB_PIECES = 16  # number of rigid pieces of an elastic tab; the error of its sl
 
 @dataclass(frozen=True, eq=False)
 class SeatedEnd:
-    """End of a strip with play, whose tab is a chain of rigid pieces with elastic joints.
+    """Loosely held end of a strip. Its tab is a chain of rigid pieces with elastic joints.
 
     The unknowns are the shift and the turn of the end, and the angles of the m pieces of the tab. Turn and angles
     are multiplied by the length of the strip, so that all unknowns are in mm.
@@ -323,7 +323,7 @@ def rest_in_seats(
     seats: tuple[TabSeat | None, TabSeat | None],
     tab_stiffness: tuple[float, float] = (np.inf, np.inf),
 ) -> tuple[Rod, tuple[EndPose, EndPose]]:
-    """Return the rest shape of a strip whose tabs have play in their holders, and the positions of its ends.
+    """Return the rest shape of a strip whose tabs fit loosely in their holders, and the positions of its ends.
 
     Tabs can shift across, turn and bend, but not slide along the strip. Contacts have no friction. Sequential
     quadratic programming minimizes the energy under the condition that tabs do not overlap their holders. The
@@ -337,7 +337,7 @@ def rest_in_seats(
     design : Rod
         Rod with the designed positions of the ends.
     seats : pair of TabSeat or None
-        Holders at start and end, or None for an end that is held without play.
+        Holders at start and end, or None for an end that is held as designed.
     tab_stiffness : pair of float
         E I of the tabs divided by the bending stiffness B of the rod; infinite for rigid tabs.
 
@@ -401,7 +401,7 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _ContactProblem:
-    """Search for the rest shape of a strip with play. The vector q (n,) has the unknowns of each `SeatedEnd`."""
+    """Search for the rest shape of a loosely held strip. The vector q (n,) has the unknowns of each `SeatedEnd`."""
 
     made: Rod
     design: Rod

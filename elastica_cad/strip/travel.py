@@ -32,7 +32,7 @@ RESOLUTION_FRACTION = 1e-4
 step."""
 
 CONSTANT_FORCE_FRACTION = 1e-4
-"""A force counts as constant in a step if it decreases by less than this fraction of the largest force."""
+"""Decrease of a force in a step, relative to the largest force, below which the force counts as constant."""
 
 TITLES = {
     "mm": "travel mm   force N  strain %    margin",

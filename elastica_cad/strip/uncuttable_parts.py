@@ -138,7 +138,7 @@ DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
 
-# number of points along a cut per least width; the error of widths is then 1 %
+# number of points per least width along a cut, for an error of 1 % in the widths
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
 # least cosine of the angle between a normal and the line to the facing point; in corners wider than 50
@@ -273,7 +273,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # least rank, by width, found so far among near places
+    thinnest, known = ranks.copy(), None  # rank of the narrowest place found so far near each place
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
