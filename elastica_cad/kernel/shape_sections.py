@@ -111,7 +111,7 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return evenly spaced points of a line, and the points without which chords would deviate from the line."""
+    """Return evenly spaced points of a line, and further points where the chords would deviate from it."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

@@ -174,7 +174,7 @@ def _touching(wires: list[Shape]) -> list[int]:
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
-"""Name of the setting that decides whether edges are also written as curves in the parameters of faces.
+"""Name of the setting that also writes each edge as a curve in the parameters of its faces.
 
 These curves are more than half of a file. Readers compute the curves exactly for planes, cylinders, cones, spheres
 and tori."""

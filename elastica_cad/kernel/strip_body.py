@@ -331,7 +331,6 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """Convert a point to two coordinates in the plane of the curve. Two coordinates are returned unchanged."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):

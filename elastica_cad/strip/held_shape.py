@@ -282,7 +282,7 @@ def open_deviation(
     """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
 
     The errors due to the causes in `parts` are added. The sum is then combined, as an independent error, with
-    errors of any strip, of curling and of wide sections.
+    the errors of any strip, of curling and of wide sections.
 
     Parameters
     ----------
@@ -365,7 +365,7 @@ USUAL_TOLERANCE = MakingTolerance()
 def sheet_effects(
     rod: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
 ) -> dict[str, float]:
-    """Return the deviations, mm, that errors of sheet, cut and clamps cause, by cause, to first order.
+    """Return the deviation, mm, due to each error of sheet, cut and clamps, to first order.
 
     Parameters
     ----------

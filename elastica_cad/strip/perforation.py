@@ -565,9 +565,9 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Return the index of the station where the outline is too narrow, and a sufficient width, mm.
+        """Return the index of a station where the outline is too narrow, and a sufficient width, mm.
 
-        The width is infinite if none is sufficient. An outline of constant width must be widened everywhere,
+        The width is infinite if no width is sufficient. An outline of constant width must be widened everywhere,
         which also increases the least net width.
         """
         rigidity = self.section.rigidity

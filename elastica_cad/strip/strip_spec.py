@@ -309,9 +309,9 @@ class StripSpec(EqualByValue):
         Limits of the strip, and properties of the curve to keep. With `limits` or `keep`, `nearest_rod` may change
         the curve. Otherwise the strip takes the curve exactly.
     gravity : Gravity, bool or sequence of float, optional
-        True for the weight of the sheet along -y of the drawing. Two numbers are a direction in the drawing, and
-        three numbers are a direction in space, of which only the component in the plane of `frame` acts. A
-        `Gravity` is used unchanged. The weight of a laminate is that of both layers.
+        True for the weight of the sheet along -y of the drawing. Two numbers are a direction in the drawing. Three
+        numbers are a direction in space; only its component in the plane of `frame` acts. A `Gravity` is used
+        unchanged. The weight of a laminate is that of both layers.
     loads : sequence of PointMass and PointForce, or Weight
         Masses hung on the strip in addition to its own weight, and forces (N). A `Weight` is the whole weight in
         newtons. Masses and a `Weight` need gravity.
@@ -324,8 +324,8 @@ class StripSpec(EqualByValue):
     samples : int, optional
         Number of nodes of the rod; chosen automatically by default.
     ends : pair of Tab
-        Tabs at the start and at the end. In a closed strip, the first tab is ignored, and the second is the lap,
-        which is glued to the inside of the start.
+        Tabs at the start and at the end. In a closed strip, the first tab is ignored. The second tab is the
+        lap, which is glued to the inside of the start.
     seam_position : float, optional
         Arc length on the drawn curve, mm, at which a closed strip begins and ends. All positions along the strip
         are measured from there. The default is the point of least curvature or, with `limits` or `keep`, the start

@@ -383,7 +383,7 @@ def _faults_message(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Return warnings about the faults of a part, or raise InputError unless `ignore_limits` is True."""
+    """Return the faults of a part as warnings. Without `ignore_limits`, raise InputError for them."""
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         places = [fault.at for fault in faults if fault.at is not None]
