@@ -95,7 +95,7 @@ def make_strip_on(
     sheet : Sheet or str
         Sheet of the strip; None for a finished strip.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        Plane in which the path was drawn. It determines the axes of the curve's plane.
+        Plane in which the path was drawn. This plane determines the axes of the curve's plane.
     **options
         `StripOptions`, and `max_width`.
     """

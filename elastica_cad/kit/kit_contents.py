@@ -60,7 +60,7 @@ class KitContents:
 
     @cached_property
     def cut_list(self) -> CutList:
-        """List of all parts to be cut. It is cached, because the search for equal shapes is slow."""
+        """List of all parts to be cut, cached because the search for equal shapes is slow."""
         listed = cut_list((*self.pieces, *self.blocks))
         return replace(listed, stock=(*_sheets_to_buy(self.nests), *_rods_to_buy(self.pieces, self.spec)))
 

@@ -148,8 +148,7 @@ FREE_EDGE = 0.63
 """Reduction of the width in torsion due to both free edges, as a multiple of the thickness (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
-"""Least width assumed to remain beside a slot, as a fraction of the strip's width. It prevents a division by
-zero."""
+"""Least width assumed beside a slot, as a fraction of the strip's width, to avoid a division by zero."""
 
 PLATES = "plates"
 
@@ -209,7 +208,7 @@ def stiffness_factors(
     factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # average the compliance, because deflections are proportional to it
+    if leaning is not None:  # average the compliance, because deflections are proportional to compliance
         factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -494,7 +493,7 @@ class StripAsMade:
     def loaded(self) -> Rod:
         """Rest shape with both ends held as designed, or the design if no rest shape was found.
 
-        This rod has the stiffness of the unbent strip.
+        The rod has the stiffness of the unbent strip.
         """
         try:
             return self.rest()

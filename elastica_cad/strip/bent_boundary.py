@@ -267,7 +267,7 @@ class BentMap:
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """Return the bent face at the height `up`, from y = `low` to `high`.
 
-        Its parameters (u, v) are (x, y) of the flat strip.
+        The parameters (u, v) of the face are (x, y) of the flat strip.
         """
         plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
         local = np.empty((len(plane), 2, 3))
@@ -454,7 +454,7 @@ Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent p
 class BoundaryMaker:
     """Builder of the boundary of a strip from the regions of its flat pattern.
 
-    It builds a surface at one height, or a solid between two heights.
+    The boundary is a surface at one height, or a solid between two heights.
     """
 
     corners: FloatArray
@@ -528,7 +528,7 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
-        """Add a side wall. Its parameters (u, v) are the parameter of the piece and the height."""
+        """Add a side wall, with the parameters (u, v): the parameter of the piece, and the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]

@@ -293,8 +293,8 @@ def ends_message(strip: Strip) -> Refusal:
 def holding_template(strip: Strip) -> Drawing:
     """Return a full-size side view of a strip, to lay under it or to engrave into the mounting board.
 
-    It shows the curve, the tabs with the axes of their holes, and the line between the ends. Curve and tabs
-    are on the layer ENGRAVE, and guide lines on the layer MARK. There are no cuts.
+    The view shows the curve, the tabs with the axes of their holes, and the line between the ends. Curve and
+    tabs are on the layer ENGRAVE, and guide lines on the layer MARK. Nothing is cut.
     """
     ends, rod = held_ends(strip), strip.rod
     first, last = ends

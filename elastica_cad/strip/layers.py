@@ -112,7 +112,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # for the range of x of each chord: index of the first station in it, and number of stations
+        # for the range of x of each chord: index of the first station, and number of stations
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
@@ -283,7 +283,7 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance from the ends, mm, at which their net width is measured. It is zero at an end without a tab."""
+"""Distance from the ends, mm, at which their net width is measured, because it is zero at a bare end."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
 """Lengths along which a glued plate does not stiffen the strip, in thicknesses of the plate.

@@ -246,7 +246,7 @@ class Splice:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """Drawings of the layers; each shows the pieces and plates of a layer one above the other."""
+        """Drawings of the layers, with the pieces and plates of each layer one above the other."""
         drawn = []
         for name, pieces in self.layer_pieces.items():
             placed, y = [], 0.0

@@ -196,7 +196,7 @@ class FlatShape:
 
 
 class DistinctShapes:
-    """List of different shapes, numbered from 0. It is sorted by length for a fast search."""
+    """List of different shapes, numbered from 0 and sorted by length for a fast search."""
 
     def __init__(self) -> None:
         self._found: list[tuple[float, int, FlatShape]] = []

@@ -394,7 +394,7 @@ TEXT_DISTANCE_MM = 0.5
 """Distance of letters from every cut, mm, because a stroke at an edge would act as a notch."""
 
 COARSE_MM = 0.02
-"""Chord error of the cuts, mm, when letters are placed. It is small compared with `TEXT_DISTANCE_MM`."""
+"""Chord error of the cuts, mm, when letters are placed; small compared with `TEXT_DISTANCE_MM`."""
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:

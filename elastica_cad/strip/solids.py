@@ -32,9 +32,9 @@ the largest extent."""
 
 
 def centred_thickness(strip: Strip) -> float:
-    """Return the thickness, mm, that is centred on the curve.
+    """Return the thickness that is centred on the curve, mm.
 
-    It is the total thickness of all layers, or the thickness of the full-length ply of a stack.
+    For a stack of plies, this is the full-length ply. Otherwise it is the sum of all layers.
     """
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
@@ -72,7 +72,7 @@ GLUE_MM = 5e-4
 1e-4 mm."""
 
 JOINT_GAP_MM = 0.01
-"""Gap between the ends of a closed strip, mm. It is far larger than the tolerance of CAD kernels."""
+"""Gap between the ends of a closed strip, mm; far larger than the tolerance of CAD kernels."""
 
 FEW_SPANS = 8
 """Largest number of spans of a spline that is extruded without a check of its area in CAD kernels."""

@@ -745,8 +745,8 @@ class Strip:
     def rod_to_bend(self) -> Rod:
         """Rod for moving the ends of the strip: see `bend_strip`.
 
-        Its stiffness includes the effect of curling across the strip. The rod also stretches and shortens
-        under axial force.
+        The stiffness includes curling across the strip. The rod also stretches and shortens under axial
+        force.
         """
         from elastica_cad.strip.as_made import rod_to_bend
 

@@ -351,8 +351,8 @@ class StripSpec(EqualByValue):
         stiffness. By default, only anticlastic bending is compensated, for solid strips without loads and with a
         known Poisson's ratio (`Sheet.poisson_known`): see `WidthLaw`.
     creep : float
-        Long-term creep factor phi of the sheet, 0 for none. It adds sag, forces and springback to the report: see
-        `Strip.crept`.
+        Long-term creep factor phi of the sheet, 0 for none. Creep adds sag, forces and springback to the
+        report: see `Strip.crept`.
     law : BoundedLaw, optional
         Section law: the relation between stiffness and the quantity that varies along the strip. `ThicknessLaw`
         and `RoundLaw` vary the thickness or the diameter. `LeavesLaw` is for glued plies and needs `limits` or
@@ -615,8 +615,8 @@ class StripSpec(EqualByValue):
     def rod_spec(self) -> RodSpec:
         """Request from which the rod of this strip is computed.
 
-        It does not contain the tabs, slots and label. Widths enter only through loads, limits, a section law
-        or smoothing.
+        The request has no tabs, slots and label. It has widths only for loads, limits, a section law or
+        smoothing.
         """
         gravity, share = self._gravity_and_fraction
         layers: LaminateLayers | None = None
@@ -660,7 +660,7 @@ class StripSpec(EqualByValue):
     def tabs(self) -> tuple[Tab, Tab]:
         """Tabs of the strip.
 
-        They are at least as long as the drawn straight ends and have the holes drawn on them.
+        The tabs are at least as long as the drawn straight ends, and have the holes drawn on these ends.
         """
         run_ins = self.run_ins
         holes: tuple[list[Hole], list[Hole]] = ([], [])

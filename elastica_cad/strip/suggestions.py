@@ -35,7 +35,7 @@ MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
 
 MOST_WIDENED = 2
-"""Largest number of widths that are tested with one change. Each refusal suggests the next width."""
+"""Largest number of widths that are tested with one change. Every refusal suggests the next width."""
 
 WIDEST_SHARE = 0.5
 """Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""

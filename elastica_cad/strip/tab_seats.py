@@ -166,7 +166,7 @@ class TabSeat:
 
 STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the length
 STEP_RAD = 0.15  # largest turn of an end in a step, rad
-# penalty for an overlap relative to the forces; it exceeds most contact forces
+# penalty for an overlap, relative to the forces; larger than most contact forces
 OVERLAP_PENALTY = 100.0
 TAB_PIECES = 16  # number of rigid pieces of an elastic tab; the error of its slope at the bent part is 0.5 %
 
@@ -519,8 +519,9 @@ SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
 """Spring stiffness in the first iterations, as a multiple of load / length. Stiff springs limit the steps."""
 
 SOFTEST_SPRING = 1e-4
-"""Spring stiffness in later iterations, as a multiple of load / length. Each iteration reduces the error by about
-this factor."""
+"""Spring stiffness in later iterations, as a multiple of load / length.
+
+Each iteration multiplies the error by about this value."""
 
 MOST_LEAN_ITERATIONS = 36
 """Largest number of iterations in `lean_against`; usually about six are needed."""

@@ -218,7 +218,7 @@ class Travel:
     def force_falls_at(self) -> float | None:
         """Travel, mm, at which the force along the path of the end first decreases.
 
-        It is None if the force increases until the strip snaps or the path ends, or if there is no travel.
+        The result is None if the force increases until the strip snaps or the path ends, or without travel.
         """
         if self.is_turn or self.is_still:
             return None
