@@ -412,7 +412,7 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # the section law already limits the size
+    if strip.layout.size is not None:  # the section law already limits thickness or diameter
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
