@@ -62,9 +62,9 @@ from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
-# Largest component of a force, as a fraction of the force, that counts as a rounding error.
+# force components up to this fraction of the force are rounding errors
 ROUNDED_SHARE = 1e-12
-# Largest travel of the ends, as a fraction of the length, that counts as a rounding error.
+# ends that travel less than this fraction of the length do not move
 STILL_SHARE = 1e-9
 TURNED_RAD = 1e-9  # largest rotation of an end, rad, that counts as a rounding error
 COARSE_DEG = 60.0  # angle between neighbouring edges above which `bend` warns that the rod has too few nodes
@@ -198,7 +198,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state, and the fraction of the change at which the rod snapped (None if it did not)."""
+    """Return the rest state, and the fraction of the path at which the rod snapped, or None if it did not snap."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -236,8 +236,8 @@ def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, 
     """Return the arguments `loads` and `between` of `bend` after the fraction `part` of a step of a path.
 
     The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
-    pins, and lengths of ties, are interpolated linearly. A new element replaces the present element with the same
-    index at once if they differ in kind.
+    pins, and lengths of ties, are interpolated linearly. An element of another kind replaces the present element
+    at once.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -302,11 +302,7 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
 
 
 def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
-    """Return the edge angles (n,), rad, of the arc into which a shortened tie bends a straight rod.
-
-    Return None if the rod is not straight or no tie is shortened. `side` is required for an arc, because the
-    rod could bend to either side.
-    """
+    """Return the edge angles (n,), rad, of the arc into which a shortened tie bends a straight rod, or None."""
     shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
     shorter = [
         action for action in elements
@@ -321,7 +317,7 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
             field=FieldName("side"),
         )
     start, end = np.sort(shorter[0].s)
-    # cord / arc length = sin(x) / x, about 1 - x^2 / 6, for the half angle x of the arc
+    # length of the tie / length of the arc = sin(x) / x, about 1 - x^2 / 6, if the arc turns by 2 x
     half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
     return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))
@@ -334,7 +330,7 @@ ROUNDS = 12
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """Bend the rod on its elements, and determine which one-sided elements are taut."""
+    """Bend a rod with elements between its ends, and find out which ties and one-sided rails are taut."""
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -343,7 +339,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # remaining distance of each slack element from its final position or length
+    # distance, mm, that each slack element still moves, or shortens, before the end of the path
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -359,7 +355,7 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
-        # use short steps after an element became slack or taut, because the branch of equilibria may end soon
+        # after an element became slack or taut, use short steps, because the branch of equilibria may end soon
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
@@ -408,7 +404,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Return `taut` with the worst flag corrected, or None if all flags agree with the forces and gaps."""
+    """Return `taut` with its most wrong flag corrected, or None if all flags agree with forces and gaps."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -563,7 +559,7 @@ class Movement:
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
-    """Return the steps of a path as keywords of `bend`; pairs of numbers are positions of the end."""
+    """Return the steps of a path as keywords of `bend`. Pairs of numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
         names = {
@@ -599,7 +595,7 @@ def system_of(
     force: ArrayLike | None = None,
     moment: float | tuple[float, float] | None = None,
 ) -> RodSystem:
-    """Return the equilibrium equations of `rod`; omitted values are taken from `present`."""
+    """Return the equations of equilibrium of `rod`. Arguments that are None are taken from `present`."""
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
@@ -640,7 +636,7 @@ def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> Ro
 
 
 def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
-    """Return the system with the present loads of the rod, and with the reactions of released supports as loads."""
+    """Return the system with the present loads of the rod. Reactions of released supports become loads."""
     released = replace(rod, supports=system.supports)
     return replace(
         system,
@@ -755,12 +751,11 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     before, now = present.supports.ends, supports.ends
     at_ends = present.force[[0, -1]]
     acting = (*present.between, *present.point_forces)
-    if acting:  # subtract the forces of elements and point forces at the ends
+    if acting:
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # the applied force is lambda at the first node and -lambda at the last, because lambda is the
-        # negative internal force
+        # lambda is the negative internal force: the applied force is lambda at the first node, -lambda at the last
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

@@ -20,8 +20,8 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
-# values of force * length^2 / stiffness: first step, last value with equal steps, then growth factor per step
-# (a straight strip buckles at 2.5)
+# force * length^2 / stiffness (a straight strip buckles at 2.5): size and last of the equal load steps;
+# beyond them, the factor from one load to the next
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
@@ -204,7 +204,7 @@ def _bent_by_loads(
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
         if _side(next_rod) * _side(bent) < 0:
-            # a straight strip may buckle to the wrong side; its mirror image is then the next shape
+            # the strip buckled to the wrong side, so continue from its mirror image
             next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
         bent = next_rod
     if np.ptp(bent.angle) > 0:
@@ -215,7 +215,6 @@ def _bent_by_loads(
 
 
 def _load_fractions(load: float) -> list[float]:
-    """Return increasing fractions of a load, up to 1, with small steps near buckling."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:
@@ -232,7 +231,6 @@ def _point(point: object, name: str) -> FloatArray:
 
 
 def _plane_point(point: object) -> FloatArray | None:
-    """Return the coordinates (x, y) of a point, or None if the object is not a point in the plane z = 0."""
     coordinates = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
@@ -263,7 +261,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """Return `angle` plus whole turns, within half a turn of `near`, rad."""
+    """Add whole turns to `angle` (rad), so that it differs from `near` by at most half a turn."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 
@@ -272,7 +270,7 @@ def _is_free(rod: Rod) -> bool:
 
 
 def _side(rod: Rod) -> int:
-    """Return the side of the first bulge or of the free end: 1 for left, -1 for right, 0 for a straight rod."""
+    """Return 1 if the first bulge, or the free end, is on the left, -1 on the right, and 0 for a straight rod."""
     off = rod.position - rod.position[0]
     if _is_free(rod):
         along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]

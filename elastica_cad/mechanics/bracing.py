@@ -1,17 +1,15 @@
 """Second variation of a rod with rails, pins and ties between its ends: constraints and added terms.
 
-Let h be the change of the tangent's angle of a rod gamma(s). The second-order change of the energy is
+If the tangent's angle of a rod gamma(s) changes by h(s), the second-order change of the energy is
 
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the rail.
 
-K is the bending stiffness, lambda the negative internal force, kappa the curvature, and R a quarter turn. The
-change of position is v(s) = int h R gamma' ds. A tie of length l pulls along the unit vector u between the
-stations p and q with the force T. A rail pushes along the normal n with the force t n.
+K is the bending stiffness, lambda the negative internal force, kappa the curvature, and v(s) the displacement. A
+tie of length l pulls along the unit vector u between the arc lengths p and q with the force T. A rail pushes along
+the normal n with the force t n, and touches the strip at a point that moves by sigma along the strip.
 
-The ends remain fixed. The constraints are v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 for taut
-ties. The term of a tie describes a cord of constant length whose ends turn about each other. The term of a rail
-describes a strip that slides over the rail: the point of contact moves by sigma along the strip.
+The constraints are v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 for taut ties.
 """
 
 from collections.abc import Sequence
@@ -28,7 +26,7 @@ from elastica_cad.mechanics.loads import Supports
 SLACK_SHARE = 0.01
 """Largest force of a slack one-sided element, as a fraction of the largest force in the rod."""
 
-# singular value below which constraints on the translation of the rod count as linearly dependent
+# singular value below which constraints on the translation of the rod are linearly dependent
 _RANK = 1e-9
 
 
@@ -62,14 +60,12 @@ def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[
 
 @dataclass(frozen=True, eq=False)
 class _Brace:
-    """Contribution of one element to the second variation.
-
-    The edge angles change by h (n,), and the whole rod is translated by v (2,).
+    """Contribution of one element to the second variation, for changes h (n,) of the edge angles.
 
     Attributes
     ----------
     rows, row_shifts : (k, n) and (k, 2) arrays
-        Constraints rows @ h + row_shifts @ v = 0.
+        Constraints rows @ h + row_shifts @ v = 0, where v (2,) is the translation of the whole rod.
     terms, term_shifts : (r, n) and (r, 2) arrays
         Linear forms f = terms @ h + term_shifts @ v.
     coefficients : (r, r) array
@@ -99,11 +95,10 @@ class _Edges:
         return self.count if self.directions is None else 2 * self.count
 
     def covered(self, s: float, order: int = 0) -> FloatArray:
-        """Return the weights (n,) with which the edge vectors add up to the position at s, or to its derivative."""
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the sum of edge vectors times `weights` (n,) or (2, n)."""
+        """Return the derivatives (2, unknowns) of the sum of the edges times `weights` (n,) or (2, n)."""
         moves = self.edge_length * left_of(self.tangents).T * weights
         if self.directions is None:
             return moves
@@ -114,13 +109,13 @@ class _Edges:
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the position at arc length s, relative to a held end."""
+        """Return the derivatives (2, unknowns) of the position at arc length s."""
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
         return self.moves_with(self.covered(s) - from_end[:, None])
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
-        """Return the unit vector (2,) between the positions at two arc lengths s (2,), and their distance, mm."""
+        """Return the unit vector (2,) between the points at two arc lengths s (2,), and their distance, mm."""
         p, q = (self.covered(float(place)) for place in s)
         chord = self.edge_length * ((q - p) @ self.tangents)
         size = float(np.hypot(*chord))
@@ -131,7 +126,7 @@ def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
     moves = edges.moves_with(edges.covered(float(action.s[1])) - edges.covered(float(action.s[0])))
     pull = float(action.force[0] @ u)
-    acts = slice(None) if pull != 0 else slice(0)  # a tie without pull adds no terms to the energy
+    acts = slice(None) if pull != 0 else slice(0)
     return _Brace(
         rows=(u @ moves)[None],
         row_shifts=np.zeros((1, 2)),
@@ -153,7 +148,7 @@ def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     tangent /= np.hypot(*tangent)
     normal = left_of(tangent)
     push = float(action.force[0] @ normal)
-    acts = slice(None) if push != 0 else slice(0)  # a rail without force adds no terms to the energy
+    acts = slice(None) if push != 0 else slice(0)
     kappa = edges.edge_length * float(edges.covered(s, 2) @ edges.tangents @ normal)
     return _Brace(
         rows=(normal @ moves)[None],
@@ -200,13 +195,12 @@ def bracing_of(
             raise InputError(
                 "The strip can slide off its rails. Hold an end, or pin the strip between its ends."
             )
-        # eliminate the translation of the rod with the constraints
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
     ties = [action for action in between if isinstance(action.element, Tie)]
     turns_freely = free.all() and not any(end.angle for end in supports.ends)
     if ties and len(ties) == len(between) and turns_freely:
-        # exclude the rotation of a bow (held by ties alone) as a whole, which does not change the energy
+        # a rod held by ties alone can turn as a whole without a change of energy, so exclude this rotation
         turn = left_of(edges.chord(ties[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
         rows = np.concatenate([rows, turn[None]])
     # a term can be zero on a straight strip, so a lower bound of its norm avoids a division by zero

@@ -246,13 +246,13 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
-    # the elasto-gravity length over the overhang is a function G of droop / overhang alone
+    # elasto-gravity length = overhang * G(droop / overhang), and G1 is the derivative of the function G
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 
 
 def _length_for(part: float) -> float:
-    """Return the elasto-gravity length over the overhang for a ratio `part` of droop to overhang."""
+    """Return the elasto-gravity length divided by the overhang, for the ratio `part` of droop to overhang."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:
@@ -267,7 +267,6 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Return the mean with weights 1/error^2, and its standard deviation."""
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))
     inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)

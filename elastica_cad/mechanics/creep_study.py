@@ -159,7 +159,6 @@ def creep(rod: Rod, factor: float) -> Creep:
     require_free_between(rod, "A creep study")
     first = later = rod
     if phi > 0 and feels_modulus(rod):
-        # first and later have the same nodes, so their difference is due to creep alone
         first = bend(rod, guess=rod.angle)
         force, moment = dead_loads(rod, 1 + phi)
         try:

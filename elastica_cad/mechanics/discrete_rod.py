@@ -119,10 +119,9 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 class Terms(NamedTuple):
-    """Matrix -G^t D^-1 G that is added to a matrix A (n, n), stored as the border of [[A, G^t], [G, D]].
+    """Matrix -G^t D^-1 G that is added to a matrix A (n, n) by means of the larger matrix [[A, G^t], [G, D]].
 
-    A sum G^t C G has the corner D = -C^-1. For a constraint G h = 0 of an axially elastic rod, D is the negative
-    compliance.
+    A sum G^t C G has D = -C^-1. A constraint G h = 0 with a compliance has D = -compliance.
 
     Attributes
     ----------
@@ -131,7 +130,7 @@ class Terms(NamedTuple):
     corner : (r, r) array
         Symmetric matrix D.
     below : int
-        Number of negative eigenvalues of the bordered matrix if A with the added matrix is positive definite.
+        Number of negative eigenvalues of the larger matrix if the sum of both matrices is positive definite.
     """
 
     rows: FloatArray
@@ -145,12 +144,11 @@ class Terms(NamedTuple):
         return cls(rows, -np.asarray(np.linalg.inv(coefficients)), int(positive))
 
     def on(self, vector: FloatArray) -> FloatArray:
-        """Return the product of the matrix that the terms add and a vector (n,)."""
+        """Return the product of the added matrix -G^t D^-1 G and a vector (n,)."""
         return np.asarray(-self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector))
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return the border of a matrix: rows (k + r, n) of constraints and terms, and the corner block."""
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
@@ -246,7 +244,7 @@ def largest_of_inverse(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """Factor a tridiagonal matrix, shifted below its eigenvalues, as L D L^T; return D, L and the shift."""
+    """Factor A - shift = L D L^T for a tridiagonal matrix A, with a shift below all eigenvalues."""
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2
     lowest = lapack().dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
@@ -330,7 +328,7 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-# largest angle of an edge; no strip has so many turns, and cos and sin of larger angles are inaccurate
+# largest angle of an edge, above which cos and sin are inaccurate; no strip has so many turns
 _WOUND_UP_RAD = 1e6
 
 
@@ -398,7 +396,7 @@ def _shoot_in_python(
 
 
 def tangents(angles: FloatArray) -> FloatArray:
-    """Return the unit tangents (cos alpha, sin alpha), (n, 2), of edges with the angles alpha (n,)."""
+    """Return the unit tangents (n, 2) of edges with the angles (n,), rad."""
     T = np.empty((angles.size, 2))
     np.cos(angles, out=T[:, 0])
     np.sin(angles, out=T[:, 1])
@@ -406,7 +404,7 @@ def tangents(angles: FloatArray) -> FloatArray:
 
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
-    """Return the Voronoi lengths w (n+1,) of the nodes: half the sum of the lengths of the incident edges, mm."""
+    """Return the Voronoi lengths w (n+1,) of the nodes, mm: half the sum of the adjacent edge lengths."""
     half = np.empty(edges)
     half[:] = edge_length
     half /= 2
@@ -417,7 +415,7 @@ def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
 
 
 def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float | FloatArray) -> FloatArray:
-    """Return the nodes (n+1, 2), mm, of the chain of edges along `tangents` (n, 2) from the point `start`."""
+    """Return the nodes (n+1, 2), mm, of a chain of edges that begins at `start`. `tangents` are (n, 2)."""
     position = np.empty((tangents.shape[0] + 1, 2))
     position[0] = start
     np.cumsum(np.reshape(edge_length, (-1, 1)) * tangents, axis=0, out=position[1:])
@@ -637,7 +635,7 @@ class DiscreteRod:
 
     @cached_property
     def sideways_pull(self) -> FloatArray:
-        """Derivative (n,), 1/mm2, of the axial force component <lambda, T> of each edge by the edge angle."""
+        """Derivative (n,), 1/mm2, of the axial component of the force lambda of each edge by the edge angle."""
         return np.asarray(np.einsum("nk,nk->n", self.force, left_of(self.directions)))
 
     @cached_property
@@ -730,7 +728,6 @@ class DiscreteRod:
 
     @property
     def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Diagonal (n,) and off-diagonal (n-1,) of the Hessian, and rows (p, n) of the constraints."""
         if _native.compiled is None or self.compression is not None:
             return *self.hessian, self.constraint_rows
         start, end = self.held_angles
@@ -755,9 +752,8 @@ class DiscreteRod:
     def _elastic_terms(self, rows: FloatArray) -> Terms | None:
         """Return the constraints and terms of an axially elastic rod after the strains are eliminated.
 
-        Let h and e be the changes of the edge angles and strains. The energy changes by h^t H h + 2 h^t X e +
-        e^t Y e. H is the Hessian at constant strains, and X = l <lambda, R T> and Y = l / c are diagonal matrices
-        (symbols as in `hessian`). Each constraint or term is a linear form rows @ h + more @ e.
+        Changes h of the edge angles and e of the strains change the energy by h^t H h + 2 h^t X e + e^t Y e. H is
+        the Hessian at constant strains. X = l <lambda, R T> and Y = l / c are diagonal (symbols as in `hessian`).
         """
         n = self.angles.size
         terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))

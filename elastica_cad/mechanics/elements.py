@@ -1,12 +1,10 @@
 """Rails, pins, ties and point forces, which support or load a strip between its ends.
 
-Forces f_j on the strip gamma(s) at points p_j = gamma(s_j) change the bending moment to
+At a point p_j = gamma(s_j) of the strip gamma(s), a force f_j changes the slope of the bending moment:
 
-    M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
+    M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),    where a and b are constants.
 
-where a and b are constants. M is continuous. At p_j, the slope of M jumps, and lambda (the negative internal
-force) jumps by f_j. Each element has one or two unknown numbers. M is a linear function of these numbers, a and b.
-A tie acts at two points with opposite forces. The manual's page "Forces between the ends" has the derivation.
+The manual's page "Forces between the ends" has the derivation.
 """
 
 from collections.abc import Iterable, Sequence
@@ -173,7 +171,7 @@ def require_elements(between: object) -> tuple[Element, ...]:
 def weight_with_loads(
     weight: Weight | None, gravity: Gravity | None, loads: object
 ) -> tuple[Weight | None, tuple[PointForce, ...]]:
-    """Return the weight with the point masses of `loads` added, and the point forces of `loads`."""
+    """Add the point masses of `loads` to the weight; return the new weight and the point forces of `loads`."""
     point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
     masses = tuple(load for load in point_loads if isinstance(load, PointMass))
     forces = tuple(load for load in point_loads if isinstance(load, PointForce))
@@ -201,7 +199,7 @@ AT_JOINT_SHARE = 2e-3
 The tolerance allows for positions that are rounded to a millimetre.
 """
 
-_NEWTON_STEPS = 20  # largest number of Newton steps to the nearest point of a curve
+_NEWTON_STEPS = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -259,7 +257,7 @@ class PlacedElement:
 
     @property
     def unknowns(self) -> int:
-        """Number of unknown numbers that determine the force."""
+        """Number of unknowns of the force: 2 for a pin, 1 for a rail or tie, 0 for a known force."""
         return 0 if isinstance(self.element, PointForce) else len(self.units)
 
 
@@ -301,7 +299,6 @@ def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
 
 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
-    """Return the arc length, mm, of a position on the drawn curve; refuse positions off the curve."""
     if isinstance(at, tuple):
         s = _nearest_arc_length(curve, np.array(at))
         off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
@@ -329,7 +326,7 @@ def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
     for _ in range(_NEWTON_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
-        # a lower bound of 0.3, because Newton steps diverge near the centre of curvature
+        # limit the step, because Newton's method diverges near the centre of curvature
         spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
         if abs(s - before) <= 1e-12 * curve.length:
@@ -379,7 +376,7 @@ class ElementForce:
 
     @property
     def mounting(self) -> Mount:
-        """The mount, or an empty `Mount` if the element has none."""
+        """Value of `mount`, or an empty `Mount` instead of None."""
         return self.mount or Mount()
 
     @property
@@ -410,7 +407,7 @@ class ElementForce:
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the elements with their forces; `numbers` (u,) are the solved values of the unknowns."""
+    """Return the elements with their forces, from the solved values `numbers` (u,) of the unknowns."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(
@@ -457,7 +454,7 @@ def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatAr
 
 
 def require_free_between(rod: Any, task: str) -> None:
-    """Refuse a rod with elements or point forces for a task that does not take them into account."""
+    """Refuse a rod with elements or point forces, which `task` does not take into account."""
     if rod.acting:
         raise InputError(
             "{task} does not take rails, pins, ties or point forces into account yet. Use a rod without them.",

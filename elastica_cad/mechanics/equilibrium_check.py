@@ -62,7 +62,7 @@ ADDED_INFLECTIONS = 2
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
-    """Return both results if another fit of the measured points has a different result, else None."""
+    """Return both results if another fit of the measured points has a different result, or else None."""
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
@@ -81,7 +81,7 @@ def _compare_fits(
 
 
 def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, points: MeasuredPoints) -> bool:
-    """Return True if a curve is refused only because of inflections that the measured points do not require."""
+    """Return True if a curve is refused only for inflections that its measured points do not require."""
     count, required = len(check.off_line), points.bend_changes
     if check.realizable or check.bent_beforehand or len(other.inflections) >= count:
         return False
@@ -173,7 +173,7 @@ def _with_unbent_ends(
 ) -> EquilibriumCheck:
     """Make almost unbent ends exactly unbent, with the same positions and tangents, and check the curve again.
 
-    Return the original result if the curve would move farther than `tolerance` times its length.
+    Keep the original curve if the new curve differs from it by more than `tolerance` times the length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -205,7 +205,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as unbent although their curvature is above rounding errors."""
+    """Yield the parameters of ends that count as unbent, but have a curvature above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -239,14 +239,14 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which the line counts as tangent."""
 
-# closer to a zero of the curvature than this fraction of the length, the stiffness 0 / 0 is replaced by its limit
+# distance from a zero of the curvature, as a fraction of the length, below which K = 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
     "vertical": ("one vertical line", "The vertical line that the supports require"),
     "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
-_TURNS = 67  # number of directions that are tried for a line through a single inflection
+_TURNS = 67
 
 
 @dataclass(frozen=True)
@@ -280,7 +280,6 @@ class SeparatingLine:
 def _check_line(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check whether there is a line of zero moment through the zeros of the curvature."""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
@@ -297,7 +296,6 @@ def _check_line(
 
 
 def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
-    """Check whether a line through the only zero of the curvature meets the curve at no other point."""
     zero = check.zeros[0]
     lines = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=lines.line, off_line=((zero.s, 0.0),))
@@ -320,7 +318,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the only possible line of zero moment: with the given `normal`, or through two or more zeros."""
+    """Check the line of zero moment through the zeros of the curvature, perpendicular to `normal` if it is given."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -357,7 +355,7 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
-    """Check the curve with its inflections moved onto the line; return None if they cannot be moved."""
+    """Move the inflections onto the line and check the curve again; return None if they cannot be moved."""
     # moving control points would open a closed curve
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
         return None
@@ -429,8 +427,8 @@ def _line_meetings(
 ) -> tuple[LineMeeting, ...]:
     """Return the points of the curve at which the line violates condition (1) of Theorem 1.
 
-    The moment a + <b, gamma> at points gamma of the curve is zero on the line. Everywhere the moment must have the
-    sign of the curvature, or everywhere the opposite sign.
+    The moment is zero on the line. Moment and curvature must have equal signs on the whole curve, or opposite
+    signs on the whole curve.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []
@@ -486,7 +484,7 @@ def _place_of_extreme_ratio(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the unit tangents (k, 2) of the curve and the slopes (k,) of the excess curvature at its zeros."""
+    """Return the unit tangents (k, 2) of the curve and the slopes (k,) of the excess curvature, at zeros t (k,)."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
@@ -513,7 +511,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
     x, y = views.point
-    # the normal of the line is the middle of the directions
+    # the normal of the line is the middle of the directions in which the curve is seen
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
     line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))
@@ -590,7 +588,7 @@ def _line_constraints(
 
 
 def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return three lists of constraints on the ends, the strictest first; an end with an inflection has none."""
+    """Return three lists of constraints on the ends, from strict to loose. An end with an inflection is free."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

@@ -52,7 +52,7 @@ class LaminatedSection:
     backing: Sheet
 
     def on(self, base_width: ArrayLike) -> "BackingLaw":
-        """Return the stiffness law for the width of the backing on a base of given widths (n,), mm."""
+        """Return the stiffness law of backings on a base of the given width, mm; a number or (n,)."""
         return BackingLaw(self, positive(base_width, "base width"))
 
     @property
@@ -65,7 +65,7 @@ class LaminatedSection:
         return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2, from quadratic equations."""
+        """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2."""
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
         w1, EI = matched(w1, EI)
@@ -83,7 +83,7 @@ class LaminatedSection:
         A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # p x^2 + q x - D A1 = 0 for x = E A of the backing; A1 is E A of the base, and D the missing stiffness
+        # solve p x^2 + q x = D A1 for x = E A of the backing; A1 is E A of the base, and D the missing stiffness
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
@@ -239,7 +239,6 @@ class LaminatedSection:
 
     @property
     def _heights(self) -> tuple[float, float, float]:
-        """Thickness of base and backing, and distance of their middle planes, mm."""
         return self.base.thickness, self.backing.thickness, self.thickness / 2
 
     def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
@@ -408,7 +407,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # the unknowns are ratios of deflection and strain to the change of curvature, finite even where it is 0
+    # divide deflection and strain by the change of curvature, so that the unknowns are finite where it is 0
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -446,7 +445,7 @@ def laminate_factor(
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
-    """Return the energy per area, times 2, as a quadratic form (3, 3).
+    """Return twice the energy per area, a quadratic form (3, 3).
 
     The variables are the strain and the curvature along the strip, and the curvature w'' across it.
     """
@@ -462,7 +461,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
 
 
 def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return Hermite cubics and their second derivatives (n, 4, 4), and weights (n, 4), at Gauss points."""
+    """Return Hermite cubics and their second derivatives (n, 4, 4) at Gauss points, and the weights (n, 4)."""
     x, weight = gauss_rule(4)
     t, ones, long = (x + 1) / 2, np.ones((length.size, 1)), length[:, None]
     values = np.stack(

@@ -62,7 +62,7 @@ Rounding errors are large under much weight, or with an inflection near an end.
 """
 
 NOISE_TIMES = 4
-"""Tolerance of the fitted stiffness as a multiple of its rounding errors under large weight."""
+"""Tolerance of the fitted stiffness, as a multiple of the rounding errors of the stiffness."""
 
 SAME_PLACE_SHARE = 1e-9
 """Distance, as a fraction of the length, below which a knot is moved to a zero of the curvature."""
@@ -129,7 +129,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
 
 @dataclass(frozen=True, eq=False)
 class _AlongArc:
-    """Stiffness K as Legendre series of arc length on panels; `edges` (N + 1,) are the ends of the panels, mm."""
+    """Stiffness K as Legendre series on panels, which end at the arc lengths `edges` (N + 1,), mm."""
 
     edges: FloatArray
     series: PanelFunction
@@ -151,7 +151,7 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the rounding error of the stiffness: its largest jump between panels away from the `steps`."""
+        """Return the rounding error of the stiffness: the largest jump between panels away from `steps`."""
         before, after = self.series.where_panels_meet
         jumps = np.abs(after - before)
         if len(steps):
@@ -160,10 +160,9 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        """Return the knots of a cubic spline with the error `tolerance`."""
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # number of knots in each cell of a panel; the panel coordinate x is from -1 to 1
+        # number of knots in each cell of a panel
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -179,7 +178,7 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Scale the profile slightly so that its extremes equal the extremes of the stiffness."""
+    """Scale the profile slightly, so that its extremes equal the extremes `exact` (2,) of the stiffness."""
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
@@ -187,7 +186,6 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Remove the jump at `place`; keep the value on the left (`keep_left`) or on the right."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -394,12 +392,7 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:
-    """Refuse an unloaded free end, because its shape depends on the weight alone.
-
-    Under the weight of the strip alone, the stiffness is finite and positive at a free end only if the curvature
-    is cos(alpha) u^2 / (2 l_eg^3) + higher powers of u. Here alpha is the angle, u the distance from the end, and
-    l_eg the elasto-gravity length.
-    """
+    """Refuse an unloaded free end, because its shape depends on the weight alone."""
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
     acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
@@ -434,7 +427,6 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Return the rod of a curve without bending; under weight, the curve must be vertical."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -464,7 +456,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # each load increases lambda, the negative internal force; the held end carries the whole weight
+    # each load increases the negative internal force; the held end carries the whole weight
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -530,7 +522,7 @@ KINK_SHARE = 0.005
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the warnings about a curve, without warnings about kinks that the forces of elements cause."""
+    """Return the warnings about a curve, except warnings about kinks that the forces of elements cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
     jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # places where the width jumps
@@ -702,7 +694,7 @@ def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """Base of a laminate, and the positions at which the width of the backing is checked.
+    """Base of a laminate, and arc lengths at which the backing must fit on the base.
 
     Attributes
     ----------
@@ -710,7 +702,7 @@ class _Base:
     at_nodes : (n,) array
         Width of the base at the nodes of the rod, mm.
     places, at_places : (m,) arrays
-        Arc lengths at which the backing must fit on the base, and the widths of the base at these positions, mm.
+        Arc lengths, and widths of the base there, mm.
     """
 
     layers: LaminateLayers
@@ -728,7 +720,7 @@ class _Base:
         return cls(layers, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
-        """Return the largest scale c, N mm2, for a laminate on this base with c times the stiffness of the rod."""
+        """Return the largest c, N mm2, such that the base can carry a laminate c times as stiff as the rod."""
         section, stiffness, least = (
             self.layers.section,
             _stiffness(rod, self.places),
@@ -757,7 +749,7 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate (None without convergence) and the last relative change of the stiffness."""
+    """Return the laminate, or None without convergence, and the last relative change of the stiffness."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
@@ -767,7 +759,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     change, least = np.inf, 1.0  # the smoothest stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # clip an extrapolated E I that is larger than that of two full layers or smaller than that of the base
+        # an extrapolated E I may exceed that of two full layers, or be less than that of the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)
@@ -786,7 +778,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 
 
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
-    """Return the rod of least stiffness ratio for a base of uniform width, found by a nonlinear search."""
+    """Return the rod of least stiffness ratio on a base of uniform width, by a nonlinear search."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
         weight = Weight(masses=request.masses, own=True)
@@ -808,7 +800,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`; values below 1 are errors and become 1."""
+    """Return the relative stiffness at arc lengths `s`. Values below 1 are errors of the spline and become 1."""
     return np.maximum(rod.profile(s), 1.0)
 
 

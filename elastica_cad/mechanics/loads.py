@@ -180,7 +180,7 @@ class Weight:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # the weight alpha may be negative in a profile, such as the tangent to a nonlinear weight law
+            # a Profile may be negative, such as the linearised weight of a section
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
@@ -600,7 +600,7 @@ class ExcessCurvature:
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return the derivative by arc length of curvature minus natural curvature, 1/mm2, at parameters t."""
+        """Return the slope, 1/mm2, of curvature minus natural curvature along the curve, at parameters t."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:

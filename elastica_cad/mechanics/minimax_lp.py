@@ -188,7 +188,7 @@ class MinimaxProgram:
         self._add(rows, offset, np.zeros(len(rows)))
 
     def _add(self, rows: FloatArray, offset: FloatArray, share: FloatArray) -> None:
-        """Add the conditions rows @ x + offset + share * R >= 0; `share` is 0 or 1 for each row."""
+        """Add the conditions rows @ x + offset + share * R >= 0."""
         more = np.concatenate([rows @ self.basis, share[:, None]], axis=1)
         self.rows = np.concatenate([self.rows, more])
         self.limits = np.concatenate([self.limits, -offset])
@@ -206,7 +206,7 @@ class MinimaxProgram:
     def _exchanged(self) -> FloatArray | None:
         """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate.
 
-        The search also ends at the first vertex with R above `most`, because R never decreases.
+        Because R never decreases, the search also ends at the first vertex with R above `most`.
         """
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
@@ -227,7 +227,7 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # coefficients by which the active conditions combine to the new condition (`parts`) and to R (`share`)
+            # the new condition is `parts` times the active conditions, and R is `share` times the active conditions
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
@@ -247,7 +247,7 @@ def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return a basis (m, k) of the unknowns in which coefficients of order 1 give stiffnesses of order 1."""
+    """Return a basis (m, k) of the unknowns. In this basis, coefficients of order 1 give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -255,7 +255,7 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """Minimise R subject to rows @ (x, R) >= limits with the solver HiGHS; return (x, R), or None if infeasible."""
+    """Minimise R subject to rows @ (x, R) >= limits with HiGHS; return (x, R), or None if infeasible."""
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
     try:
@@ -340,11 +340,11 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift conditions that the start violates, then all planes; no more planes than unknowns then meet in a point
+    # shift the conditions that the start violates, then shift all planes so that at most m planes meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
     shifted = limits.size - len(side_rows)
     limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)
-    # start in a vertex of auxiliary planes, which are neither terms nor conditions
+    # start in a vertex of m auxiliary planes, which are neither terms nor conditions
     active, normals = np.full(x.size, -1), np.eye(x.size)
     for _ in range(METHOD.most_steps):
         values = planes @ x + limits

@@ -9,9 +9,8 @@ kappa_0 the natural curvature. Here q is the weight per length and stiffness (1/
 length l_eg), and p a weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending
 stiffness, and e a unit vector upwards.
 
-M and b are linear functions of their values at the end of the curve, of tau, and of the unknown forces f between
-the ends, where R b jumps by f. One integration for each of these numbers is therefore enough. Without weight, b is
-constant and M = a + <b, gamma> with a constant a.
+M and b depend linearly on their values at the end of the curve, on tau and on the unknown forces between the ends.
+One integration for each of these numbers is therefore enough.
 """
 
 from collections.abc import Callable, Sequence
@@ -125,7 +124,7 @@ class MomentRows:
 
     @property
     def elements_from(self) -> int:
-        """Index of the first unknown force among the numbers of the linear map."""
+        """Index of the first unknown force among the m numbers."""
         return 4 if self.loaded else 3
 
 
@@ -164,11 +163,11 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     b = np.zeros((count + 2, 2, size))  # force b before the curve, in each panel, and after the curve
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        # jump of the force b at an element, from the end of the curve towards its start
+        # the force b jumps at each element, from the end of the curve towards its start
         step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
-    # the moment at a node is that at one end of the panel (exactly 0 at a zero) plus <b, vector from end to node>
+    # moment at a node = moment at one end of the panel (0 at a zero) + <b, vector from this end to the node>
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
@@ -235,7 +234,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     if size == 4:
         weight[..., 3] += load.dead
     shares = WEIGHTS * panels.stretch
-    # integrate each panel from right to left, or from left to right if its left end is a zero
+    # integrate each panel from right to left, but from left to right if its left end is a zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
@@ -267,7 +266,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-# largest relative excess of the stiffness over its bounds in the linear program of least ratio
+# largest relative violation of the stiffness bounds in the linear program of least ratio
 _SETTLED = 1e-9
 
 _SAME = 4 * float(np.finfo(float).eps)
@@ -462,10 +461,7 @@ def _smoothest(
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
-    """Return the parameters y that maximise number @ y for a stiffness between 1 and `ratio`.
-
-    The offset of the family must be None.
-    """
+    """Return the parameters y that maximise number @ y for a stiffness rows @ y between 1 and `ratio`."""
     sides, _ = family.side_conditions
     return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio, sides))
 
@@ -493,10 +489,10 @@ def _bounded(
 
 
 def find_violations(family: StiffnessFamily) -> FloatArray:
-    """Return the arc lengths (k,), mm, of samples because of which no stiffness is positive everywhere.
+    """Return the arc lengths (k,), mm, of the samples that prevent a stiffness that is positive everywhere.
 
-    With a single free parameter, the stiffness at these samples has the less frequent sign. With more parameters,
-    the samples have the least stiffness when this least stiffness is made as large as possible.
+    With a single free parameter, the stiffness has the less frequent sign at these samples. With more parameters,
+    these samples limit how large the least stiffness can be.
     """
     from scipy.optimize import linprog
 
@@ -528,7 +524,7 @@ NO_GAIN_SHARE = 1e-6
 """Relative reduction of the stiffness ratio that is neglected."""
 
 WIDEST_RATIO = 1e10
-"""Largest stiffness ratio in computations; no strip can have it."""
+"""Largest stiffness ratio in computations, far above the ratio of any strip."""
 
 LARGEST_LOAD = 1e3
 """Ratio of the stiffness that the load requires to the largest stiffness, above which the program is rescaled."""
@@ -656,7 +652,7 @@ class RodRequest(EqualByValue):
         return place_elements(elements, self.drawn or self.curve, self.check.curve, self.supports, joints)
 
     def units_on(self, panels: Panels) -> FloatArray:
-        """Return the forces (N + 1, 2, u) at the ends of panels if one of the u unknowns is 1, the others 0."""
+        """Return the forces (N + 1, 2, u) at the ends of panels for a value 1 of each of the u unknowns."""
         units = np.zeros((panels.count + 1, 2, sum(element.unknowns for element in self.elements)))
         first = 0
         for element in self.elements:
@@ -686,7 +682,7 @@ class RodRequest(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class ConditionedRows:
-    """Moment and stiffness as linear functions, with the conditions that the inflections and supports impose."""
+    """Moment and stiffness as linear functions of m numbers, and conditions at the inflections and supports."""
 
     request: RodRequest
     panels: Panels
@@ -719,7 +715,7 @@ class ConditionedRows:
             rows.append(normal[normal.any(axis=1)])
         forces = self.rows.start_force, self.rows.end_force
         for end, force in zip(self.request.supports.ends, forces, strict=True):
-            # lambda = R b: the force along x is -b_y, and the force along y is b_x
+            # the force has the components x = -b_y and y = b_x
             rows += [] if end.x else [force[1:2]]
             rows += [] if end.y else [force[0:1]]
         return np.concatenate(rows)
@@ -745,7 +741,7 @@ class ConditionedRows:
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
-        """Return all stiffnesses without the known loads or, with `loaded`, with a positive multiple of them."""
+        """Return all stiffnesses without the known loads or, with `loaded`, under any positive multiple of them."""
         basis = np.diag(self.scale)
         if self.rows.loaded and not loaded:
             basis = np.delete(basis, 3, axis=1)
@@ -761,7 +757,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows of the conditions that the numbers with indices `sides` are not negative."""
+        """Return the rows of the conditions that the numbers with indices `sides` are 0 or more."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -806,7 +802,7 @@ class ConditionedRows:
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return the optimal numbers that do not change if the drawing is rotated.
+        """Return optimal numbers that do not depend on the rotation of the drawing.
 
         If a constant moment is optimal, as for arcs, it is chosen. If a single jump of the curvature determines the
         ratio, the optimum with the smoothest stiffness is chosen.
@@ -846,7 +842,6 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return the part of the stiffness (N, p) that does not depend on the free parameters."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
@@ -861,7 +856,7 @@ class ConditionedRows:
         The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # with the stiffness K at most 1, minimising the largest 1 + (1 - K) / size maximises the least K
+        # to maximise the least K (at most 1), minimise the largest 1 + (1 - K) / size
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -942,7 +937,7 @@ def _rank(sigma: FloatArray) -> int:
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right, or None."""
+    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right or None."""
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))

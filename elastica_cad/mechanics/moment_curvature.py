@@ -153,7 +153,7 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
-    """Base class of plastic laws; they have a yield curvature and a permanent curvature."""
+    """Base class of plastic laws."""
 
     curvature_limit: float
 
@@ -348,14 +348,13 @@ class TabulatedLaw(MaterialLaw):
         super().require_injective(largest_curvature)
 
     def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return the part of |kappa| within the table, and the part beyond the table."""
         kappa = np.abs(numbers(curvature, "curvature"))
         inside = np.minimum(kappa, self.curvatures[-1])
         return inside, kappa - inside
 
     @cached_property
     def _curve(self) -> Any:
-        """Effective curvature as a function of the curvature >= 0; at 0 it is exactly 0 with slope 1."""
+        """Effective curvature as a piecewise cubic of the curvature, from 0 and with slope 1 there."""
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])

@@ -1,14 +1,13 @@
 """Forces and equations of elements between the ends of a discrete rod while the rod is bent.
 
-Let E be the energy of the rod, c(s) its position at arc length s, and f the force of an element on the strip. A
-pin or rail is at the point P. A cord of length l connects the strip at arc lengths p and q, in the direction of the
-unit vector e(psi). The rest shape is a stationary point of
+The rest shape is a stationary point of
 
     E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
 
-with respect to the edge angles, the forces f, the arc length s at each rail and the angle psi of each cord. The
-condition for s makes f normal to the strip. The condition for psi makes f parallel to e(psi). If no end is held
-along an axis, the translation of the whole rod along this axis is an additional unknown.
+with respect to the edge angles, the forces f, the arc length s at each rail and the angle psi of each cord. E is
+the energy of the rod, c(s) its position at arc length s, and f the force of an element on the strip. A pin or rail
+is at the point P. A cord of length l connects the arc lengths p and q, in the direction of the unit vector e(psi).
+If no end is held along an axis, the translation of the rod along this axis is an additional unknown.
 """
 
 from dataclasses import dataclass, replace
@@ -136,7 +135,7 @@ class MountedElements:
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for unknowns `numbers` (k,) and edge vectors (n, 2) in nominal edge lengths."""
+        """Return the equations for the unknowns `numbers` (k,). `tangents` (n, 2) are edges over the edge length."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
@@ -159,7 +158,7 @@ class MountedElements:
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
-                    # fix the direction of the cords, because the rod could turn as a whole
+                    # keep the direction of the cord, because the rod could turn as a whole
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -185,7 +184,7 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # fix the position of the rod, because no support does
+        if self.turns_freely:  # keep the position of the rod, which no support holds
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(rows, pulls, corner, residual, places)
@@ -215,7 +214,7 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 if from the start."""
+        """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 from the start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
@@ -233,7 +232,6 @@ MEETS_SHARE = 1e-9
 PULLS_SHARE = 1e-9
 """Force in the wrong direction, as a fraction of the largest force, that counts as a rounding error."""
 
-# largest number of Newton steps in `ShapeOfRod.foot`
 _FOOT_STEPS = 30
 
 
@@ -266,7 +264,7 @@ class ShapeOfRod:
         s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
         for _ in range(_FOOT_STEPS):
             off, slope = point - self.at(s), self.at(s, 1)
-            # a smaller value than 0.3 would make Newton's method diverge near the centre of curvature
+            # limit the step, because Newton's method diverges near the centre of curvature
             spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
             before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
             if abs(s - before) <= 1e-13 * self.length:

@@ -55,7 +55,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
-    """Yield the largest displacement of the strip per mm of error for each taut element."""
+    """Yield the largest displacement of the strip, per mm of error, for each taut element."""
     at, shape = len(state.system.held), shape_of(state)
     for action in acting:
         if isinstance(action.element, Pin):
@@ -72,7 +72,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacements (n, 2) of the nodes per mm of a position error, which is in the residuals `rows`."""
+    """Return the displacements (n, 2) of the nodes per mm of position error in the residuals `rows`."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

@@ -16,7 +16,7 @@ from elastica_cad.refusals import Length
 
 # largest relative error of moments and positions in a rest shape
 TOLERANCE = 1e-10
-# largest rotation of an edge in a step; linearised cos and sin then have an error of one eighth
+# largest rotation of an edge in a step; linear approximations of cos and sin then have an error of one eighth
 LARGEST_TURN_RAD = 0.5
 # largest rotation of an edge in a step near a crossing of two branches of equilibria
 SMALL_TURN_RAD = 0.02
@@ -171,7 +171,7 @@ def follow(
     )
 
     def loaded(t: float) -> RodSystem:
-        # return the identical system if the loads are constant, because a state caches results for its system
+        # a state caches results for its system, so constant loads must return the same system
         return between_loads(before, final, t) if before is not None and changes else final
 
     start = state.under(loaded(0.0)).residual
@@ -247,12 +247,12 @@ def relax(state: RodState) -> RodState | None:
     if start is None:
         return None
     rest = _minimise_energy(start, np.inf)
-    # Newton's method may diverge near a kink of a hardening material, beyond which it is much stiffer
+    # Newton's method may diverge at the kink beyond which a hardening material is much stiffer
     return _minimise_energy(start, ASTRAY_RAD) if rest is None else rest
 
 
 def _minimise_energy(state: RodState, astray: float) -> RodState | None:
-    """Minimise the energy in steps of at most `astray` rad; return None on failure."""
+    """Minimise the energy in steps that turn an edge by at most `astray`, rad; return None on failure."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENT_STEPS):
@@ -290,7 +290,6 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
-    """Shorten a step until the energy decreases; return the new state, or None."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -301,7 +300,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state after the least change of angles that corrects the positions of ends and elements."""
+    """Return the state after the smallest change of angles that moves ends and elements to their positions."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length
@@ -334,8 +333,7 @@ def _residual_beyond(state: RodState, kept: Residual | None) -> Residual:
 def _relative_error(state: RodState, residual: Residual) -> float:
     """Return the larger of the relative errors of moments and positions.
 
-    Errors of moments are relative to the moments of the rod, or to the moments of a bend of 1e-3 rad if these are
-    larger.
+    Errors of moments are divided by the size of the moments, but at least by the moment of a bend of 1e-3 rad.
     """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
@@ -345,7 +343,7 @@ def _relative_error(state: RodState, residual: Residual) -> float:
 
 # largest difference of the edge angles of a straight rod, which displaces an end by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
-# difference of the held end angles above which its sign determines the side to which a rod bends by default
+# if the held end angles differ by more, the sign of their difference determines the default side
 DECIDING_TURN_RAD = 0.5
 # least distance between the ends of the first buckled rod, as a fraction of the length
 FIRST_CHORD = 0.9
@@ -394,7 +392,7 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _direction(state: RodState) -> float:
-    """Return the angle of the straight rod: the mean of the held angles, or the angle of the chord."""
+    """Return the angle of the straight rod: the mean of the held angles, or else the angle of the chord."""
     system = state.system
     held = [angle for angle in system.held_angles if angle is not None]
     if held:
@@ -408,7 +406,7 @@ def _direction(state: RodState) -> float:
 
 
 def _nearest_angle(near: float, chord: FloatArray) -> float:
-    """Return the angle of the vector `chord` that is within half a turn of the angle `near`."""
+    """Return the angle of the vector `chord`, within half a turn of the angle `near`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
@@ -428,7 +426,7 @@ def _must_shorten(state: RodState) -> bool:
 
 
 def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
-    """Return the unloaded rod, buckled in mode `mode` by moving its ends slightly towards each other."""
+    """Return the unloaded rod, buckled because its ends are moved slightly towards each other."""
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
@@ -486,7 +484,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium in which `shape` has the given amplitude, and the load factor."""
+    """Return the equilibrium in which `shape` has the amplitude `amplitude`, and its load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))
@@ -511,7 +509,7 @@ def _reach_amplitude(
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
     """Return eigenvalue (1/mm2) and eigenvector number `mode`, from 1, of the second variation per length.
 
-    The first half-wave is to the left (side +1) or right (side -1) of the direction from start to end.
+    The first half-wave is to the left for `side` 1, and to the right for `side` -1.
     """
     (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
     values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)

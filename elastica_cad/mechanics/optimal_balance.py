@@ -99,7 +99,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
 
 
 def _with_weight(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio (paper, Eq. 6) under a proportional weight or a weight in newtons."""
+    """Return the stiffness of least ratio under weight (paper, Eq. 6)."""
     cut, gravity, weight = request.cut, request.gravity, request.weight
     if weight is None and request.forces:
         weight = Weight(own=gravity is not None)
@@ -205,7 +205,7 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau, the inverse of the least bending stiffness, for which the stiffness ratio is least.
+    """Return the inverse tau of the least bending stiffness for which the stiffness ratio is least.
 
     If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best ratio.
     """
@@ -228,7 +228,6 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
-    """Refuse a weight that is proportional to the stiffness, and a weight that does not bend the rod."""
     if not problem.rows.loaded:
         if weight.masses or problem.request.forces:
             raise InputError(
@@ -279,9 +278,9 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness of least ratio with the largest value `most`, N mm2, and the inverse of its least value.
+    """Return the stiffness of least ratio whose largest value is `most`, N mm2, and the inverse of its least value.
 
-    A weight proportional to the relative stiffness depends on this least value, so both are found by iteration.
+    Both are found by iteration, because a weight proportional to the relative stiffness depends on the least value.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -314,7 +313,7 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
 
 
 def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return how many times thicker the sheet must be to carry the weight at the same widths, or None."""
+    """Return the factor by which the sheet must be thicker to carry the weight at the same widths, or None."""
     factor = 1.0
     for _ in range(MOST_ROUNDS):
         thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))
@@ -348,7 +347,7 @@ FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
 HOPELESS_SHARE = 1e-4
-"""Fraction of the E I of the least section; the search stops if E I becomes smaller than this."""
+"""Fraction of the least section's E I below which the search stops."""
 
 WIDEST_REACH = 0.1
 """Largest root mean square change of E I in a step of a descent, as a fraction of the limit of E I."""
@@ -535,7 +534,7 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Return the limit of a sequence from its last three logarithms, by Aitken's method.
+    """Return the limit of a sequence of logarithms from its last three terms, by Aitken's method.
 
     If the logarithms do not converge geometrically, the last logarithm is returned. The extrapolation is at
     most `LONGEST_JUMP`.
@@ -548,7 +547,6 @@ def extrapolated(first: float, second: float, third: float) -> float:
 
 
 def _deciding_limit(law: BoundedLaw) -> float:
-    """Return the limit of the section that determines the scale: the upper limit, else the lower limit."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
@@ -556,8 +554,7 @@ def _deciding_limit(law: BoundedLaw) -> float:
 def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, with which a rod of bending stiffness B K just fits the limits of a section.
 
-    K is the relative stiffness. The largest section of the rod is then at the upper limit. Without an upper
-    limit, its least section is at the lower limit.
+    The largest section is then at the upper limit. Without an upper limit, the least section is at the lower limit.
     """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding_limit(law)))
     extremes = share.extremes
@@ -565,10 +562,7 @@ def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
 
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
-    """Return the linearised weight along the rod, interpolated between its default nodes.
-
-    `scale` is the least bending stiffness, N mm2.
-    """
+    """Return the linearised weight along the rod, for the least bending stiffness `scale`, N mm2."""
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))

@@ -182,8 +182,6 @@ def move_while_possible(
 
 @dataclass(frozen=True)
 class _Move:
-    """Move of one control point of a curve along the vector `step` (2,), mm."""
-
     curve: PlaneCurve
     index: int
     step: FloatArray
@@ -215,7 +213,7 @@ class _Move:
 
 
 def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
-    """Return a value just above the change of `reached` from False to True, by bisection."""
+    """Return a value just above the point at which `reached` becomes True."""
     for _ in range(times):
         middle = (low + high) / 2
         low, high = (low, middle) if reached(middle) else (middle, high)

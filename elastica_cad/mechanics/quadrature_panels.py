@@ -31,27 +31,26 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-# largest number of panels
 MAX_PANELS = 4000
 # relative size of the last Legendre coefficients below which a function is resolved
 RESOLVED = 1e-11
 # relative size of the last Legendre coefficients below which they may be rounding errors
 NOISE = 1e-6
 
-# distance between two cuts, as a fraction of the width of a panel, within which one of the cuts is omitted
+# if two cuts are closer than this fraction of the width of a panel, one of the cuts is omitted
 APART_SHARE = 0.25
 
-# width below which a panel is not cut further, as a fraction of the parameter range of the curve
+# panels narrower than this fraction of the parameter range of the curve are not cut further
 NARROWEST_SHARE = 1e-7
 
 ROUGH_AT_ZERO = 2
-"""Number of continuous derivatives up to which a knot ends a panel even close to a zero of the curvature."""
+"""A knot with at most this number of continuous derivatives ends a panel, even close to a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Distance of a mass from a zero of the curvature, relative to the length, up to which panels are refined."""
+"""Panels are refined if a mass is closer to a zero of the curvature than this fraction of the length."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -203,9 +202,9 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels on which the integrands are not yet evaluated.
+    """Panels at whose nodes nothing is evaluated yet.
 
-    Each panel is a part of a larger panel, on which `tail` is the relative size of the last Legendre coefficients.
+    Each panel is a part of a larger panel, whose last Legendre coefficients have the relative size `tail`.
     """
 
     left: FloatArray
@@ -283,7 +282,7 @@ def _evaluated(
 ) -> tuple[_Nodes, FloatArray]:
     """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
-    `zeros` and `orders` (k,) are the parameters and orders of all zeros.
+    `zeros` and `orders` (k,) are the parameters and orders of the zeros of the excess curvature.
     """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
@@ -299,7 +298,7 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        # the slope at a double zero is 0, so subtract its rounding error, which is large relative to other slopes
+        # at a double zero, the computed slope is a rounding error, so subtract it from the slopes nearby
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
@@ -345,7 +344,7 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
-# relative size of the last Legendre coefficients of the stiffness above which a panel is cut
+# a panel is cut if its last Legendre coefficients are larger than this fraction of the largest coefficient
 _ROUGH = 1e-9
 # a panel ends at a knot of the load if the stiffness has fewer continuous derivatives there
 _SMOOTH = 4
@@ -441,7 +440,7 @@ class CutCurve:
 def _bend_kinks(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> list[tuple[float, float, int]]:
-    """Return parameter t, arc length s (mm) and number of continuous derivatives for each kink of the stiffness."""
+    """Return parameter, arc length (mm) and number of continuous derivatives of the stiffness at each kink."""
     excess = ExcessCurvature(check.curve, natural_curvature)
     return [*excess.kinks] + [
         (place.t, place.s, continuity)
@@ -452,7 +451,6 @@ def _bend_kinks(
 
 
 def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """Return the zero of the curvature within `STEP_LENGTH` of arc length s, mm; otherwise s."""
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
@@ -460,7 +458,7 @@ def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
     """Return arc lengths, mm, of additional ends of panels if a mass at s is near a zero of the curvature.
 
-    Beyond the mass, the stiffness has a term inversely proportional to the distance from the zero.
+    Beyond the mass, a part of the stiffness is inversely proportional to the distance from the zero.
     """
     if not zeros.size:
         return []
@@ -473,7 +471,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return arc length, mm, and number of continuous derivatives for each kink of the stiffness by a load."""
+    """Return arc length, mm, and number of continuous derivatives of the stiffness, for each kink of the load."""
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

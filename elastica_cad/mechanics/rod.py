@@ -45,12 +45,12 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1 import EquilibriumCheck, InflectionLine
 
 
-# Number of nodes of a final rod. A strip of 300 mm then has a node every half millimetre, and the error of
-# its shape is smaller than the kerf of a laser.
+# Number of nodes of a final rod. A strip of 300 mm then has a node every half millimetre, and the error of its
+# shape is smaller than the kerf of a laser.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of each of the hundreds of rods in a search. Their error is nine times the error of a final
-# rod; `editable_curve` removes it by extrapolation.
+# Number of nodes of each of the hundreds of rods in a search. The error of their shape is nine times the error of a
+# final rod; `editable_curve` removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
@@ -92,7 +92,7 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    The value at a jump is the inverse of the mean compliance near the node. The shape of the rod then depends
+    At a jump, the result is the inverse of the mean compliance near the node, so that the shape of the rod depends
     continuously on the position of the jump.
     """
     K = profile(s)
@@ -126,7 +126,7 @@ def _stiffness_profile_of(
 ) -> tuple[Profile, int]:
     """Return the stiffness as a profile over [0, length], and the number of nodes.
 
-    By default, the number of nodes is the number of values in an array, or else `DEFAULT_SAMPLES`.
+    Without `samples`, an array determines the number of nodes; otherwise the number is `DEFAULT_SAMPLES`.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -154,7 +154,7 @@ CURL_POINTS = 24
 """Number of quadrature points of the energy, whose error is 1e-9 for flat and 1e-3 for pre-bent strips."""
 
 CURL_STEPS = 8
-"""Number of iterations from a moment to its curvature."""
+"""Number of iterations to find the curvature for a moment."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -242,8 +242,8 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference between edges and arc lengths of a discrete rod; the difference for samples of a
-# curve is about (curvature * edge length)^2 / 24
+# largest relative difference between the edges of a discrete rod and the arc lengths between its nodes; samples
+# of a curve differ by about (curvature * edge length)^2 / 24
 EVEN_EDGES = 1e-7
 # exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8
@@ -306,10 +306,10 @@ def integrate_edges(
     low, high = (0.0, length) if bent is None else bent
     held = np.array([low <= 0.0, high >= length])
     if not held.all():
-        # omit the edges nearest to a straight end, because in a discrete rod they share the force at the joint
+        # omit the edges next to a straight end, because a discrete rod spreads the force at the joint over them
         inside = (middles > low + s[1] * (not held[0])) & (middles < high - s[1] * (not held[1]))
         middles, edge = middles[inside], edge[inside]
-        # the curvature is 0 at the joint to a straight end, so mirror the angles there
+        # the curvature is 0 at the joint, so mirror the angles there
         first, last = (slice(_MIRRORED * (not is_held)) for is_held in held)
         middles = np.concatenate([2 * low - middles[first][::-1], middles, 2 * high - middles[::-1][last]])
         edge = np.concatenate([edge[first][::-1], edge, edge[::-1][last]])
@@ -342,7 +342,6 @@ def integrate_edges(
     )
 
 
-# number of edges that are mirrored at the joint to a straight end
 _MIRRORED = 8
 
 # least number of edges of a bent part between straight free ends
@@ -350,7 +349,7 @@ _SHORTEST_BENT = 24
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
-    """Return 18 smooth corrections (n, 18) of an angle at x (n,), from 0 to 1."""
+    """Return the values (n, 18) of 18 smooth functions of x (n,), from 0 to 1, which correct an angle."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -358,7 +357,7 @@ def _angle_corrections(x: FloatArray) -> FloatArray:
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
-    """Return the angles (n,) of edges between nodes (n + 1, 2), continuous with nodal angles (n + 1,)."""
+    """Return the angles (n,), rad, of edges between nodes (n + 1, 2), within half a turn of the nodal angles."""
     edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
     middle = (angle[:-1] + angle[1:]) / 2
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
@@ -794,7 +793,7 @@ class Rod:
 
     @property
     def _bent_part(self) -> tuple[float, float] | None:
-        """Arc lengths, mm, of start and end of the bent part between straight free ends, or None."""
+        """Arc lengths, mm, between which the rod is bent if it has straight free ends, or None."""
         places = [float(s) for action in self.acting for s in action.s]
         free = [not (end.x or end.y or end.angle) for end in self.supports.ends]
         if self.gravity is not None or np.any(self.natural_curvature) or not places or not any(free):

@@ -249,7 +249,7 @@ class RodState:
 
     @cached_property
     def _pulls(self) -> FloatArray | None:
-        """Derivatives (p, n) of the axial forces of an axially elastic rod with respect to the reactions."""
+        """Derivatives (p, n) of the axial forces by the reactions, or None without axial elasticity."""
         rod, held = self.discrete, list(self.system.held)
         if rod.compression is None:
             return None
@@ -303,7 +303,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """Bending moments (n+1,) by Hooke's law, 1/mm, and applied moments at ends that are free to turn."""
+        """Bending moments (n+1,) by Hooke's law, 1/mm; applied moments at ends that are free to turn."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -313,7 +313,7 @@ class RodState:
 
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
-        """Effective curvature of the nodes (n+1,), 1/mm, and its derivative with respect to the curvature."""
+        """Effective curvature of the nodes (n+1,), 1/mm, and its derivative by the curvature."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)

@@ -108,7 +108,7 @@ def anticlastic_factor(
 def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the term `flat` of `anticlastic_factor`, corrected for a natural curvature `rest` (n,), 1/mm."""
+    """Return the term `flat` of `anticlastic_factor`, corrected for the natural curvature `rest`, 1/mm."""
     # `flat` decreases faster than kappa, so `scaled` is 0 where kappa is 0
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
@@ -121,7 +121,7 @@ def _limited_curl(
 
 
 def _smoothly_limited(excess: FloatArray, limit: FloatArray) -> FloatArray:
-    """Limit `excess` smoothly; values up to half of the limit do not change."""
+    """Limit `excess` smoothly. Values up to half of the limit do not change."""
     half = limit / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))

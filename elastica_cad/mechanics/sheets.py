@@ -225,7 +225,6 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
 
 
 def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
-    """Return the title as a template with values, which front ends translate."""
     if "name" in entry:
         return note(entry["title"])
     return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
@@ -368,8 +367,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
-# thickness, least radius along the face grain and least radius across it, in inches; along the grain means that the
-# mandrel is at 90 degrees to the grain
+# thickness, least radius along and across the face grain, in inches; a strip along the grain is bent round a
+# mandrel at 90 degrees to the grain
 ROWS_INCH = {
     3: (
         (0.035, 2.0, 1.1), (0.070, 5.2, 3.2), (0.100, 8.6, 5.2), (0.125, 12.0, 7.1), (0.155, 16.0, 10.0),
@@ -874,12 +873,12 @@ def sheet_keys() -> Mapping[str, Field]:
 
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
-    """Load a file of sheets; the result is cached until the file changes."""
+    """Load a file of sheets, cached while its `_state` (time and size) does not change."""
     return load_sheets(path)
 
 
 def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
-    """Return the only sheet in the file "my.toml", or the sheet NAME of "my.toml:NAME"."""
+    """Return the only sheet of "my.toml", or the sheet NAME for "my.toml:NAME"."""
     stem, sign, sheet_name = name.partition(".toml:")
     path = (folder or Path()) / (f"{stem}.toml" if sign else name)
     sheets = load_sheets(path)

@@ -228,7 +228,7 @@ RIBBON_SLENDERNESS = 6.0
 
 # largest error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-# least distance from the two lowest eigenvalues in the search for the margin, as a fraction of the gap between them
+# least distance of the search for the margin from the two lowest eigenvalues, as a fraction of their difference
 _SIGN_SHARE = 1e-9
 
 
@@ -271,7 +271,6 @@ class SidewaysStability:
 
     @property
     def _between(self) -> bool:
-        """True if the sign of the margin is unknown, because only bounds of the stiffness are known."""
         return self.most is not None and self.margin <= 0 < self.most
 
     @property
@@ -507,7 +506,6 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 
 
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
-    """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
     first, second = _two_lowest(lower)
     # a shift below the lowest eigenvalue makes the shifted matrix positive definite
     shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
@@ -544,7 +542,7 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """Return the lower band (4, 2 n) of the second variation for rotations about x and y of every edge."""
+    """Return the lower band (4, 2 n) of the second variation for rotations about x and y of each edge."""
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
@@ -561,13 +559,12 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # blocks beside the diagonal: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the matrix
+    # blocks beside the diagonal: -spring, and half of -M (phi_i x phi_{i+1}), whose other half is in the transpose
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))
     lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
-    # links[i] is the block in the row of edge i and the column of edge i + 1; its transpose is below the
-    # diagonal
+    # links[i] is in the row of edge i and the column of edge i + 1, so its transpose is in the lower band
     lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
     lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
     return lower

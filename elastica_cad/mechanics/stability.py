@@ -170,7 +170,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    # position of the clamp for each number of edges in the piece
+    # position of the clamp, by the number of edges in the piece
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
     if count == 1:
         return float(place[0])
@@ -185,7 +185,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Return the number of edges of the shortest unstable piece from the start, or None."""
+    """Return the number of edges of the shortest unstable piece that begins at the start, or None."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 
     def is_unstable(k: int) -> bool:
@@ -228,7 +228,7 @@ def _stability_matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray
 
 
 def _cofactors(Z: FloatArray) -> FloatArray:
-    """Return cofactor matrices (k, m, m) for m <= 3; they are exact even if the determinant is 0."""
+    """Return cofactor matrices (k, m, m) for m <= 3, which are exact even if the determinant is 0."""
     m = Z.shape[1]
     if m == 1:
         return np.ones_like(Z)
@@ -246,13 +246,13 @@ def _determinants(Z: FloatArray) -> FloatArray:
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return cross products (k, 3); this is faster than `numpy.cross`."""
+    """Return cross products (k, 3), faster than `numpy.cross`."""
     i, j = [1, 2, 0], [2, 0, 1]
     return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Convert derivatives with respect to edge forces to derivatives (n+1, 2) with respect to nodal loads."""
+    """Convert derivatives by edge forces to derivatives (n+1, 2) by nodal loads."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends

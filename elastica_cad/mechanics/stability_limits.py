@@ -211,9 +211,9 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the parameter and state of the first equilibrium of the path.
+    """Return the parameter and the state of the first equilibrium of the path.
 
-    The parameter is 0. If a straight rod would buckle immediately, the parameter is slightly larger.
+    The parameter is 0, or slightly larger if a straight rod would buckle at once.
     """
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
@@ -239,9 +239,9 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
-    """Return the last stable state before the margin becomes negative, and True if the margin is 0 there.
+    """Return the last stable state, and True if its margin is 0.
 
-    The margin may also jump to negative values near a fold, where a step may reach the unstable branch.
+    At a fold the margin may jump below 0 instead, because a step may reach the unstable branch.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -268,7 +268,7 @@ def _limit_at(
 
 
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
-    """Return the kind of instability: "snap" if the load does work on the critical mode, else "bifurcation".
+    """Return "snap" if a change of the load does work on the critical mode, or else "bifurcation".
 
     The work counts as 0 if it is small compared with the work on the response of a rod without axial force.
     """

@@ -42,9 +42,9 @@ class FixedLaw:
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):
-    """Law E I = E `inertia` p^`power` for a parameter p, mm, and an area `area` p^(`power` - 2).
+    """Law E I = E c p^k for a parameter p, mm. The cross-section has the area a p^(k - 2).
 
-    `_shape` contains `power`, `inertia` and `area`. The thickness of `sheet` is ignored.
+    The property `_shape` contains k, c and a. The thickness of `sheet` is ignored.
     """
 
     sheet: Sheet
@@ -74,7 +74,7 @@ class _PowerLaw(FixedLaw):
 
     @property
     def _shape(self) -> tuple[int, float, float]:
-        """Exponent of the parameter in E I, then second moment of area and area if the parameter is 1 mm."""
+        """Exponent k, and the factors c and a."""
         raise NotImplementedError
 
     @property

@@ -98,10 +98,7 @@ def suggest_support(
 
 
 def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
-    """Return the ratio and the element of the stable rod of least stiffness ratio.
-
-    The result is None if no rod with a ratio up to `most` is stable.
-    """
+    """Return the ratio and the element of the stable rod of least stiffness ratio, or None."""
     possible = []
     for i, request in enumerate(requests):
         with suppress(ElasticaError):

@@ -437,10 +437,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return changes of options that may help.
-
-    The result is empty if a point is an outlier, because this is probably a typing error.
-    """
+    """Return changes of options that may help; none for an outlier, which is probably a typing error."""
     points = measured_points(curve)
     if points is not None and points.outlier:
         return ()
@@ -614,7 +611,6 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
-    """Return the closed curve with exactly equal first and last points, which rounding may have separated."""
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
@@ -744,7 +740,7 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Return the curve, and a message if the start of a closed curve was unbent and is moved to a bent point."""
+    """Move an unbent start of a closed curve to a bent point; return the curve and the message about the move."""
     curve = excess.curve
     # do not move the start if the arc length of a `RestCurvature` is measured from the start
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
@@ -761,7 +757,7 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Return the zeros of the excess curvature; zeros near an end, or just beyond it, are moved to the end."""
+    """Return the zeros of the excess curvature. Zeros near an end, or just beyond it, are moved to the end."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -780,7 +776,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # True if the curve, extended beyond this end, would have a zero close to the end
+        # True if the curve, extended beyond this end, has a zero close to the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             slope_sign = int(np.sign(slope))
@@ -857,7 +853,6 @@ def _pinned_end_reasons(
 def _straight_part_reasons(
     excess: ExcessCurvature, supports: Supports, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
-    """Yield messages about straight pieces that need an impossible stiffness at their ends."""
     curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
@@ -925,7 +920,7 @@ def _faulty_joints(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if excess curvature and its slope are almost zero at t, so that no support helps."""
+    """Return True if excess curvature and its slope are almost zero at t."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))

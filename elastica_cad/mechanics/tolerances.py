@@ -135,7 +135,7 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
-    """Return the rod as it was cut, with its weight, and the factor by which its least stiffness changed."""
+    """Return the rod as it was cut, and the factor by which its least stiffness changed."""
     K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
@@ -157,7 +157,7 @@ def _plate_as_cut(
 ) -> tuple[Rod, float]:
     """Return the result of `_as_cut` for a strip that bends as a plate.
 
-    `stiffer` (n,) contains factors on the stiffness by the stiffness range and the thickness wave.
+    The stiffness range and the thickness wave multiply the stiffness by `stiffer` (n,).
     """
     kappa = np.asarray(rod.curvature)
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
@@ -178,7 +178,7 @@ def _plate_as_cut(
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     """Return the rod with the weight of the cut strip.
 
-    `width_factor` is the factor by which the relative stiffness of the weakest section changed.
+    `width_factor` is the factor by which the least stiffness changed.
     """
     if rod.gravity is None:
         return rod
@@ -419,7 +419,7 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation of a rest shape, mm, or None if there is no rest shape; `snapped` is True if the rod snapped."""
+    """Deviation of a rest shape, mm (None if there is no rest shape), and True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
