@@ -532,7 +532,7 @@ class Movement:
 
     @classmethod
     def of(cls, rods: Sequence[Rod]) -> "Movement":
-        """Return the movement of the ends over successive shapes of a rod."""
+        """Return the movement of the ends from the successive shapes of a rod."""
         steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
@@ -620,14 +620,14 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """Return the forces and moments on the free ends, multiplied by `times`, as arguments of `bend`."""
+    """Return `times` the forces and moments on the free ends, as arguments of `bend`."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
 
 
 def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
-    """Return the present shape of a rod as the initial state for an equilibrium of `system`."""
+    """Return the present shape of a rod as the first state on the way to an equilibrium of `system`."""
     present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
     if system.elements is not None:
         return _with_reactions(present.state(rod.discrete.angles)).under(system)

@@ -242,7 +242,7 @@ def _plane_point(point: object) -> FloatArray | None:
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
-    """Convert two angles from degrees to radians; None is a free angle."""
+    """Convert two angles from degrees to radians. None means that the end turns freely."""
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
         raise InputError(f"angles are {angles!r}: give degrees from -360 to 360")

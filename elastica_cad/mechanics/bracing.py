@@ -53,7 +53,7 @@ class Bracing:
 
 
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the one-sided elements whose force is almost 0; `force` (n, 2) is the force in the rod, 1/mm2."""
+    """Return the one-sided elements whose force is almost 0. `force` (n, 2), 1/mm2, is the force in the rod."""
     largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
     return tuple(action for action in between if action.is_one_sided and action.size <= SLACK_SHARE * largest)
 
@@ -170,7 +170,7 @@ def bracing_of(
     supports: Supports,
     directions: FloatArray | None = None,
 ) -> Bracing:
-    """Return the contribution of taut elements between the ends to the second variation of a discrete rod.
+    """Return the contribution of taut elements to the second variation of a discrete rod.
 
     Parameters
     ----------

@@ -475,9 +475,8 @@ def bending_moments(
 class Compression:
     """Axial elasticity of the n edges of a rod.
 
-    An edge has its nominal length under the force of the designed shape. Under another force lambda (the
-    negative internal force), the nominal length is multiplied by 1 - c (<lambda, T> - p), where T is the direction
-    of the edge.
+    An edge has its nominal length under the force of the designed shape. Another force lambda (the negative
+    internal force) multiplies this length by 1 - c (<lambda, T> - p), where T is the direction of the edge.
 
     Attributes
     ----------
@@ -491,7 +490,7 @@ class Compression:
     pull: FloatArray
 
     def stretched(self, directions: FloatArray, force: FloatArray) -> FloatArray:
-        """Return the edge vectors (n, 2), divided by the nominal edge length, under a force."""
+        """Return the edge vectors (n, 2) under a force (n, 2), divided by the nominal edge length."""
         more = np.einsum("nk,nk->n", force, directions) - self.pull
         return np.asarray(directions * (1 - self.compliance * more)[:, None])
 
@@ -501,7 +500,7 @@ class Compression:
         return Compression(np.interp(new, old, self.compliance), np.interp(new, old, self.pull))
 
     def scaled(self, least: float) -> "Compression":
-        """Return the axial elasticity for a least bending stiffness that is `least` times as large."""
+        """Return the axial elasticity for a rod whose least bending stiffness is `least` times as large."""
         return Compression(self.compliance * least, self.pull / least)
 
 
@@ -619,12 +618,12 @@ class DiscreteRod:
 
     @cached_property
     def pull(self) -> FloatArray:
-        """Component of the force lambda along each edge (n,), 1/mm2: the negative tension."""
+        """Component (n,), 1/mm2, of the force lambda along each edge: the negative tension."""
         return np.asarray(self.force[..., 0] * self.tangents[:, 0] + self.force[..., 1] * self.tangents[:, 1])
 
     @cached_property
     def shear(self) -> FloatArray:
-        """Slope of the bending moment along each edge (n,), 1/mm2: normal component of the force lambda."""
+        """Component (n,), 1/mm2, of the force lambda normal to each edge: the slope of the bending moment."""
         return np.asarray(self.force[..., 1] * self.tangents[:, 0] - self.force[..., 0] * self.tangents[:, 1])
 
     @cached_property
@@ -640,7 +639,7 @@ class DiscreteRod:
 
     @cached_property
     def held(self) -> tuple[int, ...]:
-        """Coordinates (0: x, 1: y) that are held at both ends."""
+        """Coordinates (0: x, 1: y) that both supports hold."""
         return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
 
     @property

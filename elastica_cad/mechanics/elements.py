@@ -164,7 +164,7 @@ def noun_of(element: Element | PointForce | PointMass) -> Refusal:
 
 
 def require_elements(between: object) -> tuple[Element, ...]:
-    """Return the elements as a tuple; refuse objects of other classes."""
+    """Return the elements as a tuple. Refuse objects of other classes."""
     return several("between", between, Rail | Pin | Tie, "Rail, Pin or Tie")
 
 
@@ -268,7 +268,7 @@ def place_elements(
     supports: Supports,
     joints: Sequence[float] = (),
 ) -> tuple[PlacedElement, ...]:
-    """Return the elements on the realizable curve; refuse elements at points that the ends already hold."""
+    """Return the elements on the realizable curve. Refuse elements at points that the ends already hold."""
     placed = tuple(PlacedElement.on(element, drawn, curve, joints) for element in elements)
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
@@ -387,21 +387,18 @@ class ElementForce:
 
     @property
     def on_curve(self) -> Any:
-        """The element or load with its positions as arc lengths along the rod."""
+        """Element or load with its positions given as arc lengths along the rod."""
         names = ("start", "end") if isinstance(self.element, Tie) else ("at",)
         element: Any = self.element
         return replace(element, **dict(zip(names, self.s.tolist(), strict=True)))
 
     @property
     def size(self) -> float:
-        """Magnitude of the force over the least bending stiffness, 1/mm2; for a tie, its pull."""
+        """Magnitude of the force, 1/mm2, divided by the least bending stiffness; the pull of a tie."""
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
-        """Return the straight distance, mm, between the first and the last point of the element on a curve.
-
-        This distance is the length of a taut cord.
-        """
+        """Return the straight distance, mm, between the first and the last point of the element on a curve."""
         ends = curve.at(self.s).position
         return float(np.hypot(*(ends[-1] - ends[0])))
 
@@ -423,8 +420,8 @@ def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> Fl
     """Return the weights (n,) with which the edge vectors add up to the position at arc length s.
 
     With `order` 1 or 2, return the derivatives of the weights by s. The position is on the quadratic B-spline of
-    the nodes, which touches each edge at its midpoint. The tangent of the B-spline is continuous, so a rail slides
-    smoothly from edge to edge. The spline is straight in the outer halves of the first and the last edge.
+    the nodes, along which a rail slides smoothly from edge to edge. This spline touches each edge at its midpoint,
+    and is straight in the outer halves of the first and the last edge.
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:
@@ -444,7 +441,7 @@ def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> Fl
 
 
 def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
-    """Distribute forces between nodes to the neighbouring nodes of a rod; return nodal forces (n, 2), 1/mm2."""
+    """Distribute the forces to the neighbouring nodes of a rod; return nodal forces (n, 2), 1/mm2."""
     load = np.zeros((nodes, 2))
     for action in forces:
         for s, force in zip(action.s, action.force, strict=True):

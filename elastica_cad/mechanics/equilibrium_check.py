@@ -318,7 +318,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the line of zero moment through the zeros of the curvature, perpendicular to `normal` if it is given."""
+    """Check the line of zero moment through the zeros of the curvature, perpendicular to `normal` if not None."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -494,8 +494,8 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     """Return the lines through the only inflection of a curve for which moment and bending have the same sign.
 
     The inflection p is the only zero of kappa - kappa_0, the curvature minus the natural curvature. The moment
-    M = <b, gamma - p> must have the sign of kappa - kappa_0 on the whole curve gamma. Such a vector b exists if
-    and only if the angle of sign(kappa - kappa_0) (gamma - p), continued along the curve, spans less than pi.
+    M = <b, gamma - p> must have the sign of kappa - kappa_0 on the whole curve gamma. A vector b exists if and
+    only if the angle of sign(kappa - kappa_0) (gamma - p) spans less than pi along the curve.
 
     Parameters
     ----------

@@ -510,7 +510,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """Return the polynomials of a laminate whose curvature in the design is `curvature` (n,), 1/mm."""
+        """Return the polynomials of a laminate with the curvatures `curvature` (n,), 1/mm, in the design."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )

@@ -133,7 +133,7 @@ class PointMass:
 
     @property
     def s(self) -> float:
-        """Arc length of the mass, mm. A mass at a point (x, y) must first be moved to a curve."""
+        """Arc length of the mass, mm. First move a mass at a point (x, y) to a curve."""
         if isinstance(self.at, tuple):
             raise InputError(
                 "The point mass at {point} has no arc length. Give its place in mm along the rod.",
@@ -564,7 +564,7 @@ NaturalCurvature: TypeAlias = float | RestCurvature
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
-    """Return the natural curvature, 1/mm, at nodes `s` (n,), mm, along the whole strip: (n,) or one number."""
+    """Return the natural curvature, 1/mm, at the nodes `s` (n,), mm: (n,) or one number."""
     return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
 
 

@@ -192,8 +192,8 @@ def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     """Return the moments at the ends of panels, with exact zeros where the excess curvature is zero.
 
-    The rounding errors at these zeros would be large relative to the moment next to a zero. The errors
-    are interpolated linearly between the zeros and subtracted.
+    Rounding errors at these zeros would be large compared with the moment nearby. The errors are interpolated
+    linearly between the zeros and subtracted.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left
@@ -329,7 +329,7 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows and offsets at the extremes of the stiffness for parameters y, and at adjacent samples."""
+        """Return rows and offsets at the extremes of the stiffness for parameters y, and at the samples nearby."""
         panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
@@ -354,9 +354,9 @@ def least_ratio(
 
     Return None if no stiffness is positive everywhere. The result can also be None if R is above `most`.
 
-    By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
-    these samples. On the continuous curve, extremes of the stiffness are added to the linear program until the
-    stiffness exceeds its bounds by at most the relative `tolerance`.
+    With `places` (panels and coordinates x), R is the ratio at these samples. By default, R is the ratio on the
+    continuous curve. Extremes of the stiffness are then added to the linear program until the stiffness exceeds
+    its bounds by at most the relative `tolerance`.
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
@@ -562,10 +562,7 @@ class BalancedStiffness:
 
 @dataclass(frozen=True, eq=False)
 class StateFamily:
-    """Family of stiffnesses of a rod in equilibrium.
-
-    The numbers of `MomentRows` are fixed + basis @ y, where y are the parameters of the family.
-    """
+    """Stiffnesses of a rod in equilibrium, with parameters y. The numbers of `MomentRows` are fixed + basis @ y."""
 
     family: StiffnessFamily
     basis: FloatArray
@@ -761,7 +758,7 @@ class ConditionedRows:
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
-        """Return all stiffnesses for the least bending stiffness 1 / tau."""
+        """Return all stiffnesses in equilibrium for the least bending stiffness 1 / tau."""
         if not self.rows.loaded:
             return self.homogeneous(loaded=False)
         basis = np.delete(np.diag(self.scale), 3, axis=1)

@@ -117,7 +117,7 @@ class MountedElements:
         return self.edge_length * (self._between(action, len(tangents)) @ tangents)
 
     def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
-        """Return the position (2,), mm, of the strip at arc length s, or its derivative of the given order."""
+        """Return the position (2,), mm, of the strip at arc length s, or its derivative by s of the given order."""
         weights = edge_weights(s, self.edge_length, len(tangents), order)
         reach = self.edge_length * (weights @ tangents)
         if order:
@@ -135,7 +135,7 @@ class MountedElements:
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for the unknowns `numbers` (k,). `tangents` (n, 2) are edges over the edge length."""
+        """Return the equations for the unknowns `numbers` (k,). `tangents` (n, 2) are edges over their length."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
@@ -254,12 +254,12 @@ class ShapeOfRod:
         return cls(rod.discrete.tangents, rod.length / (rod.s.size - 1), rod.position[0])
 
     def at(self, s: float, order: int = 0) -> FloatArray:
-        """Return the position (2,), mm, at arc length s, or its derivative of the given order."""
+        """Return the position (2,), mm, at arc length s, or its derivative by s of the given order."""
         weights = edge_weights(float(s), self.edge_length, len(self.tangents), order)
         return np.asarray(self.start * (order == 0) + self.edge_length * (weights @ self.tangents))
 
     def foot(self, point: FloatArray) -> float:
-        """Return the arc length, mm, of the point of the rod that is nearest to a given point (2,)."""
+        """Return the arc length, mm, at which the rod is nearest to a point (2,)."""
         nodes = edge_positions(self.start, self.tangents, self.edge_length)
         s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
         for _ in range(_FOOT_STEPS):
@@ -273,11 +273,11 @@ class ShapeOfRod:
 
 
 def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:
-    """Return the mounted elements of a rod: its present elements, or new elements `between`.
+    """Return the mounted elements of a rod: its present elements, or the new elements `between`.
 
     A pin or rail at a point away from the strip moves the strip to this point. A new pin with the same index as a
-    present pin has the arc length of the present pin. The length of a tie without `length` is the distance between
-    its two points.
+    present pin holds the same point of the strip. A tie without `length` is as long as the distance between its two
+    points.
     """
     if not (rod.between if between is None else between):
         return ()  # `rod.curve` is not used, because a rod with jumps of the curvature has no spline
@@ -341,7 +341,7 @@ def _point(place: FloatArray) -> tuple[float, float]:
 
 
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the magnitude of a force that a one-sided element cannot exert, 1/mm2; 0 if the force is possible."""
+    """Return the force, 1/mm2, that a one-sided element cannot exert; 0 if its force is possible."""
     if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
@@ -351,7 +351,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a one-sided rail with the direction in which it pushes; return other elements unchanged."""
+    """Set the direction in which a one-sided rail pushes. Other elements are returned unchanged."""
     mount = action.mounting
     if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
         return action
@@ -372,7 +372,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return the element without force; a rail then touches the nearest point of the strip."""
+    """Return the element without force. A rail is moved to the nearest point of the strip."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -40,7 +40,7 @@ Stop = Callable[[RodState, float], bool]
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Last state of a continuation, completed fraction of the path, and number of steps."""
+    """Last state of a continuation, with the completed fraction of the path and the number of steps."""
 
     state: RodState
     fraction: float
@@ -195,8 +195,8 @@ def trace(
 ) -> Reached:
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
-    Along a branch, the number of unstable modes changes only at crossings with other branches, which are passed in
-    small steps. A long step that changes this number may have reached another branch, so it is shortened.
+    Along a branch, the number of unstable modes changes only at crossings with other branches. Small steps lead
+    over these crossings. A long step that changes this number may have reached another branch, so it is shortened.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None

@@ -127,9 +127,9 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; if `weight.own` is True, add the weight of the strip.
+    """Return the weight. If `weight.own` is True, add the weight of the strip.
 
-    `bending_stiffness` is the least bending stiffness B of the strip, N mm2.
+    `bending_stiffness` is the least bending stiffness of the strip, N mm2.
     """
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
@@ -145,7 +145,7 @@ class WeightedPanels:
     weight: Weight | None
 
     def against(self, tau: float) -> "ConditionedRows":
-        """Return the equilibrium conditions for a weight in newtons and the least bending stiffness B = 1 / tau."""
+        """Return the conditions of equilibrium for a weight in newtons and the least bending stiffness 1 / tau."""
         panels, weight = self.panels, self.weight
         proportional_weight = np.zeros(panels.t.shape)
         if self.gravity is not None and (weight is None or weight.own):
@@ -178,7 +178,7 @@ class WeightedPanels:
         return np.array([0.0, -1.0]) if self.gravity is None else np.asarray(self.gravity.direction)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
-        """Return the equilibrium conditions for the weights `own`, `dead` and `points` of a `LineLoad`."""
+        """Return the conditions of equilibrium for the weights `own`, `dead` and `points` of a `LineLoad`."""
         panels = self.panels
         load = LineLoad(-self.down, own, dead, points)
         rows = moment_rows(panels, load, self.request.units_on(panels))

@@ -415,10 +415,10 @@ class CutCurve:
         return [(zero.t, high) if zero.before else (low, zero.t) for zero in joints]
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
-        """Return the curve with more cuts for a strip with weight.
+        """Return the curve with more cuts for a strip with weight, whose stiffness varies within long panels.
 
-        Panels longer than sqrt(kappa l_eg^3), with curvature kappa and elasto-gravity length l_eg, are divided,
-        because the stiffness varies within them.
+        A panel is divided if it is longer than 2 sqrt(kappa l_eg^3), with its largest curvature kappa and the
+        elasto-gravity length l_eg.
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
@@ -428,7 +428,7 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """Return the curve with panels halved where the stiffness is not resolved, or None if it is resolved."""
+        """Halve the panels on which the stiffness is not resolved; return None if it is resolved everywhere."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None

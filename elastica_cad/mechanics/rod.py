@@ -190,7 +190,7 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """Return the stiffness divided by the design stiffness, for changes of curvature (..., n), 1/mm."""
+        """Return the ratio of stiffness to design stiffness for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
@@ -238,7 +238,7 @@ class CurlingLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """Injective limit of the law of the material, 1/mm."""
+        """Injective limit, 1/mm, of the law of the material."""
         return float("inf") if self.below is None else self.below.injective_limit
 
 

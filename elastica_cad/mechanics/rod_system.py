@@ -107,12 +107,12 @@ class RodSystem:
 
     @cached_property
     def node_lengths(self) -> FloatArray:
-        """Voronoi lengths of the nodes, mm: half the sum of the incident edge lengths."""
+        """Voronoi lengths (n+1,) of the nodes, mm: half the sum of the adjacent edge lengths."""
         return node_weights(self.edge_length, self.edges)
 
     @cached_property
     def held(self) -> tuple[int, ...]:
-        """Coordinates (0: x, 1: y) held at both ends."""
+        """Coordinates (0: x, 1: y) that both supports hold."""
         return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
 
     @cached_property
@@ -198,7 +198,7 @@ class RodState:
         )
 
     def under(self, system: RodSystem) -> "RodState":
-        """Return the same angles and reactions as a state of another system."""
+        """Return the state of another system with the same angles and reactions."""
         return self if system is self.system else RodState(system, self.angles, self.reactions)
 
     @cached_property
@@ -274,7 +274,7 @@ class RodState:
 
     @cached_property
     def places(self) -> FloatArray:
-        """True for entries (p,) of `residual.miss` that are position errors, not forces."""
+        """Flags (p,): True for a position error in `residual.miss`, False for a force."""
         held = np.ones(len(self.system.held), dtype=bool)
         return held if self._equations is None else np.concatenate([held, self._equations.places])
 
@@ -352,7 +352,7 @@ class RodState:
 
     @cached_property
     def scale(self) -> float:
-        """Moment, 1/mm, to which an imbalance of moments is compared."""
+        """Moment, 1/mm, by which an imbalance of moments is divided."""
         force = np.abs(self.discrete.force).max(initial=0.0)
         return float(max(np.abs(self.moments).max(), force * self.system.length))
 
@@ -376,7 +376,7 @@ class RodState:
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:
-        """Return the `Rod` of this equilibrium; other attributes are copied from `like`."""
+        """Return the `Rod` of this equilibrium. Other attributes are copied from `like`."""
         return replace(like, **self.record)
 
     @property

@@ -182,7 +182,7 @@ class LayerStrain:
         return int(np.argmax(self.strain))
 
     def judged(self, at: float | None = None) -> StrainVerdict:
-        """Compare the largest strain with the limit of the sheet; `at` is the arc length of this strain, mm."""
+        """Compare the largest strain, at arc length `at` (mm), with the limit of the sheet."""
         return judge_strain(self.sheet, self.largest, at)
 
 

@@ -155,7 +155,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """Path as a function from its parameter to the equations of the rod."""
+    """Path of a rod as a function from a parameter to the equations of the rod."""
 
     base: Rod
     entry: Callable[[float], dict[str, Any]]
@@ -183,7 +183,7 @@ class Course:
         return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """Return the parameter after a step from t; the step ends at the next corner of the path, or before."""
+        """Return the parameter after a step from t, but not beyond the next corner of the path."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 

@@ -396,7 +396,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
 
 class BendFactor(Protocol):
-    """Function that returns factors (n,) on the stiffness at the stations of a strip for their curvatures."""
+    """Function from the curvatures of the stations of a strip to factors (n,) on their stiffness."""
 
     def __call__(self, curvature: FloatArray, /) -> FloatArray:
         """Return the factors of the stations (..., n) for their curvatures (..., n), 1/mm."""

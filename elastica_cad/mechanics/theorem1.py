@@ -446,7 +446,7 @@ def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
 
 
 def lengths(s: Iterable[float]) -> Listed:
-    """Return arc lengths in mm for a message, without rounding errors: "12 and 34.5 mm"."""
+    """Return arc lengths for a message, without rounding errors: "12 and 34.5 mm"."""
     return Listed(Length(round(x, 6)) for x in s)
 
 
@@ -789,7 +789,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Return arc lengths, mm, of minima at which the absolute excess curvature is almost zero, but not zero."""
+    """Return arc lengths, mm, at which the absolute excess curvature has a minimum that is almost, but not exactly, 0."""
     curve, change = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(change)
@@ -989,7 +989,7 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return the jumps (n,) of the curvature, and of its slope times the length, divided by the curvature."""
+    """Return the jumps (n,) of curvature, and of its slope times the length, both divided by the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
     before = np.where(after == low, high, after)  # the start of a closed curve follows its end

@@ -26,9 +26,9 @@ def inflections_of(rod: Rod) -> FloatArray:
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
     """Return the sides of the thrust line inside a box, each side as points (n, 2).
 
-    A side extends as far as its corners with other sides and its inflections. Sides of a rod without weight are
-    straight (n = 2). The result is empty for a rod without elements and point forces, because its thrust line is
-    the inflection line.
+    A side extends as far as its corners with other sides, its inflections and the ends of the rod. Sides of a rod
+    without weight are straight (n = 2). The result is empty for a rod without elements and point forces, because
+    its thrust line is the inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)

@@ -46,9 +46,9 @@ LOCAL_DEGREE = 4
 
 
 def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
-    """Return a nearby curve that has the natural curvature at `ends`, and the same end positions and tangents.
+    """Return a nearby curve that has the natural curvature at the parameters `ends`.
 
-    `ends` are parameters of the curve.
+    The end positions and end tangents do not change.
 
     Raises
     ------
@@ -134,7 +134,7 @@ class StraightenedTails:
 
     @classmethod
     def of(cls, drawn: PlaneCurve, tails: Sequence[FreeTail], allowed: float) -> "StraightenedTails":
-        """Return the curve with straight tails along its tangents; `allowed` is the largest move, mm."""
+        """Return the curve with straight tails along its tangents. The largest allowed move is `allowed`, mm."""
         low, high = drawn.domain
         for tail in tails:
             low, high = (low, tail.t) if tail.end else (tail.t, high)
