@@ -64,9 +64,9 @@ Keep = Literal["keep"]
 
 # force components up to this fraction of the force are rounding errors
 ROUNDED_SHARE = 1e-12
-# ends that travel less than this fraction of the length do not move
+# smaller movements of an end, as a fraction of the length, are rounding errors
 STILL_SHARE = 1e-9
-TURNED_RAD = 1e-9  # largest rotation of an end, rad, that counts as a rounding error
+TURNED_RAD = 1e-9  # smaller rotations of an end, rad, are rounding errors
 COARSE_DEG = 60.0  # angle between neighbouring edges above which `bend` warns that the rod has too few nodes
 
 
@@ -543,12 +543,12 @@ class Movement:
 
     @property
     def is_turn(self) -> bool:
-        """Return True if the ends turn without travel."""
+        """True if the ends turn without travel."""
         return bool(self.travel[-1] == 0 and self.turn[-1] > TURNED_RAD)
 
     @property
     def is_still(self) -> bool:
-        """Return True if the ends neither travel nor turn."""
+        """True if the ends neither travel nor turn."""
         return bool(self.travel[-1] == 0 and self.turn[-1] <= TURNED_RAD)
 
     @property
@@ -620,7 +620,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """Return `times` the forces and moments on the free ends, as arguments of `bend`."""
+    """Return the forces and moments on the free ends, multiplied by `times`, as arguments of `bend`."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_w
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
-"""Largest force of a slack one-sided element, as a fraction of the largest force in the rod."""
+"""A one-sided element is slack if its force is below this fraction of the largest force in the rod."""
 
 # singular value below which constraints on the translation of the rod are linearly dependent
 _RANK = 1e-9

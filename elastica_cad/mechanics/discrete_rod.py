@@ -596,7 +596,7 @@ class DiscreteRod:
 
     @cached_property
     def node_lengths(self) -> FloatArray:
-        """Voronoi lengths w (n+1,) of the nodes, mm."""
+        """Half the sum of the edge lengths at each node (n+1,), mm."""
         return node_weights(self.edge_length, self.angles.size)
 
     @cached_property

@@ -191,7 +191,7 @@ NEAR_SHARE = 0.05
 """Largest distance, as a fraction of the length, by which a point is moved to the curve."""
 
 AT_END_SHARE = 1e-6
-"""Distance from an end, as a fraction of the length, below which a position counts as at the end."""
+"""Positions closer to an end than this fraction of the length count as at the end."""
 
 AT_JOINT_SHARE = 2e-3
 """Largest distance, as a fraction of the length, by which an element is moved to the start of a straight free end.
@@ -212,8 +212,8 @@ class PlacedElement:
     s : (k,) array
         Arc lengths of the points at which the element acts, mm.
     units : (u, k, 2) array
-        Forces on the strip at the k points if one of the u unknown numbers is 1 and the others are 0. For a
-        `PointForce`: the known force, N.
+        Forces on the strip at the k points for a value 1 of each of the u unknowns. For a `PointForce`: the known
+        force, N.
     """
 
     element: Element | PointForce

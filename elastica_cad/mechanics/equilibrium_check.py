@@ -164,7 +164,7 @@ def _examine_curve(
     return _check_line(check, supports, natural_curvature, tolerance)
 
 
-# largest curvature of an unbent end, as a fraction of the largest curvature of the curve
+# an end is unbent if its curvature is below this fraction of the largest curvature
 UNBENT_SHARE = 1e-12
 
 
@@ -231,15 +231,15 @@ def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
 
 
 _SAME_PLACE_SHARE = 1e-6
-"""Largest distance between points, as a fraction of the length, that count as the same inflection."""
+"""Points closer together than this fraction of the length are the same inflection."""
 
 _WIDEST_RATIO = 1e4
 """Largest stiffness ratio of a realizable curve; above it, the result would depend on rounding errors."""
 
 _TANGENT_RAD = 1e-6
-"""Sine of the angle between line and curve below which the line counts as tangent."""
+"""A line is tangent to the curve if the sine of the angle between them is smaller."""
 
-# distance from a zero of the curvature, as a fraction of the length, below which K = 0 / 0 is replaced by its limit
+# closer than this fraction of the length to a zero of the curvature, the stiffness 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -531,7 +531,7 @@ MOST_STEPS = 12
 """Largest number of Newton steps that move inflections onto a line."""
 
 ON_LINE_SHARE = 1e-12
-"""Largest distance of an inflection that counts as on the line, as a fraction of the size of the curve."""
+"""An inflection is on the line if its distance is below this fraction of the size of the curve."""
 
 LARGEST_MOVE_SHARE = 0.05
 """Largest displacement of a control point, as a fraction of the length of the curve."""

@@ -65,7 +65,7 @@ NOISE_TIMES = 4
 """Tolerance of the fitted stiffness, as a multiple of the rounding errors of the stiffness."""
 
 SAME_PLACE_SHARE = 1e-9
-"""Distance, as a fraction of the length, below which a knot is moved to a zero of the curvature."""
+"""A knot closer than this fraction of the length to a zero of the curvature is moved to the zero."""
 
 CELLS = 8
 """Number of equal parts of a panel; in each part, the density of knots is constant."""
@@ -518,7 +518,7 @@ def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
 
 
 KINK_SHARE = 0.005
-"""Largest distance of an element from a kink that its force causes, as a fraction of the length."""
+"""A kink closer to an element than this fraction of the length is caused by the force of the element."""
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
@@ -552,7 +552,7 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
 
 
 _SETTLED_SHARE = 1e-5
-"""Relative change of the stiffness between iterations below which the search has converged."""
+"""The search has converged when the stiffness changes by less than this fraction."""
 
 _MOST_ROUNDS = 30
 """Largest number of optimal rods that are computed in the search for a laminate."""

@@ -72,7 +72,7 @@ class Gravity:
     def in_plane(
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
-        """Return gravity in a plane in space; None if `direction` (3,) is perpendicular to the plane."""
+        """Return gravity in a plane in space, or None if `direction` (3,) is perpendicular to the plane."""
         d, *axes = (
             numbers(vector, name)
             for vector, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
@@ -185,7 +185,7 @@ class Weight:
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
-        """Return the weight with alpha and beta multiplied by the given factors; the point masses do not change."""
+        """Return the weight with alpha and beta multiplied by the factors. The point masses do not change."""
         return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -430,13 +430,13 @@ def whole_number(value: object, name: str, least: int) -> int:
 
 
 LENGTHS_APART = 0.01
-"""Relative difference of length up to which a pre-bent strip is scaled to the length of the curve."""
+"""A pre-bent strip is scaled to the length of the curve if both lengths differ by at most this fraction."""
 
 BLANK_TOLERANCE = 1e-9
 """Largest error of the natural curvature, relative to its largest value."""
 
 _CURVATURE_SAMPLES = 401
-# distance from a break, as a fraction of the length, below which a position is at the break
+# positions closer to a break than this fraction of the length are at the break
 _AT_BREAK_SHARE = 1e-9
 
 

@@ -266,20 +266,20 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-# largest relative violation of the stiffness bounds in the linear program of least ratio
+# fraction by which the stiffness may exceed its bounds in the linear program of least ratio
 _SETTLED = 1e-9
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Relative difference up to which two solutions of a linear program count as equal."""
+"""Solutions of a linear program that differ by a smaller fraction are equal."""
 
 # rounding error of a sum, relative to the sum of the absolute values of its terms
 _ROUNDING = 16 * float(np.finfo(float).eps)
 
 BOUNDED = 1e-7
-"""Largest relative excess of a smooth stiffness over its bounds: the accuracy of the linear program."""
+"""Fraction by which a smooth stiffness may exceed its bounds: the accuracy of the linear program."""
 
 CHOSEN = 1e-5
-"""Largest relative excess of a smooth stiffness over its bounds if `SMOOTHING_SHARE` has widened the bounds."""
+"""Fraction by which a smooth stiffness may exceed bounds that `SMOOTHING_SHARE` has widened."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -521,13 +521,13 @@ SMOOTHING_SHARE = 0.01
 """Relative increase of the stiffness ratio that is accepted for a smoother stiffness (paper, section 5.3)."""
 
 NO_GAIN_SHARE = 1e-6
-"""Relative reduction of the stiffness ratio that is neglected."""
+"""Smaller relative reductions of the stiffness ratio are neglected."""
 
 WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations, far above the ratio of any strip."""
 
 LARGEST_LOAD = 1e3
-"""Ratio of the stiffness that the load requires to the largest stiffness, above which the program is rescaled."""
+"""The program is rescaled if the load requires more than this multiple of the largest stiffness."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -934,7 +934,7 @@ def _rank(sigma: FloatArray) -> int:
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right or None."""
+    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right, or None."""
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))

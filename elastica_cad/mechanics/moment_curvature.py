@@ -36,11 +36,11 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the effective curvature m (n,), 1/mm, for changes of curvature (n,), 1/mm; m is odd."""
+        """Return the effective curvature m (n,), 1/mm, an odd function of the change of curvature (n,), 1/mm."""
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative (n,) of the effective curvature by the curvature; it is 1 at curvature 0."""
+        """Return the derivative (n,) of the effective curvature, which is 1 at curvature 0."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return the effective curvature m and its derivative (n,) together."""
@@ -145,7 +145,7 @@ class PolynomialLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`; computed exactly, as the root of a quadratic for the slope 0."""
+        """Exact root of a quadratic, at which the slope is 0; see `MaterialLaw.injective_limit`."""
         roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
         real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
         return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
@@ -214,7 +214,7 @@ class PlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 0),)
 
     def require_design(self, largest_curvature: float) -> None:
-        """See `MaterialLaw.require_design`; every curvature is allowed, as in the paper."""
+        """Allow every curvature, as in the paper; see `MaterialLaw.require_design`."""
 
 
 @dataclass(frozen=True)
@@ -256,7 +256,7 @@ class ElasticPlasticLaw(_YieldingLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`; it is infinite."""
+        """Infinite; see `MaterialLaw.injective_limit`."""
         return float("inf")
 
     @property
@@ -329,17 +329,17 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`; it is at most the last curvature of the table."""
+        """At most the last curvature of the table; see `MaterialLaw.injective_limit`."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """See `MaterialLaw.kinks`; the kinks are at the points of the table."""
+        """Points of the table; see `MaterialLaw.kinks`."""
         return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
-        """See `MaterialLaw.require_injective`; a curvature beyond the table is refused as well."""
+        """Refuse a curvature beyond the table as well; see `MaterialLaw.require_injective`."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
                 f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "

@@ -47,12 +47,12 @@ class ElementEquations:
     Attributes
     ----------
     rows : (k, n) array
-        Derivatives of the residuals with respect to the angles of the edges.
+        Derivatives of the residuals by the angles of the edges.
     pulls : (k, n) array
-        Derivatives of the axial force of each edge with respect to the unknowns, times its length divided by the
-        nominal length. The axial force is the component of lambda (the negative internal force) along the edge.
+        Derivatives of the axial force of each edge by the unknowns, times edge length / nominal length. The axial
+        force is the component of lambda (the negative internal force) along the edge.
     corner : (k, k) array
-        Derivatives of the residuals with respect to the unknowns.
+        Derivatives of the residuals by the unknowns.
     residual : (k,) array
     places : (k,) bool array
         True for residuals that are position errors.
@@ -135,7 +135,10 @@ class MountedElements:
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for the unknowns `numbers` (k,). `tangents` (n, 2) are edges over their length."""
+        """Return the equations for the unknowns `numbers` (k,).
+
+        `tangents` (n, 2) are the edge vectors divided by `edge_length`.
+        """
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
@@ -227,10 +230,10 @@ class MountedElements:
 
 
 MEETS_SHARE = 1e-9
-"""Distance, as a fraction of the length, within which a strip touches a rail and a cord is taut."""
+"""Within this fraction of the length, a strip touches a rail and a cord is taut."""
 
 PULLS_SHARE = 1e-9
-"""Force in the wrong direction, as a fraction of the largest force, that counts as a rounding error."""
+"""Forces in the wrong direction up to this fraction of the largest force are rounding errors."""
 
 _FOOT_STEPS = 30
 

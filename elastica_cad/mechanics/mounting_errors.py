@@ -15,10 +15,10 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
-"""Displacement of an element, as a fraction of the length, so small that the strip responds linearly."""
+"""Displacement of an element as a fraction of the length. It is so small that the strip responds linearly."""
 
 ROUNDING_FRACTION = 1e-6
-"""Largest force of an element, as a fraction of the largest force in the rod, that counts as a rounding error."""
+"""Forces of elements up to this fraction of the largest force in the rod are rounding errors."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:

@@ -24,9 +24,9 @@ SMALL_TURN_RAD = 0.02
 SADDLE_PUSH_RAD = 0.05
 # largest rotation of an edge in a step of a minimisation before the line search
 ASTRAY_RAD = float(np.pi)
-# rotation of an edge in a step of a minimisation below which Newton's method replaces the minimisation
+# if a step of a minimisation turns all edges by less, Newton's method replaces the minimisation
 NEAR_REST_RAD = 1e-2
-# rotation of an edge in a Newton step below which Newton's method ends; the next step is about its square
+# if a Newton step turns all edges by less, the method ends; the next step would be about its square
 CONVERGED_RAD = 1e-9
 MOST_DESCENT_STEPS = 300
 # accuracy, as a fraction of the path, of the point at which an element becomes slack or taut
@@ -133,7 +133,7 @@ LOADS = ("load", "force", "moments")
 
 
 def between_loads(first: RodSystem, last: RodSystem, part: float) -> RodSystem:
-    """Return the system `last` under the loads of `first` plus the fraction `part` of their change."""
+    """Return the system `last` with loads interpolated from `first` (`part` 0) to `last` (`part` 1)."""
     return replace(
         last,
         **{
@@ -341,7 +341,7 @@ def _relative_error(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# largest difference of the edge angles of a straight rod, which displaces an end by a micrometre in 10 m
+# edge angles of a straight rod differ by less; an end then moves by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
 # if the held end angles differ by more, the sign of their difference determines the default side
 DECIDING_TURN_RAD = 0.5
@@ -484,7 +484,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium in which `shape` has the amplitude `amplitude`, and its load factor."""
+    """Return the equilibrium in which `shape` has the given amplitude, and the load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))

@@ -338,7 +338,7 @@ MOST_ROUNDS = 40
 """Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""Relative change of E I below which the search ends; the relative error of the weight is about its square."""
+"""The search ends when E I changes by a smaller fraction; the relative error of the weight is about its square."""
 
 TANGENT_STEP = 1e-4
 """Relative change of E I in the finite difference for the slope of the weight."""
@@ -361,7 +361,7 @@ LONGEST_JUMP = float(np.log(4.0))
 """Largest change of the natural logarithm of a scale by extrapolation."""
 
 SLOWEST_RATE = 0.99
-"""Ratio of the last two steps of a sequence below which the sequence is extrapolated."""
+"""A sequence is extrapolated if the ratio of its last two steps is smaller."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:

@@ -1,4 +1,4 @@
-"""Division of a curve into panels with Gauss nodes, so accurate that only rounding errors remain."""
+"""Division of a curve into panels with Gauss nodes, on which integrals are exact up to rounding errors."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -32,9 +32,9 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000
-# relative size of the last Legendre coefficients below which a function is resolved
+# a function is resolved if its last Legendre coefficients are below this fraction of its largest value
 RESOLVED = 1e-11
-# relative size of the last Legendre coefficients below which they may be rounding errors
+# last Legendre coefficients below this fraction of the largest value may be rounding errors
 NOISE = 1e-6
 
 # if two cuts are closer than this fraction of the width of a panel, one of the cuts is omitted

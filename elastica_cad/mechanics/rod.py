@@ -55,7 +55,7 @@ SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Fraction of the largest value of the same unit below which a value is a rounding error and is written as 0."""
+"""Values below this fraction of the largest value of the same unit are rounding errors and are written as 0."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -201,7 +201,7 @@ class CurlingLaw(MaterialLaw):
         return np.asarray(m * self.share(change))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative of the effective curvature (n,)."""
+        """Return the derivative (n,) of the effective curvature."""
         return self.with_slope(curvature)[1]
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
@@ -213,7 +213,7 @@ class CurlingLaw(MaterialLaw):
         return m * here, np.asarray(slope * here + m * (beyond - here) / step)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """Return the elastic energy per length, divided by the stiffness K, (n,), 1/mm2."""
+        """Return the elastic energy (n,) per length, divided by the stiffness K, 1/mm2."""
         change = np.asarray(curvature, dtype=float)
         x, weight = gauss_rule(CURL_POINTS)
         root = (x + 1) / 2  # points are denser near 0, where the stiffness changes most
@@ -242,8 +242,8 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference between the edges of a discrete rod and the arc lengths between its nodes; samples
-# of a curve differ by about (curvature * edge length)^2 / 24
+# the edges of a discrete rod differ from the arc lengths between its nodes by at most this fraction; samples of a
+# curve differ by about (curvature * edge length)^2 / 24
 EVEN_EDGES = 1e-7
 # exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8

@@ -107,7 +107,7 @@ class RodSystem:
 
     @cached_property
     def node_lengths(self) -> FloatArray:
-        """Voronoi lengths (n+1,) of the nodes, mm: half the sum of the adjacent edge lengths."""
+        """Half the sum of the edge lengths at each node (n+1,), mm."""
         return node_weights(self.edge_length, self.edges)
 
     @cached_property

@@ -337,10 +337,10 @@ class LaidLeaves(ThicknessLaw):
 
 
 SAME_SCALE = 1e-4
-"""Relative difference up to which bending stiffnesses count as equal; optimal rods are not more accurate."""
+"""Bending stiffnesses that differ by a smaller fraction count as equal; optimal rods are not more accurate."""
 
 BETWEEN_NODES = 1e-3
-"""Relative excess over the largest stiffness that may occur between the nodes if only the nodes are limited."""
+"""If only the nodes are limited, the stiffness may exceed its limit between nodes by this fraction."""
 
 
 class StiffnessLaw(Protocol):

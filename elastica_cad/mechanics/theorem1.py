@@ -558,19 +558,19 @@ PLACES = 721
 """Number of points along a closed curve among which the flattest point is chosen."""
 
 CLEAR_SHARE = 0.05
-"""Least curvature, relative to the largest, of a point that is not near an inflection."""
+"""A point is near an inflection if its curvature is below this fraction of the largest curvature."""
 
 PLACE_DIGITS = 6
 """Number of decimals of a start point in mm, so that equal curves from two programs begin at the same point."""
 
 ALIKE = 1e-6
-"""Difference of curvature, relative to the largest, up to which two points count as equally flat."""
+"""Points are equally flat if their curvatures differ by less than this fraction of the largest curvature."""
 
 
 NEAR_KNOT_SHARE = 1e-5
-"""Distance from a knot, as a fraction of the parameter range, within which a start is moved to the knot.
+"""A start closer to a knot than this fraction of the parameter range is moved to the knot.
 
-If a shorter piece were left between start and knot, its curvature would consist of rounding errors.
+The curvature of a shorter piece between start and knot would consist of rounding errors.
 """
 
 
@@ -632,13 +632,13 @@ def flattest_place(curve: PlaneCurve) -> float:
 
 
 AT_END_SHARE = 1e-6
-"""Distance from an end, as a fraction of the length, within which a zero of the curvature is at the end."""
+"""A zero of the curvature closer to an end than this fraction of the length is at the end."""
 
 SEAM_SHARE = 0.01
-"""Curvature at the start of a closed curve, relative to the largest curvature, below which the start is moved."""
+"""The start of a closed curve is moved if its curvature is below this fraction of the largest curvature."""
 
 PINNED_SHARE = 1e-6
-"""Largest curvature at a pinned end, relative to the largest of the curve, that counts as 0."""
+"""At a pinned end, a curvature up to this fraction of the largest curvature counts as 0."""
 
 GENTLE_SHARE = 1e-5
 """Largest slope of the curvature at an inflection that counts as 0.
@@ -648,13 +648,13 @@ inflection would be some ten thousand times the stiffness at other points.
 """
 
 FAINT_SHARE = 1e-7
-"""Largest minimum of the absolute curvature that counts as 0, relative to the largest curvature."""
+"""Minima of the absolute curvature up to this fraction of the largest curvature count as 0."""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Curvature at an end, relative to the largest, below which a zero just beyond the end is moved to the end."""
+"""A zero just beyond an end is moved to the end if the end's curvature is below this fraction of the largest."""
 
 STEP_SHARE = 1e-3
-"""Largest jump of the curvature, relative to the curvature, that is not reported.
+"""Jumps of the curvature up to this fraction of the curvature are not reported.
 
 Such a jump changes a width of 40 mm by 0.04 mm.
 """
@@ -673,7 +673,7 @@ If the width of a strip is a fifteenth of its length, the corner has 10 degrees.
 
 TINY = float(np.finfo(float).tiny)
 
-# absolute curvature, as a fraction of the largest, below which a minimum is located exactly
+# minima of the absolute curvature below this fraction of the largest curvature are located exactly
 _DIP_SHARE = 0.01
 
 
@@ -789,7 +789,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Return arc lengths, mm, at which the absolute excess curvature has a minimum that is almost, but not exactly, 0."""
+    """Return arc lengths, mm, of minima at which the absolute excess curvature is almost, but not exactly, 0."""
     curve, change = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(change)

@@ -7,7 +7,7 @@ from elastica_cad.geometry.plane_points import clipped, left_of
 from elastica_cad.mechanics.rod import Rod
 
 PARALLEL = 1e-6
-"""Sine of the angle up to which neighbouring sides of a thrust line are parallel and have no corner."""
+"""Neighbouring sides of a thrust line are parallel, without a corner, if the sine of their angle is smaller."""
 
 
 def inflections_of(rod: Rod) -> FloatArray:

@@ -22,7 +22,7 @@ from elastica_cad.mechanics.sheets import Range, Sheet
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Largest load at a free end that counts as 0, as a fraction of the largest force or moment in the rod."""
+"""Loads at a free end up to this fraction of the largest force or moment in the rod count as 0."""
 
 
 @dataclass(frozen=True)
