@@ -705,7 +705,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 
 
 def _with_reactions(state: RodState) -> RodState:
-    """Return the state with the reactions and element forces that give the least imbalance of moments."""
+    """Return the state whose reactions and element forces give the least imbalance of moments."""
     if not state.reactions.size:
         return state
     rows = np.where(state.places[:, None], state.rows, 0.0)

@@ -62,7 +62,6 @@ ADDED_INFLECTIONS = 2
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
-    """Return both results if another fit of the measured points has a different result, or else None."""
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
@@ -355,7 +354,6 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
-    """Move the inflections onto the line and check the curve again; return None if they cannot be moved."""
     # moving control points would open a closed curve
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
         return None
@@ -458,8 +456,8 @@ def _place_of_extreme_ratio(
 
     The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural
     curvature kappa_0. At a zero of kappa - kappa_0, the limit of K is the sine of the angle between curve
-    and line over the slope of kappa - kappa_0. A line through a single zero may turn by up to `spare` rad in both
-    directions.
+    and line, divided by the slope of kappa - kappa_0. A line through a single zero may turn by up to `spare`
+    rad in both directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey

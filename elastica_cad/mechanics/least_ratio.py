@@ -465,7 +465,6 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 
 def _uniform_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """Return a straight rod with the largest allowed cross-section everywhere."""
     law = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -522,7 +521,6 @@ KINK_SHARE = 0.005
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the warnings about a curve, except warnings about kinks that the forces of elements cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
     jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # places where the width jumps

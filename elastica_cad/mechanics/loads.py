@@ -268,7 +268,7 @@ class End:
 
     @classmethod
     def named(cls, name: EndName) -> "End":
-        """Return an end: clamped, pinned, slide-x, slide-y (clamped sliders), guided (only angle held), free."""
+        """Return the end: clamped, pinned, slide-x or slide-y (clamped slider), guided (only angle held), free."""
         ends = {
             "clamped": cls(),
             "pinned": cls(angle=False),

@@ -88,6 +88,7 @@ def minimax_ratio(
         Further conditions side_rows @ x + side_offset >= 0.
     side_offset : (k,) array, optional
         By default zero.
+
     Returns
     -------
     MinimaxSolution or None

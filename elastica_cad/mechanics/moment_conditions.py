@@ -779,9 +779,9 @@ class ConditionedRows:
     def ratio(
         self, numbers: StateFamily, tolerance: float = _SETTLED, most: float = np.inf
     ) -> tuple[FloatArray, float] | None:
-        """Return the parameters with the least stiffness ratio, and the ratio; None if no stiffness exists.
+        """Return the parameters with the least stiffness ratio, and the ratio.
 
-        The result can also be None if the ratio is above `most`.
+        Return None if no stiffness exists. The result can also be None if the ratio is above `most`.
         """
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None

@@ -19,8 +19,8 @@ _ROUNDING_SHARE = 1e-12  # rounding error, as a fraction of the moment
 class MaterialLaw(ABC):
     """Moment-curvature law of a strip of width 1, divided by its stiffness at curvature 0.
 
-    The effective curvature m(kappa) = P(kappa) kappa, with P even and P(0) = 1, replaces the curvature in Hooke's
-    law: M = K m(kappa - kappa_0) for moment M, stiffness K and natural curvature kappa_0. Theorem 1 and the
+    Hooke's law becomes M = K m(kappa - kappa_0) for moment M, stiffness K, curvature kappa and natural curvature
+    kappa_0. The effective curvature is m(kappa) = P(kappa) kappa, with P even and P(0) = 1. Theorem 1 and the
     linear program remain valid as long as m is injective in the range of curvatures that occurs.
     """
 
@@ -153,8 +153,6 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
-    """Base class of plastic laws."""
-
     curvature_limit: float
 
     def __post_init__(self) -> None:
@@ -222,8 +220,8 @@ class ElasticPlasticLaw(_YieldingLaw):
     """Elastic-plastic law of a rectangular cross-section that yields from its surfaces inwards.
 
     The effective curvature is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2 beyond it. The
-    effective curvature is at most 1.5 kappa_lim. Unlike the paper's `PlasticLaw` it is injective, because every
-    cross-section has an elastic core (Prager and Hodge 1951, section 9).
+    effective curvature is at most 1.5 kappa_lim. The law is injective, unlike the paper's `PlasticLaw`, because
+    every cross-section has an elastic core (Prager and Hodge 1951, section 9).
 
     Parameters
     ----------

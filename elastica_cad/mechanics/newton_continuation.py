@@ -401,7 +401,6 @@ def _direction(state: RodState) -> float:
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return present
     angle = _nearest_angle(present, chord)
-    # if the chord has the opposite direction, keep the present direction
     return angle if abs(angle - present) < np.pi / 2 else present
 
 
@@ -430,7 +429,6 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # move the ends to their required distance, but not closer than `FIRST_CHORD`
     distance = float(np.linalg.norm(system.chord))
     chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(

@@ -247,7 +247,7 @@ class CurlingLaw(MaterialLaw):
 EVEN_EDGES = 1e-7
 # exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8
-# number of Newton steps, which is sufficient because the initial angles are nearly exact
+# few Newton steps are enough, because the initial angles are nearly exact
 NEWTON_STEPS = 5
 # largest error of the tangents of the spline
 TANGENT_RAD = 1e-8
@@ -579,7 +579,7 @@ class Rod:
     def effective_curvature(self) -> FloatArray:
         """Moment divided by stiffness (n,), 1/mm.
 
-        For a linear material it is the change of curvature, otherwise the effective curvature of `law`.
+        The value is the change of curvature for a linear material, otherwise the effective curvature of `law`.
         """
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
@@ -660,7 +660,7 @@ class Rod:
         return tuple(sides)
 
     def following(self) -> "Rod":
-        """Return the rod with `bending_law` as its law, so that it can be bent to another shape."""
+        """Return the rod with `bending_law` as its law, so that `bend` can change its shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 

@@ -238,7 +238,7 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
-        ratio = entry["poisson_ratio"]  # a number, or a table with value and source
+        ratio = entry["poisson_ratio"]
         if isinstance(ratio, dict):
             fields["poisson_ratio"] = ratio["value"]
         else:

@@ -103,11 +103,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     --------
     An upright column of its own weight buckles at w L^3 / (E I) = 7.837.
 
-    >>> from elastica_cad.mechanics.loads import Gravity
-
+    >>> from elastica_cad.mechanics.loads import Gravity, Supports
     >>> from elastica_cad.mechanics.rod import Rod
-
-    >>> from elastica_cad.mechanics.loads import Supports
     >>> column = Rod.straight(
     ...     100.0, angle=np.pi / 2, supports=Supports("clamped", "free"), gravity=Gravity(100.0)
     ... )
