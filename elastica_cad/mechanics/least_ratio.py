@@ -700,7 +700,7 @@ class _Base:
     at_nodes : (n,) array
         Width of the base at the nodes of the rod, mm.
     places, at_places : (m,) arrays
-        Arc lengths, and widths of the base there, mm.
+        The arc lengths, mm, and the widths of the base there, mm.
     """
 
     layers: LaminateLayers

@@ -988,7 +988,7 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return the jumps (n,) of curvature, and of its slope times the length, both divided by the curvature."""
+    """Return the jumps (n,) of the curvature, and those of its slope times the length, divided by the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
     before = np.where(after == low, high, after)  # the start of a closed curve follows its end
