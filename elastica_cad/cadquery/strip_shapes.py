@@ -296,9 +296,9 @@ class _Jointed(_StripShape):
     def joints(self) -> Mapping[str, cq.Location]:
         """Locations at which other parts are joined.
 
-        A strip has "start" and "end" at the ends of its free part, and "hole1", "hole2", ... They are at half
-        the thickness, with z away from the strip and x along it (outward at the ends). A fixture has "tab" at
-        the strip's start or end.
+        The joints of a strip are "start" and "end", at the ends of its free part, and "hole1", "hole2", ... for
+        its holes. Each joint is at half the thickness. Its z axis points away from the strip, and its x axis is
+        along the strip, outward at the ends. The joint of a fixture is "tab", at an end of its strip.
         """
         here = self.location()
         # viewers would take a dict named `joints` for joints of build123d

@@ -79,7 +79,7 @@ def _types(field: Field) -> Iterator[tuple[Any, str]]:
 
 
 def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], Any]:
-    """Return a decorator that adds repeatable options for elements and loads."""
+    """Return a decorator that adds repeatable options for rails, pins, ties and loads."""
 
     def option(name: str) -> Callable[[Any], Any]:
         types, words = zip(*(pair for field in _fields(name) for pair in _types(field)), strict=True)

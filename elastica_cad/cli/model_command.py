@@ -138,7 +138,7 @@ def model(
 
 
 KEYS = {"nearest": f"`limits = {{{{ margin = {SAFE_MARGIN:g} }}}}`", "lap": "`shop = {{ lap = {value:g} }}`"}
-"""Lines in a design file for suggested changes that are not of the form FIELD = VALUE."""
+"""Lines of a design file that make a suggested change, by field. For other fields the line is FIELD = VALUE."""
 
 FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
 """Fields that can be changed by a line in the table of a strip."""

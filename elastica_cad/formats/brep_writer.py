@@ -58,7 +58,7 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class BinaryBrep:
-    """A shape in the format of OpenCASCADE's BinTools. Files of FreeCAD end with other numbers.
+    """A shape in the format of OpenCASCADE's BinTools. The last bytes of FreeCAD's files differ.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class BinaryBrep:
     def for_bintools(self) -> bytes:
         """Return the file for BinTools.
 
-        The file ends with the orientation, number and location of the last shape.
+        The file ends with the orientation, index and location of the last shape.
         """
         return self.tables + pack("<B2i", 0, 1, 0)
 
@@ -83,7 +83,7 @@ class BinaryBrep:
     def for_freecad(self) -> bytes:
         """Return the file for `Part.Shape.importBinary`.
 
-        The file ends with the number, location and orientation of the last shape.
+        The file ends with the index, location and orientation of the last shape.
         """
         return self.tables + pack("<3i", self.count, 0, 0)
 
@@ -191,12 +191,12 @@ class _Tables:
     def shape(
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
-        """Add a shape with the number and orientation of each sub-shape in `parts`, and return its number."""
+        """Add a shape, and return its index, from 1. `parts` has the index and orientation of each sub-shape."""
         self.shapes.append((bytes([kind]) + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
     def edges(self, boundary: Boundary, traces: Sequence[Iterable[bytes]], gap: float) -> list[int]:
-        """Add the edges of a boundary with their (u, v) curves on the faces, and return their numbers."""
+        """Add the edges of a boundary with their (u, v) curves on the faces. Return the indices of the edges."""
         ends = [self.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
         numbers = []
         for edge, rows in zip(boundary.edges, traces, strict=True):
@@ -210,7 +210,7 @@ class _Tables:
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:
-        """Return all tables. Sub-shapes are numbered backwards from the last shape."""
+        """Return all tables. In the format, indices of sub-shapes are counted backwards from the last shape."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)

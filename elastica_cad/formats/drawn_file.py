@@ -28,11 +28,11 @@ _LEAST_SLENDERNESS = 12.0
 _MOST_SAMPLES = 8000
 # number of samples along a stroke for each stroke width
 _SAMPLES_PER_WIDTH = 4
-# largest distance, in stroke widths, at which the opposite side of a stroke is sought
+# largest distance, as a multiple of the stroke's width, at which the opposite side of a stroke is sought
 _SEARCH_WIDTHS = 3.0
 # largest relative variation of the width along a stroke
 _WIDTH_VARIATION = 0.05
-# largest length, in stroke widths, of the outline at the ends of a stroke, where it has no opposite side
+# largest length, as a multiple of the stroke's width, of the outline around an end of a stroke
 _MOST_END_WIDTHS = 6.0
 
 

@@ -163,7 +163,7 @@ MOST_DEGREE = 25
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-# least number of digits that a program with a fixed number of significant digits writes
+# programs that write a fixed number of significant digits write at least this many digits
 _LEAST_DIGITS = 6
 # least number of large coordinates, without multiples of 10, from which decimals are inferred
 _LEAST_LARGE_NUMBERS = 2

@@ -202,13 +202,13 @@ class _Shapes:
     Attributes
     ----------
     drawn : set of int
-        Numbers of visible shapes.
+        Indices of visible shapes.
     unpainted : set of int
-        Numbers of shapes without stroke and fill.
+        Indices of shapes without stroke and fill.
     clipped : dict
         Names of shapes, as ordered keys, that a clip path or mask may hide in part.
     bad : dict
-        Errors of shapes that cannot be read, by number.
+        Errors of shapes that cannot be read, by index.
     """
 
     def __init__(self, tree: SvgTree) -> None:

@@ -534,7 +534,7 @@ class Shape:
 @dataclass
 class SvgTree:
     """The element tree of a file, its shapes, and the names of clones. In the tree, path data are replaced by
-    the numbers of shapes.
+    the indices of shapes.
 
     Attributes
     ----------

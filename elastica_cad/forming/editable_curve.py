@@ -21,12 +21,12 @@ FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# length, in rod lengths, whose square converts errors of curvature to errors of position in the fit
+# the fit multiplies errors of curvature by the square of this fraction of the rod's length
 _REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # shortest knot span, in rod lengths; shorter spans would fit rounding errors
-# inflections closer to an end than this distance, in rod lengths, count as inflections at the end
+_SHORTEST_SPAN = 1e-3  # shortest knot span as a fraction of the length; shorter spans would fit rounding errors
+# inflections closer to an end than this fraction of the rod's length count as inflections at the end
 _SAME_LENGTHS = 1e-6
 _PARDONED = 2.0  # largest accepted error of the best fit, as a multiple of the tolerance
 # the two rods of the extrapolation have 4 and 8 times as many edges as the given rod

@@ -44,7 +44,7 @@ class EquilibriumCurve:
     balance : BalancedStiffness
         Moments, forces and stiffness before the division by `scale`.
     places : pair of arrays
-        Panel numbers, and positions -1..1 in the panels, of closely spaced stations and the stiffness extremes.
+        Panel indices, and positions -1..1 in the panels, of closely spaced stations and the stiffness extremes.
     scale : float
         Least stiffness of `balance`.
     """

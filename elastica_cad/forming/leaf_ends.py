@@ -61,7 +61,7 @@ class LeafedRod:
 
     @property
     def leaves(self) -> tuple[Leaf, ...]:
-        """Plies, sorted by number; plies of full length are first."""
+        """Plies in the order of their indices; plies of full length are first."""
         return self.section.leaves
 
 

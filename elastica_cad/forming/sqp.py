@@ -269,7 +269,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def fallback(self) -> Point:
-        """Return a point in equilibrium, for a search that cannot start or end otherwise."""
+        """Return a point in equilibrium for a search whose start or result cannot be moved to equilibrium."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":

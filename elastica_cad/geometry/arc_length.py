@@ -110,7 +110,7 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
     Parameters
     ----------
     speed : callable
-        Function of interval numbers (n,) and parameters (n,) that returns speeds (n,), mm per unit of the
+        Function of interval indices (n,) and parameters (n,) that returns speeds (n,), mm per unit of the
         parameter.
     """
     span, low, width = np.arange(edges.size - 1), edges[:-1], np.diff(edges)

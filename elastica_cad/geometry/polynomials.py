@@ -363,7 +363,7 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Return the numbers (n,) of the panels that contain positions (n,), and the panel coordinates (n,)."""
+    """Return the indices (n,) of the panels that contain positions (n,), and the panel coordinates (n,)."""
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -381,7 +381,7 @@ class PanelFunction:
         return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return values (n, ...) at coordinates x (n,) in the panels with numbers `panel` (n,)."""
+        """Return values (n, ...) at coordinates x (n,) in the panels with indices `panel` (n,)."""
         coefficients = self.coefficients[panel].swapaxes(0, 1)
         places = x.reshape(x.size, *[1] * (coefficients.ndim - 2))
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
@@ -391,7 +391,7 @@ class PanelFunction:
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return derivatives d/dx (n, ...) at coordinates x (n,) in the panels with numbers `panel` (n,)."""
+        """Return derivatives d/dx (n, ...) at coordinates x (n,) in the panels with indices `panel` (n,)."""
         return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
@@ -447,7 +447,7 @@ class PanelFunction:
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T
-            # Halley's method: Newton's method with a correction by the third derivative
+            # find a zero of the first derivative by Halley's method, which also needs the third derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
             x = np.minimum(np.maximum(x + step_by, lower), upper)

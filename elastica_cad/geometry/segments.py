@@ -424,7 +424,7 @@ def _halve_chords(
     at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
     tolerance: float,
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Insert points until chords are accurate. Return segment numbers, parameters u and points (n, 2).
+    """Insert points until chords are accurate. Return segment indices, parameters u and points (n, 2).
 
     Only chords that start at a parameter with `bent` True are divided.
     """
@@ -460,7 +460,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
-"""Function of segment numbers (n,), parameters u (n,) and an order, for segments of one kind.
+"""Function of segment indices (n,), parameters u (n,) and an order, for segments of one kind.
 
 The function returns points (n, 2) for the order 0, and their derivatives by u for the order 1.
 """
@@ -487,7 +487,7 @@ class SegmentTable:
             self._motions.append(_motion([segments[i] for i in members]))
 
     def at(self, which: IntArray, u: FloatArray, derivative: int = 0) -> FloatArray:
-        """Return points (n, 2), or derivatives by u, mm, at u (n,) in [0, 1] on segments with numbers (n,)."""
+        """Return points (n, 2), or derivatives by u, mm, at u (n,) in [0, 1] on segments with indices (n,)."""
         points, kind = np.empty((which.size, 2)), self._kind[which]
         for k, motion in enumerate(self._motions):
             here = kind == k
@@ -497,7 +497,7 @@ class SegmentTable:
 
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
-    """Return the points (n, 2) of the `chords` of all segments, and the segment number (n,) of each point."""
+    """Return the points (n, 2) of the `chords` of all segments, and the segment index (n,) of each point."""
     places = [_initial_parameters(segment, tolerance) for segment in segments]
     which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])

@@ -94,19 +94,21 @@ def model_kit(
     parts: bool = True,
     archives: bool = False,
 ) -> Kit:
-    """Return the report and all files of a model for which the required packages are installed.
+    """Return the report and the files of a model, without files that require a missing package.
 
     Parameters
     ----------
     contents : KitContents
-    step, pictures : bool
-        If True, include the assembly (for `step`) or the pictures (for `pictures`).
+    step : bool
+        If True, include the assembly and the blocks to be printed.
+    pictures : bool
+        If True, include the assembly sheet and pictures.
     parts : bool
-        If True, include a file for every part. A cutting service always gets these files, without nested
-        sheets.
+        If True, include a file for every part. Files for a cutting service always contain every part, and no
+        nested sheets.
     archives : bool
-        If True, include two ZIP files: one with the files to cut or print, with every part once, and one with all
-        files except DXF and STL.
+        If True, include two ZIP files. The first contains the files to cut or print, with every part once. The
+        second contains all files except DXF and STL.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()

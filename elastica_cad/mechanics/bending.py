@@ -88,7 +88,7 @@ def bend(
     between: "Element | Sequence[Element] | Keep" = "keep",
     loads: "PointMass | PointForce | Sequence[PointMass | PointForce] | Keep" = "keep",
 ) -> Rod:
-    """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
+    """Return the rest shape of a rod after its ends, loads, supports, rails, pins or ties have changed.
 
     The discrete rod of the paper (section 7.1), with its weight, is solved by Newton's method with a line
     search. Ends, angles and loads change in adaptive steps, starting from the present shape or from `guess`.
@@ -131,7 +131,7 @@ def bend(
     settle : bool
         If True, an unstable result is replaced by the stable shape into which the rod moves.
     between : sequence of Rail, Pin and Tie, or "keep"
-        New elements between the ends; they replace the present elements. Arc lengths are measured along the present
+        New rails, pins and ties, which replace the present ones. Arc lengths are measured along the present
         shape. A pin or rail at a point away from the present shape moves the strip to this point. A pin with the
         same index as a present pin keeps its position on the strip. A tie pulls if its `length` is less than the
         distance between its two points on the strip. The strip may lift off a one-sided rail, and a slack tie
@@ -236,8 +236,8 @@ def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, 
     """Return the arguments `loads` and `between` of `bend` after the fraction `part` of a step of a path.
 
     The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
-    pins, and lengths of ties, are interpolated linearly. An element of another kind replaces the present element
-    at once.
+    pins, and lengths of ties, are interpolated linearly. If a rail, pin or tie is replaced by another kind, the
+    replacement is immediate.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -324,13 +324,13 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
 
 
 ROUNDS = 12
-"""Largest number of changes between slack and taut, per one-sided element (tie or one-sided rail)."""
+"""Largest number of changes between slack and taut, per tie or one-sided rail."""
 
 
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """Bend a rod with elements between its ends, and find out which ties and one-sided rails are taut."""
+    """Bend a rod with rails, pins and ties, and find out which ties and one-sided rails are taut."""
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -339,7 +339,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distance, mm, that each slack element still moves, or shortens, before the end of the path
+    # distance, mm, by which each slack rail still moves, or each slack tie shortens, before the end of the path
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -355,12 +355,12 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
-        # after an element became slack or taut, use short steps, because the branch of equilibria may end soon
+        # after a rail or tie became slack or taut, use short steps, because the branch of equilibria may end soon
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
         changed = None if reached.arrived else changed_set(state, reached.fraction)
-        # if a released element touches again at once, the strip is unstable without the element and snaps
+        # if a released rail or tie is taut again at once, the strip is unstable without it and snaps
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
@@ -522,9 +522,10 @@ class Movement:
     Attributes
     ----------
     travel : (k,) array
-        Length of the path of the end relative to the start, mm, from the first rod to each rod.
+        Length of the path of the end relative to the start, mm, from the first shape to each of the k shapes.
     turn : (k,) array
-        Rotation from the first rod to each rod, rad, of the end that turns more. Ends that turn freely are ignored.
+        Rotation, rad, of the end that turns more, from the first shape to each shape. Ends that turn freely are
+        ignored.
     """
 
     travel: FloatArray
@@ -553,7 +554,7 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Completed fraction (k,) of the movement at each rod, from 0 to 1."""
+        """Completed fraction (k,) of the movement at each of its k shapes, from 0 to 1."""
         amount = self.turn if self.is_turn else self.travel
         return amount / amount[-1] if amount[-1] > 0 else np.linspace(0.0, 1.0, amount.size)
 
@@ -705,7 +706,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 
 
 def _with_reactions(state: RodState) -> RodState:
-    """Return the state whose reactions and element forces give the least imbalance of moments."""
+    """Return the state whose forces of supports, rails, pins and ties give the least imbalance of moments."""
     if not state.reactions.size:
         return state
     rows = np.where(state.places[:, None], state.rows, 0.0)

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_w
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
-"""A one-sided element is slack if its force is below this fraction of the largest force in the rod."""
+"""A tie or one-sided rail is slack if its force is below this fraction of the largest force in the rod."""
 
 # singular value below which constraints on the translation of the rod are linearly dependent
 _RANK = 1e-9
@@ -32,7 +32,7 @@ _RANK = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Bracing:
-    """Contribution of elements between the ends to the second variation of a discrete rod of n edges.
+    """Contribution of rails, pins and ties to the second variation of a discrete rod of n edges.
 
     The vector h (n,) contains the changes of the edge angles. For an axially elastic rod, h (2 n,) also contains
     the changes of the strains of the edges.
@@ -53,14 +53,14 @@ class Bracing:
 
 
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the one-sided elements whose force is almost 0. `force` (n, 2), 1/mm2, is the force in the rod."""
+    """Return ties and one-sided rails whose force is almost 0. `force` (n, 2), 1/mm2, is the force in the rod."""
     largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
     return tuple(action for action in between if action.is_one_sided and action.size <= SLACK_SHARE * largest)
 
 
 @dataclass(frozen=True, eq=False)
 class _Brace:
-    """Contribution of one element to the second variation, for changes h (n,) of the edge angles.
+    """Contribution of a rail, pin or tie to the second variation, for changes h (n,) of the edge angles.
 
     Attributes
     ----------
@@ -98,7 +98,10 @@ class _Edges:
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the sum of the edges times `weights` (n,) or (2, n)."""
+        """Return the derivatives (2, unknowns) of the weighted sum of the edge vectors.
+
+        `weights` is (n,), or (2, n) if the weights of x and y differ.
+        """
         moves = self.edge_length * left_of(self.tangents).T * weights
         if self.directions is None:
             return moves
@@ -170,7 +173,7 @@ def bracing_of(
     supports: Supports,
     directions: FloatArray | None = None,
 ) -> Bracing:
-    """Return the contribution of taut elements to the second variation of a discrete rod.
+    """Return the contribution of taut rails, pins and ties to the second variation of a discrete rod.
 
     Parameters
     ----------

@@ -567,7 +567,7 @@ class DiscreteRod:
     start : (2,) array
         Position of the first node, mm.
     bracing : Bracing or None
-        Contribution of elements between the ends to the second variation.
+        Contribution of rails, pins and ties to the second variation.
     compression : Compression or None
         Axial elasticity of the edges; None for a rod that bends only.
 
@@ -736,7 +736,7 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
-        """Return the constraints of the ends and elements, and the terms that are added to the Hessian.
+        """Return the constraints of ends, rails, pins and ties, and the terms that are added to the Hessian.
 
         For an axially elastic rod, every constraint becomes a term.
         """

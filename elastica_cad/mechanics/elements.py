@@ -159,12 +159,12 @@ NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force", PointM
 
 
 def noun_of(element: Element | PointForce | PointMass) -> Refusal:
-    """Return the noun that names an element or load in messages."""
+    """Return the noun that names a rail, pin, tie or load in messages."""
     return note(NOUNS[type(element)])
 
 
 def require_elements(between: object) -> tuple[Element, ...]:
-    """Return the elements as a tuple. Refuse objects of other classes."""
+    """Return rails, pins and ties as a tuple. Refuse objects of other classes."""
     return several("between", between, Rail | Pin | Tie, "Rail, Pin or Tie")
 
 
@@ -194,7 +194,7 @@ AT_END_SHARE = 1e-6
 """Positions closer to an end than this fraction of the length count as at the end."""
 
 AT_JOINT_SHARE = 2e-3
-"""Largest distance, as a fraction of the length, by which an element is moved to the start of a straight free end.
+"""Rails, pins and ties nearer to the start of a straight free end than this fraction of the length are moved there.
 
 The tolerance allows for positions that are rounded to a millimetre.
 """
@@ -204,7 +204,7 @@ _NEWTON_STEPS = 20
 
 @dataclass(frozen=True, eq=False)
 class PlacedElement:
-    """Element or load with its position on a curve.
+    """Rail, pin, tie or load with its position on a curve.
 
     Attributes
     ----------
@@ -224,10 +224,10 @@ class PlacedElement:
     def on(
         cls, element: Element | PointForce, drawn: PlaneCurve, curve: PlaneCurve, joints: Sequence[float] = ()
     ) -> "PlacedElement":
-        """Convert the position of an element from the `drawn` curve to the realizable `curve`.
+        """Convert the position of `element` from the `drawn` curve to the realizable `curve`.
 
         Rails and pins are moved to the nearest point of `curve`. Ties and loads keep their arc length as a
-        fraction of the whole length. Elements near the start of a straight free end (`joints`, mm) are moved there.
+        fraction of the whole length. A position near the start of a straight free end (`joints`, mm) is moved there.
         """
         assert isinstance(element, Rail | Pin | Tie | PointForce)
         places = (element.start, element.end) if isinstance(element, Tie) else (element.at,)
@@ -268,7 +268,7 @@ def place_elements(
     supports: Supports,
     joints: Sequence[float] = (),
 ) -> tuple[PlacedElement, ...]:
-    """Return the elements on the realizable curve. Refuse elements at points that the ends already hold."""
+    """Return rails, pins, ties and loads on the realizable curve. Refuse those at points that the ends hold."""
     placed = tuple(PlacedElement.on(element, drawn, curve, joints) for element in elements)
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
@@ -336,7 +336,7 @@ def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
 
 @dataclass(frozen=True)
 class Mount:
-    """Properties of a mounted element that do not change while the strip is bent.
+    """Properties of a mounted rail, pin or tie that do not change while the strip is bent.
 
     Attributes
     ----------
@@ -355,7 +355,7 @@ class Mount:
 
 @dataclass(frozen=True, eq=False)
 class ElementForce:
-    """Element or load with its force on a rod.
+    """Rail, pin, tie or load with its force on a rod.
 
     Attributes
     ----------
@@ -366,7 +366,7 @@ class ElementForce:
         Forces on the strip at these points, 1/mm2. Multiply by the least bending stiffness of the rod (N mm2) to
         obtain N.
     mount : Mount or None
-        Data set by `bend`; None for a taut element of a rod that has not been bent since its design.
+        Data set by `bend`; None if the element is taut and the rod has not been bent since its design.
     """
 
     element: Element | PointForce
@@ -387,7 +387,7 @@ class ElementForce:
 
     @property
     def on_curve(self) -> Any:
-        """Element or load with its positions given as arc lengths along the rod."""
+        """Rail, pin, tie or load with its positions as arc lengths along the rod."""
         names = ("start", "end") if isinstance(self.element, Tie) else ("at",)
         element: Any = self.element
         return replace(element, **dict(zip(names, self.s.tolist(), strict=True)))
@@ -398,13 +398,13 @@ class ElementForce:
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
-        """Return the straight distance, mm, between the first and the last point of the element on a curve."""
+        """Return the straight distance, mm, between the first and the last point of application on a curve."""
         ends = curve.at(self.s).position
         return float(np.hypot(*(ends[-1] - ends[0])))
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the elements with their forces, from the solved values `numbers` (u,) of the unknowns."""
+    """Return rails, pins and ties with their forces, from the solved values `numbers` (u,) of the unknowns."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(
@@ -451,7 +451,7 @@ def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatAr
 
 
 def require_free_between(rod: Any, task: str) -> None:
-    """Refuse a rod with elements or point forces, which `task` does not take into account."""
+    """Refuse a rod with rails, pins, ties or point forces, which `task` does not take into account."""
     if rod.acting:
         raise InputError(
             "{task} does not take rails, pins, ties or point forces into account yet. Use a rod without them.",

@@ -125,8 +125,8 @@ def examine(
 
     A strip with weight (`heavy`) needs no line (paper, section 5). A curve that was fitted to points is compared
     with other fits. If their results differ, the result is `undecided`. `stations` are the arc lengths, mm, of
-    elements and forces on a strip without weight. Between a free end and the station nearest to this end, the
-    strip carries no moment and must be straight.
+    rails, pins, ties and forces on a strip without weight. Between a free end and the station nearest to this end,
+    the strip carries no moment and must be straight.
     """
     judge = partial(
         _examine_curve,

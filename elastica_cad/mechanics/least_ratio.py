@@ -259,8 +259,8 @@ def optimal_rod(
     check : EquilibriumCheck, optional
         Result of an earlier check of the same curve with the same options.
     between : sequence of Rail, Pin and Tie
-        Elements that support the strip between its ends. The forces of the elements are unknowns of the
-        linear program. An element at an inflection exerts no force normal to the strip, because the width
+        Rails, pins and ties that hold the strip between its ends. Their forces are unknowns of the
+        linear program. At an inflection, their force normal to the strip is zero, because the width
         would jump there. `Rod.between_forces` contains the forces.
     loads : sequence of PointMass and PointForce
         Masses (g) that hang on the strip in the direction of `gravity`, and forces (N). The weight of the strip is
@@ -517,7 +517,7 @@ def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
 
 
 KINK_SHARE = 0.005
-"""A kink closer to an element than this fraction of the length is caused by the force of the element."""
+"""A kink closer to a rail, pin or tie than this fraction of the length is caused by its force."""
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:

@@ -329,7 +329,7 @@ class Supports:
         return all(end.is_free for end in self.ends)
 
     def require_held(self, *, between: bool = False) -> None:
-        """Refuse two free ends, unless elements between them support the rod."""
+        """Refuse two free ends, unless rails, pins or ties between them support the rod."""
         if self.is_free and not between:
             raise _unheld("x")
 
@@ -375,7 +375,7 @@ def require_gravity(gravity: object) -> None:
 def require_supports(supports: object, *, between: bool = False) -> Supports:
     """Return the supports; None means clamped at both ends.
 
-    `between` is True if elements between the ends also support the rod.
+    `between` is True if rails, pins or ties between the ends also support the rod.
     """
     if supports is None:
         return Supports()

@@ -131,10 +131,10 @@ class MomentRows:
 def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
     """Return stiffness, force and moment along a curve as linear maps of the state at the end (paper, Eqs. 3, 5).
 
-    The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
-    kappa - kappa_0, the curvature minus the natural curvature, the moment is set to zero. The stiffness there is
-    then a limit, and not a quotient of rounding errors. The caller must therefore require that the rows of
-    `edge_moment` at the zeros give 0.
+    The equations of the rod are integrated from the end of the curve to its start, panel by panel. The stiffness is
+    the moment divided by the excess curvature kappa - kappa_0 (curvature minus natural curvature). At a zero of the
+    excess curvature, the moment is set to exactly 0, so that the stiffness is not a quotient of rounding errors.
+    The caller must require that the moment is 0 there: the rows of `edge_moment` contain its coefficients.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
     load : LineLoad, optional
         Weight along the curve; none by default.
     units : (N + 1, 2, u) array, optional
-        Forces on the strip at the ends of the panels, if one of the u unknown forces is 1 and the others are 0.
+        Forces x and y on the strip at the ends of the N panels that a unit value of each of the u unknowns causes.
     """
     if units is None:
         units = np.zeros((panels.count + 1, 2, 0))
@@ -163,7 +163,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     b = np.zeros((count + 2, 2, size))  # force b before the curve, in each panel, and after the curve
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        # the force b jumps at each element, from the end of the curve towards its start
+        # from the end of the curve towards its start, the force b jumps at each rail, pin and end of a tie
         step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
@@ -472,10 +472,10 @@ def _bounded(
     best: Callable[[FloatArray, FloatArray], FloatArray],
     tolerance: float = BOUNDED,
 ) -> FloatArray:
-    """Return the optimal parameters y of a stiffness K between 1 and `ratio` on the continuous curve.
+    """Return the parameters y from `best` for which the stiffness K is between 1 and `ratio` on the whole curve.
 
-    The function `best` computes y from the rows and offsets of samples. The extremes of the resulting K become
-    further samples until K exceeds its bounds by at most the relative `tolerance`.
+    The function `best` computes y such that K = rows @ y + offsets is within the bounds at samples. The extremes of
+    K are added as samples until K exceeds its bounds by at most the relative `tolerance`.
     """
     rows, offset = (samples[:: METHOD.first_step] for samples in family.dense)
     for _ in range(METHOD.most_rounds):
@@ -547,7 +547,7 @@ class BalancedStiffness:
     kinks : sequence of (s, continuity)
         Arc lengths s, mm, at which the load or the material law makes K less smooth than the curve.
     between : tuple of ElementForce
-        Elements with their forces, 1/mm2.
+        Rails, pins and ties with their forces, 1/mm2.
     """
 
     panels: Panels
@@ -574,8 +574,8 @@ class RodRequest(EqualByValue):
     """Request for a rod whose rest shape is a curve; `optimal_rod` describes the attributes.
 
     `known_check` is the result of an earlier check of the curve, or None. Masses are in `weight`, other loads in
-    `point_forces`. If the curve `drawn` is given, positions of elements and point forces are along `drawn`,
-    otherwise along `curve`.
+    `point_forces`. Positions of rails, pins, ties and point forces are along the curve `drawn`, or along `curve` if
+    `drawn` is None.
     """
 
     curve: PlaneCurve
@@ -626,7 +626,7 @@ class RodRequest(EqualByValue):
 
     @property
     def needs_line(self) -> bool:
-        """True if no weight, load or element acts between the ends."""
+        """True if the rod has no weight, point force, rail, pin or tie."""
         return self.gravity is None and not self.between and not self.point_forces
 
     @property
@@ -636,7 +636,7 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def elements(self) -> tuple[PlacedElement, ...]:
-        """Elements between the ends with their positions on the checked curve."""
+        """Rails, pins and ties with their positions on the checked curve."""
         return self._placed(self.between)
 
     @cached_property
@@ -692,15 +692,15 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Matrix C (k, m) of the conditions C @ numbers = 0 of the linear program.
+        """Matrix C (k, m) of the conditions C @ numbers = 0 on the m numbers that `MomentRows` describes.
 
-        The moment is zero at inflections, and the force is zero along free coordinates. An element at an
-        inflection exerts no force normal to the strip, because the stiffness would jump there.
+        The moment is zero at inflections, and the force is zero along coordinates that an end leaves free. A rail,
+        pin or tie at an inflection exerts no force normal to the strip, because the stiffness would jump there.
         """
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
         rows = [self.rows.edge_moment[at]]
-        # an element may push at the start of a straight tail, where the stiffness does not jump
+        # a rail, pin or tie may push at the start of a straight tail, where the stiffness does not jump
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():

@@ -1,11 +1,11 @@
-"""Forces and equations of elements between the ends of a discrete rod while the rod is bent.
+"""Forces and equations of rails, pins and ties of a discrete rod while the rod is bent.
 
 The rest shape is a stationary point of
 
     E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
 
 with respect to the edge angles, the forces f, the arc length s at each rail and the angle psi of each cord. E is
-the energy of the rod, c(s) its position at arc length s, and f the force of an element on the strip. A pin or rail
+the energy of the rod, c(s) its position at arc length s, and f a force on the strip. A pin or rail
 is at the point P. A cord of length l connects the arc lengths p and q, in the direction of the unit vector e(psi).
 If no end is held along an axis, the translation of the rod along this axis is an additional unknown.
 """
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class ElementEquations:
-    """Residuals of the elements and their derivatives.
+    """Residuals of rails, pins and ties, and derivatives of the residuals.
 
-    The first two unknowns of an element are the components of its force. The third unknown of a rail is the arc
+    The first two unknowns of each are the components of its force. The third unknown of a rail is the arc
     length of its contact point. The third unknown of a tie is the length times the angle of its cord. The last
     unknowns are the translations of the rod along free axes. The residuals of force components are position errors,
     mm. All other residuals are forces, 1/mm2.
@@ -67,17 +67,16 @@ class ElementEquations:
 
 @dataclass(frozen=True, eq=False)
 class MountedElements:
-    """Taut elements of a rod and their equations.
+    """Taut rails, pins and ties of a rod and their equations.
 
     Attributes
     ----------
     actions : tuple of ElementForce
-        Elements with their `mount`. The forces and arc lengths of the elements are the initial values of the
-        unknowns.
+        Rails, pins and ties with their `mount`. The forces and arc lengths are the initial values of the unknowns.
     supports : Supports
     anchor : (2,) array
-        Coordinates x and y, mm, from which positions are computed. Each is a coordinate of the start if the start
-        holds it, otherwise of the end.
+        Coordinates x and y, mm, from which positions are computed. Each coordinate is that of the start, or of the
+        end if the start does not hold this coordinate.
     load : (2,) array
         Sum of the known forces divided by the least bending stiffness, 1/mm2.
     edge_length : float
@@ -125,7 +124,7 @@ class MountedElements:
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
-        """Return the part (n, 2) of the edge forces lambda, 1/mm2, that the elements cause."""
+        """Return the part (n, 2) of the edge forces lambda, 1/mm2, that rails, pins and ties cause."""
         force = np.zeros((edges, 2))
         for action in self.solved(numbers):
             if isinstance(action.element, Tie):
@@ -193,7 +192,7 @@ class MountedElements:
         return ElementEquations(rows, pulls, corner, residual, places)
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
-        """Return the elements with the forces and arc lengths of the unknowns `numbers` (k,)."""
+        """Return rails, pins and ties with the forces and arc lengths of the unknowns `numbers` (k,)."""
         actions, at = [], 0
         for action in self.actions:
             f, s = numbers[at : at + 2], action.s
@@ -276,7 +275,7 @@ class ShapeOfRod:
 
 
 def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:
-    """Return the mounted elements of a rod: its present elements, or the new elements `between`.
+    """Return the mounted rails, pins and ties of a rod: the present ones, or the new ones in `between`.
 
     A pin or rail at a point away from the strip moves the strip to this point. A new pin with the same index as a
     present pin holds the same point of the strip. A tie without `length` is as long as the distance between its two
@@ -321,7 +320,7 @@ def _new(
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # the new element is initially taut if the old element exerted a force
+        force = before.force  # the new rail or tie is initially taut if the old one exerted a force
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve, shape)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
@@ -344,7 +343,7 @@ def _point(place: FloatArray) -> tuple[float, float]:
 
 
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the force, 1/mm2, that a one-sided element cannot exert; 0 if its force is possible."""
+    """Return the force, 1/mm2, that a tie or one-sided rail cannot exert; 0 if its force is possible."""
     if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
@@ -354,7 +353,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Set the direction in which a one-sided rail pushes. Other elements are returned unchanged."""
+    """Set the direction in which a one-sided rail pushes. Other rails, pins and ties are returned unchanged."""
     mount = action.mounting
     if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
         return action
@@ -375,7 +374,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return the element without force. A rail is moved to the nearest point of the strip."""
+    """Return the rail, pin or tie without force. A rail is moved to the nearest point of the strip."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -15,23 +15,23 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
-"""Displacement of an element as a fraction of the length. It is so small that the strip responds linearly."""
+"""Displacement of a rail or pin as a fraction of the length, so small that the strip responds linearly."""
 
 ROUNDING_FRACTION = 1e-6
-"""Forces of elements up to this fraction of the largest force in the rod are rounding errors."""
+"""Forces of rails, pins and ties up to this fraction of the largest force in the rod are rounding errors."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
-    """Return the largest displacement of the rod, mm, per mm of error in mounting each element.
+    """Return the largest displacement of the rod, mm, per mm of error in mounting each rail, pin or tie.
 
     The error is a displacement of a pin in the worst direction, a displacement of a rail along its normal, or a
-    change of the length of a cord. The equations of equilibrium are linearised about the present shape. The value
-    for a slack element is 0.
+    change of the length of a tie. The equations of equilibrium are linearised about the present shape. The value
+    for a slack rail or tie is 0.
 
     Parameters
     ----------
     rod : Rod
-        Rod in equilibrium, with elements between its ends.
+        Rod in equilibrium, with rails, pins or ties.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
-    """Yield the largest displacement of the strip, per mm of error, for each taut element."""
+    """Yield the largest displacement of the strip, per mm of error, for each taut rail, pin or tie."""
     at, shape = len(state.system.held), shape_of(state)
     for action in acting:
         if isinstance(action.element, Pin):

@@ -29,7 +29,7 @@ NEAR_REST_RAD = 1e-2
 # if a Newton step turns all edges by less, the method ends; the next step would be about its square
 CONVERGED_RAD = 1e-9
 MOST_DESCENT_STEPS = 300
-# accuracy, as a fraction of the path, of the point at which an element becomes slack or taut
+# accuracy, as a fraction of the path, of the point at which a rail or tie becomes slack or taut
 STOP_SHARE = 1e-3
 # least step, as a fraction of the path; the end of a branch is located with this accuracy
 LEAST_STEP = 1e-7
@@ -300,7 +300,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state after the smallest change of angles that moves ends and elements to their positions."""
+    """Return the state after the smallest change of angles that moves supports and ties to their positions."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length
@@ -505,7 +505,7 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return eigenvalue (1/mm2) and eigenvector number `mode`, from 1, of the second variation per length.
+    """Return eigenvalue (1/mm2) and eigenvector of the second variation per length; `mode` is the index from 1.
 
     The first half-wave is to the left for `side` 1, and to the right for `side` -1.
     """

@@ -90,7 +90,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         numbers = problem.homogeneous(loaded=False)
-        # with elements, refine the panels, because the stiffness varies strongly near zeros of the curvature
+        # refine the panels, because rails, pins and ties vary the stiffness strongly near zeros of the curvature
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break
@@ -307,7 +307,7 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening_factor(load, least, most)
-    except NotConvergedError:  # the message then suggests no thickness
+    except NotConvergedError:  # the error then suggests no thicker sheet
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 

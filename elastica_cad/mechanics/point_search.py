@@ -1,4 +1,4 @@
-"""Search for the control point whose smallest displacement makes an impossible curve possible."""
+"""Search for a small move of a single control point that makes an impossible curve possible."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -31,7 +31,7 @@ SHARES = (0.1, 0.25, 0.5, 1.0)
 """Distances by which a control point is moved, as fractions of the largest allowed distance."""
 
 ON_LINE = 3
-"""Number of inflections that the move of one control point can bring onto a common line."""
+"""Number of inflections that moving a single control point can bring onto a common line."""
 
 TO_LINE, TO_RATIO = 14, 4
 """Numbers of bisections: to bring inflections onto a line, and to reduce the stiffness ratio to its limit."""

@@ -100,11 +100,11 @@ class Panels:
         return len(self.t)
 
     def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return panel numbers and panel coordinates x in [-1, 1] of parameters `t` (n,)."""
+        """Return panel indices and panel coordinates x in [-1, 1] of parameters `t` (n,)."""
         return locate_in_panels(self.edges, t)
 
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
-        """Return panel numbers and coordinates x of dense samples, with `parts` intervals in each panel."""
+        """Return panel indices and coordinates x of dense samples, with `parts` intervals in each panel."""
         x = lobatto_places(parts)
         return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
 

@@ -414,8 +414,8 @@ class Rod:
     warnings : tuple of str
         Warnings about the result.
     between, point_forces : tuple of ElementForce
-        Elements and point forces between the ends, with their positions and forces on the strip. `force` jumps by
-        these forces.
+        Rails, pins and ties, and point forces, with their positions and forces on the strip. The attribute `force`
+        jumps by these forces.
     compression : Compression or None
         Axial elasticity of the edges, or None for a rod whose length is constant.
     """
@@ -607,14 +607,14 @@ class Rod:
 
     @property
     def acting(self) -> tuple[ElementForce, ...]:
-        """Elements and point forces between the ends."""
+        """Rails, pins, ties and point forces."""
         return (*self.between, *self.point_forces)
 
     @property
     def support_forces(self) -> FloatArray:
         """Forces (2, 2) of the supports on start and end, divided by the least bending stiffness, 1/mm2.
 
-        The forces of elements at the ends are not included.
+        Forces of rails, pins and ties at the ends are not included.
         """
         forces = np.array([self.force[0], -self.force[-1]])
         for action in self.acting:
@@ -624,7 +624,7 @@ class Rod:
 
     @property
     def between_forces(self) -> FloatArray:
-        """Forces (m, 2) of the elements `between`, divided by the least bending stiffness, 1/mm2.
+        """Forces (m, 2) of the m rails, pins and ties, divided by the least bending stiffness, 1/mm2.
 
         The force of a tie is the force at its start.
         """
@@ -634,9 +634,9 @@ class Rod:
     def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
         """Sides of the thrust line, in order along the rod.
 
-        Elements and point forces divide the rod into pieces. The side of a piece is its line of zero moment, or
-        None if its moment is constant. Neighbouring sides intersect on the line of action of the force between
-        their pieces. A rod with weight has no sides, because its internal force turns along each piece.
+        Rails, pins, ties and point forces divide the rod into pieces. The side of a piece is its line of zero
+        moment, or None if its moment is constant. Neighbouring sides intersect on the line of action of the force
+        between their pieces. A rod with weight has no sides, because its internal force turns along each piece.
         """
         from elastica_cad.mechanics.theorem1 import InflectionLine
 
@@ -757,7 +757,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # an element at a node makes the force at this node ambiguous, so take the median of all nodes
+        # a rail, pin or tie at a node makes the force at this node ambiguous, so take the median of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length = self.length / angles.size

@@ -41,7 +41,7 @@ class Residual(NamedTuple):
     """Residuals of a discrete rod, which are zero in equilibrium.
 
     `imbalance` (n,) contains the imbalance of moments of the edges, 1/mm. `miss` (p,) contains the errors of ends
-    and elements: position errors, mm, and forces, 1/mm2 (see `ElementEquations`).
+    and of rails, pins and ties: position errors, mm, and forces, 1/mm2 (see `ElementEquations`).
     """
 
     imbalance: FloatArray
@@ -76,7 +76,7 @@ class RodSystem:
     law : MaterialLaw, optional
         Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
-        Mounted elements that act between the ends, with initial values of their forces.
+        Mounted rails, pins and ties, with initial values of their forces.
     compression : Compression, optional
         Axial elasticity of the edges.
     """
@@ -146,7 +146,7 @@ class RodSystem:
 
     @cached_property
     def elements(self) -> MountedElements | None:
-        """Elements between the ends and their equations."""
+        """Rails, pins and ties, and their equations."""
         if not self.actions:
             return None
         start = self.supports.ends[0]
@@ -158,7 +158,8 @@ class RodSystem:
     def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
         """Return the state with edge angles (n,), rad, and given reactions, as in `RodState`.
 
-        By default the reactions of the supports are 0, and the unknowns of the elements have their initial values.
+        By default the reactions of the supports are 0, and the unknowns of rails, pins and ties have their initial
+        values.
         """
         if reactions is None:
             reactions = np.zeros(len(self.held))
@@ -184,7 +185,7 @@ class RodState:
         Edge angles, rad.
     reactions : (p,) array
         First the support reactions: contributions to the force lambda, 1/mm2, along the coordinates that both ends
-        hold. Then the unknowns of the elements, as in `ElementEquations`.
+        hold. Then the unknowns of rails, pins and ties, as in `ElementEquations`.
     """
 
     system: RodSystem
@@ -233,7 +234,7 @@ class RodState:
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:
-        """Taut elements with their forces and arc lengths."""
+        """Taut rails, pins and ties with their forces and arc lengths."""
         elements = self.system.elements
         return () if elements is None else elements.solved(self._numbers)
 
@@ -320,7 +321,7 @@ class RodState:
 
     @cached_property
     def residual(self) -> Residual:
-        """Imbalance of moments, and errors of ends and elements."""
+        """Imbalance of moments, and errors of ends, rails, pins and ties."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
@@ -372,7 +373,7 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Largest relative error of ends and elements, as in `missed`."""
+        """Largest relative error of ends, rails, pins and ties, as in `missed`."""
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:

@@ -391,9 +391,9 @@ PRINTED_ACCURACY = 0.01
 """Relative accuracy of a published radius, which has two digits."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
-"""Range of thicknesses, mm, for which the table is used.
+"""Range of thicknesses, mm, for which `least_plywood_radius` uses `ROWS_INCH`.
 
-A sheet of 0.8 mm has the strain of the thinnest row, 0.89 mm.
+A thinner sheet than the first row (0.89 mm) is given the strain of the first row.
 """
 
 

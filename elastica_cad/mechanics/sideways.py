@@ -454,7 +454,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
 
 @dataclass(frozen=True, eq=False)
 class _Braces:
-    """Contribution of elements to the second variation for rotations out of the plane.
+    """Contribution of rails, pins and ties to the second variation for rotations out of the plane.
 
     The vector phi (2 n,) contains the rotations about x and y of every edge.
 
@@ -471,7 +471,7 @@ class _Braces:
 
 
 def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
-    """Return the constraints that taut elements impose on a rod of edges with unit tangents T (n, 2).
+    """Return the constraints that taut rails, pins and ties impose on a rod of edges with unit tangents T (n, 2).
 
     Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. A pin holds
     w. The line of contact with a rail holds the twist phi_T. A cord with pull P and length l adds P / l (w_q -

@@ -291,8 +291,8 @@ class Stability:
         Number of unstable modes.
     conjugate_point : float or None
         First isoperimetric conjugate point, mm of arc length from the start of the rod. None if the rod is stable.
-        None also if the angle is free at both ends or elements act between the ends, because the point is then not
-        defined.
+        None also if the angle is free at both ends or the rod has rails, pins or ties, because the point is not
+        defined then.
     started_from : {"start", "end"} or None
         End from which the conjugate point is computed; from the other end it has a different position.
     determinant_s, determinant : (n,) arrays
@@ -342,7 +342,7 @@ class Stability:
 
 
 def stability(rod: Rod) -> Stability:
-    """Return the stability of a rest shape with its weight, supports and elements between its ends.
+    """Return the stability of a rest shape with its weight, supports, rails, pins and ties.
 
     Two independent methods must agree: the number of negative eigenvalues of the constrained second variation
     (LDL^t), and its lowest eigenvalue (inverse iteration).

@@ -278,7 +278,7 @@ class LeavesLaw(FixedLaw):
 class Leaf:
     """Ply of a stack, or piece of a ply, from arc length `start` to `end`, mm.
 
-    `number` is the number of the ply in the stack. Ply 1 has the full length.
+    `number` is the index of the ply in the stack, from 1. Ply 1 has the full length.
     """
 
     number: int
@@ -300,7 +300,7 @@ class LaidLeaves(ThicknessLaw):
     sheet, least, largest, width
         As in `ThicknessLaw`; `sheet` is the sheet of each ply.
     leaves : tuple of Leaf
-        Plies over the full length first, then the other plies in the order of their numbers.
+        Plies over the full length first, then the other plies in the order of their indices.
     """
 
     leaves: tuple[Leaf, ...] = ()

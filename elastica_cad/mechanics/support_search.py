@@ -20,7 +20,7 @@ from elastica_cad.mechanics.optimal_balance import ratio_within
 from elastica_cad.mechanics.stability import stability
 
 PLACES = 11
-"""Number of points along the curve, evenly spaced between its ends, at which elements are tried."""
+"""Number of points along the curve, evenly spaced between its ends, at which rails, pins and ties are tried."""
 
 PLACE_DIGITS = 3
 """Number of significant digits of a suggested arc length."""
@@ -32,7 +32,7 @@ MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""
 
 MOST_STABLE_TRIED = 3
-"""Largest number of elements of each kind for which the stability of the rod is computed."""
+"""Largest number of rails, of pins and of ties for which the stability of the rod is computed."""
 
 
 def suggest_support(
@@ -41,8 +41,8 @@ def suggest_support(
     """Return the rail, pin or tie with which a stable rod without weight can have the shape of a curve.
 
     Rails and pins are tried at 11 points, and ties between these points, so at most 77 linear programs are
-    solved. The result is the element with the least stiffness ratio. A pin or a tie is returned only if its ratio
-    is less than half of the ratio of a rail, or if no rail is suitable.
+    solved. The result has the least stiffness ratio. A pin or a tie is returned only if its ratio is less than half
+    of the ratio of a rail, or if no rail is suitable.
 
     Parameters
     ----------
@@ -56,8 +56,8 @@ def suggest_support(
     Returns
     -------
     Rail, Pin, Tie or None
-        Element whose positions are arc lengths, mm, with 3 significant digits. None if no element gives a stable
-        rod with a ratio up to 8.
+        Positions are arc lengths, mm, with 3 significant digits. None if no rail, pin or tie gives a stable rod
+        with a ratio up to 8.
 
     Examples
     --------
@@ -98,7 +98,7 @@ def suggest_support(
 
 
 def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
-    """Return the ratio and the element of the stable rod of least stiffness ratio, or None."""
+    """Return the ratio and the rail, pin or tie of the stable rod of least stiffness ratio, or None."""
     possible = []
     for i, request in enumerate(requests):
         with suppress(ElasticaError):

@@ -776,7 +776,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # True if the curve, extended beyond this end, has a zero close to the end
+        # True if the excess curvature, extrapolated linearly, becomes zero just beyond this end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             slope_sign = int(np.sign(slope))

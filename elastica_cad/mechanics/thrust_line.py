@@ -1,4 +1,4 @@
-"""Thrust line of a rod with elements or point forces, as drawn in pictures."""
+"""Thrust line of a rod with rails, pins, ties or point forces, as drawn in pictures."""
 
 import numpy as np
 
@@ -27,8 +27,8 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
     """Return the sides of the thrust line inside a box, each side as points (n, 2).
 
     A side extends as far as its corners with other sides, its inflections and the ends of the rod. Sides of a rod
-    without weight are straight (n = 2). The result is empty for a rod without elements and point forces, because
-    its thrust line is the inflection line.
+    without weight are straight (n = 2). The result is empty for a rod without rails, pins, ties and point forces,
+    because its thrust line is the inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)
@@ -68,7 +68,7 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
 
 
 def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the parts (n, 2) of the thrust line of a rod with weight inside a box, divided at the elements.
+    """Return the thrust line of a rod with weight inside a box, as parts (n, 2) between rails, pins and ties.
 
     Let M be the moment at the point gamma of the rod, b the force there after a quarter turn, and e the direction
     of gravity. The internal force acts along the line M + <b, x - gamma> = 0. All these lines touch the curve

@@ -1,7 +1,7 @@
 """Ends of a curve that carry no moment: unbent ends and straight tails.
 
-The part of a strip between a free end and the first element or force is a tail. Without weight, a tail carries no
-moment and is straight.
+The part of a strip between a free end and the first rail, pin, tie or force is a tail. Without weight, a tail
+carries no moment and is straight.
 """
 
 from collections.abc import Iterator, Sequence
@@ -63,14 +63,14 @@ def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
 
 @dataclass(frozen=True)
 class FreeTail:
-    """Part of a curve between a free end and the first element or force.
+    """Part of a curve between a free end and the first rail, pin, tie or force.
 
     Attributes
     ----------
     end : int
         0 at the start of the curve, 1 at its end.
     station : float
-        Arc length of the element or force, mm.
+        Arc length of this rail, pin, tie or force, mm.
     straight : float or None
         Arc length, mm, to which the curve is straight from the free end; None if it is not straight there.
     t, length : float
@@ -87,7 +87,7 @@ class FreeTail:
 def find_free_tails(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature, stations: Sequence[float]
 ) -> list[FreeTail]:
-    """Return the tails of a strip that is cut flat, for elements and forces at arc lengths `stations`, mm.
+    """Return the tails of a flat-cut strip, for rails, pins, ties and forces at arc lengths `stations`, mm.
 
     A tail extends from a free end to the nearest station. If there is a kink of the curvature or an end of a
     straight piece near this station, the tail extends to that point.

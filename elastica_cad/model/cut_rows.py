@@ -98,14 +98,14 @@ class Stock:
 
 @dataclass(frozen=True)
 class CutList:
-    """List of the pieces to be cut. `csv` is a text for programs, and `str()` returns a printed table.
+    """List of the pieces to be cut. `csv` is the list for spreadsheets, and `str()` returns a table to print.
 
     Attributes
     ----------
     rows : tuple of CutListRow
         Pieces to be cut.
     printed : tuple of CutListRow
-        Printed blocks. The sums do not include them.
+        Blocks to be printed. The totals `count`, `shapes`, `cut_length` and `mass` do not include printed blocks.
     stock : tuple of Stock
         Sheets and rods to buy, if the list belongs to a kit.
     """
@@ -258,7 +258,7 @@ def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], lines: Sequence[int]) -> str:
-    """Return rows as text, with a rule above each row whose number is in `lines`."""
+    """Return rows as text, with a horizontal line above each row whose index is in `lines`."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     texts = []
     for row in rows:

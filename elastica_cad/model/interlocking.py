@@ -295,9 +295,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return a known joint, moved to an equal pair of strips with the indices `members`.
+        """Return the joint of an equal pair of strips, moved to the pair with the indices `members`.
 
-        `frames` are the frames of the earlier strip in the known and in the new pair.
+        `frames` are the frames of the first strip of each pair: of the pair with the joint, then of `members`.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)

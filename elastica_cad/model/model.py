@@ -246,11 +246,11 @@ class Model:
         return tuple(placed.strip for placed in self.placed)
 
     def name_of(self, index: int) -> str:
-        """Return the name of strip `index` in messages: its label, or its number counted from 1."""
+        """Return the name of strip `index` in messages: its label, or its index counted from 1."""
         return self._names[0][self._place(index)]
 
     def single_name_of(self, index: int) -> str:
-        """Return the name of strip `index`, with its number if other strips have the same label."""
+        """Return the name of strip `index`, with its index counted from 1 if other strips have the same label."""
         return self._names[1][self._place(index)]
 
     @cached_property

@@ -323,7 +323,7 @@ def _stations_of(size: Profile) -> list[float]:
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     """Return a point and the direction of the line of zero moment (Eq. 3 of the paper).
 
-    Return None for a rod with weight, elements or point forces, or without a force at its start.
+    Return None for a rod with weight, rails, pins, ties or point forces, or without a force at its start.
     """
     size = float(np.linalg.norm(rod.force[0]))
     if rod.gravity is not None or rod.acting or size == 0.0:
@@ -350,7 +350,7 @@ def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
 
 
 def _mark_stations(axes: Axes, rod: Rod) -> None:
-    """Draw labelled markers of rails, pins and ties. A tie is a dotted line. Slack elements are grey.
+    """Draw labelled markers of rails, pins and ties. A tie is a dotted line. Slack rails and ties are grey.
 
     The label of a rail is on the side from which the rail pushes.
     """

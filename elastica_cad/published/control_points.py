@@ -89,10 +89,10 @@ class CurveChanges:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Matrix (2 m + 3, r) whose columns are the allowed changes of m control points and of the inflection line.
+        """Matrix (2 m + 3, r). Each column is a change of curve and inflection line that the constraints allow.
 
-        The first 2 m rows are changes of x and y of the control points, in turn. The last three rows are changes
-        of a, b_x and b_y of the line a + <b, x> = 0.
+        The first 2 m rows are changes of the m control points: x and y of the first point, then of the second
+        point, and so on. The last three rows are changes of a, b_x and b_y of the line a + <b, x> = 0.
         """
         curve = self.state.curve
         a, b = self.state.line

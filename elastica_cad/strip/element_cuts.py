@@ -56,7 +56,7 @@ class ElementCut:
     hole, notch : float
         Diameter of the hole and width and depth of each notch, mm; 0 for none.
     noun : Refusal
-        Name of the element in messages.
+        Name of the rail, pin or tie in messages.
     """
 
     at: float

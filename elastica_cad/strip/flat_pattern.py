@@ -211,7 +211,7 @@ class SegmentPart:
     start, end : int
         Indices of the corners at start and end, in the direction of the loop.
     number : int
-        Number of the piece. The two sides of a seam have the same number.
+        Index of the piece. The two sides of a seam have the same index.
     seam : bool
         True for a piece on the line between two regions, which is not an edge of the pattern.
     """
@@ -278,7 +278,7 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Number of pieces of the outline, which are numbered before the pieces of the holes."""
+    """Number of pieces of the outline. Their indices precede the indices of the pieces of holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split a closed loop at the stations. `backward` reverses the loop."""

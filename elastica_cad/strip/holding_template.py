@@ -153,10 +153,10 @@ class HeldElement:
     Attributes
     ----------
     name : str
-        Letter for the kind of element or load and its number, such as R1, P1, T1, F1 or M1.
+        Letter for the kind (rail, pin, tie, force or mass) and a count, such as R1, P1, T1, F1 or M1.
     action : ElementForce
     position : (k, 2) array
-        Points on the strip to which the element is attached, mm, in the plane of the curve.
+        Points of application on the strip, mm, in the plane of the curve.
     outward : (k, 2) array
         Unit normals of the strip at these points. For a rail they point to the side of the rail, for a pin or
         tie to the left of the strip. For a load, this is the direction of its force.
@@ -166,7 +166,7 @@ class HeldElement:
     tilt : float
         Direction of the strip at the first point, or of a load, relative to the line from start to end, degrees.
     force : float
-        Force of the element on the strip, N.
+        Force on the strip, N.
     face : (2,) array, optional
         Point at which a one-sided rail touches the strip, in the coordinates of `places`, mm.
     """
@@ -191,7 +191,7 @@ class HeldElement:
 
     @property
     def noun(self) -> str:
-        """Kind of the element as a word, with the mass, g, of a point mass."""
+        """Noun such as "rail", or the noun and the mass, g, of a point mass."""
         element: Any = self.action.element
         noun = noun_of(element)
         if not isinstance(element, PointMass):

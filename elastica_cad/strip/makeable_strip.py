@@ -110,7 +110,7 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 ROUNDS = 8
 LEAST_GAIN = 0.97  # the search ends if an iteration leaves more than this fraction of the deviation
 LARGEST_GUESS = 0.5  # largest magnitude of the logarithm of the first factors on the width
-SMALL_DEVIATION_FRACTION = 1e-5  # deviation, as a fraction of the length, at which the search ends
+SMALL_DEVIATION_FRACTION = 1e-5  # smaller deviations, as fractions of the length, are accepted
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:

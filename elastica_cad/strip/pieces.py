@@ -81,11 +81,11 @@ class EqualStrips:
     strip : Strip
         The first of the equal strips.
     name : str
-        Label of this strip, or its number in the model as in "strip 3".
+        Label of this strip, or its index in the model counted from 1, as in "strip 3".
     members : tuple of int
         Indices of the strips in the model.
     shape : int
-        Number of the shape. Groups with the same number differ only in their engraving.
+        Index of the shape. Groups with the same index differ only in their engraving.
     """
 
     strip: Strip
@@ -196,13 +196,13 @@ class FlatShape:
 
 
 class DistinctShapes:
-    """List of different shapes, numbered from 0 and sorted by length for a fast search."""
+    """Different shapes with indices from 0, sorted by length for fast comparison."""
 
     def __init__(self) -> None:
         self._found: list[tuple[float, int, FlatShape]] = []
 
     def number(self, shape: FlatShape) -> int:
-        """Return the number of an equal shape, or the next number for a new shape."""
+        """Return the index of an equal shape, or the next index for a new shape."""
         length = float(shape.size_of_loops[0])
         low, high = ((length * (1 + side * 2 * SIZE_TOLERANCE),) for side in (-1, 1))
         near = self._found[bisect_left(self._found, low) : bisect_right(self._found, high)]

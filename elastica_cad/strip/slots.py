@@ -52,29 +52,30 @@ def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, F
 
 @dataclass(frozen=True, eq=False)
 class Slot:
-    """A slot from inside the strip to its edge.
+    """Slot that begins inside a strip and opens at an edge of the strip.
 
     Parameters
     ----------
     at : float
-        Arc length of the inner end of the centre line, mm.
+        Arc length of the strip, mm, at the inner end of the slot's centre line.
     width : float
-        Width across the slot, mm; for a slot along a `path` the width at the inner end.
+        Width of the slot, mm. If the slot follows a `path`, its width at the inner end.
     depth : float, optional
         Distance across the strip from its edge to the inner end of the slot, mm; by default to the centre line of
         the strip.
     side : "upper" or "lower"
         Edge of the flat pattern at which the slot opens: y > 0 or y < 0.
     lean : float
-        Inclination of the slot: the angle between its centre line and the direction across the strip, rad. If it
-        is positive, x increases towards the edge. In `elastica_cad.build123d` and `elastica_cad.cadquery`, `lean`
+        Angle between the slot's centre line and the direction across the strip, rad. If `lean` is positive, x
+        increases from the inner end to the edge. In `elastica_cad.build123d` and `elastica_cad.cadquery`, `lean`
         is in degrees.
     relief : "square" or "round"
-        Shape of the inner end. A semicircle extends beyond the given depth.
+        Shape of the inner end. A round end is a semicircle that extends beyond `depth`.
     mate : str
         Name of the part that is inserted in the slot, engraved beside it.
     path : (k, 2) array, optional
-        Centre line in the flat pattern from the inner end to the edge, mm. A path replaces `depth` and `lean`.
+        Points of the slot's centre line in the flat pattern, from the inner end to the edge, mm. `path` replaces
+        `depth` and `lean`.
     widths : (k,) array, optional
         Width at every point of `path`, mm.
 

@@ -331,7 +331,10 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return a closed strip without its lap, with a gap because CAD kernels fail on touching bodies."""
+        """Return the body of a closed strip without its lap.
+
+        A gap separates the two ends, because CAD kernels fail on touching faces.
+        """
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(

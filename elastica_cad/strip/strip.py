@@ -926,7 +926,7 @@ def require_placed(placed: object) -> tuple[Placed, ...]:
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """Return the name of each strip for messages: its label, or its number, counted from 1."""
+    """Return the name of each strip for messages: its label, or its index, counted from 1."""
     return tuple(item.strip.label or f"strip {i}" for i, item in enumerate(placed, start=1))
 
 

@@ -316,7 +316,7 @@ class StripSpec(EqualByValue):
         Masses hung on the strip in addition to its own weight, and forces (N). A `Weight` is the whole weight in
         newtons. Masses and a `Weight` need gravity.
     between : sequence of Rail, Pin and Tie
-        Elements that hold the strip between its ends. The accuracy of the strip is not computed with them.
+        Rails, pins and ties that hold the strip between its ends. The accuracy of such a strip is not computed.
     supports : Supports
         Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature
@@ -724,7 +724,7 @@ class StripSpec(EqualByValue):
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # the compensation supports neither loads nor the weight of a strip with elements between its ends
+        # the compensation supports neither loads nor the weight of a strip with rails, pins or ties
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 

@@ -371,7 +371,7 @@ def direction_in_drawing(angle: float) -> Refusal:
 
 
 def not_computed_row() -> Row:
-    """Return the row on accuracy of a strip with elements or point forces, for which accuracy is not computed."""
+    """Return the row on accuracy of a strip with rails, pins, ties or point forces: "not computed"."""
     return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
 
 

@@ -125,7 +125,7 @@ class Travel:
 
     @property
     def is_still(self) -> bool:
-        """True if the ends do not move, so that only loads or elements between them change."""
+        """True if the ends do not move, so that only loads, rails, pins or ties change."""
         return self._movement.is_still
 
     @property
@@ -252,7 +252,7 @@ class Travel:
         changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
         before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # elements are added or removed at the start of a step
+        # rails, pins and ties are added or removed at the start of a step
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_FRACTION:

@@ -613,7 +613,7 @@ def _suggestions_for_necks(
 def change_to_nearest(rod: Rod) -> tuple[Change, ...]:
     """Return the change to the nearest curve.
 
-    The result is empty for a rod with elements or masses, because a nearest curve has none.
+    The result is empty for a rod with rails, pins, ties or masses, because `nearest_rod` does not support them.
     """
     masses = rod.weight is not None and rod.weight.masses
     return () if rod.acting or masses else (Change("nearest", True),)

@@ -172,7 +172,7 @@ def _design(request: Mapping[str, Any]) -> Design:
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
-    """Return the `StripSpec` of strip number `k` of a design."""
+    """Return the `StripSpec` of the strip with index `k` in a design."""
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("The design has no strip. Add a strip.")
@@ -226,7 +226,7 @@ def _drawn_table(curve: object) -> Record:
 
 
 def _check_record(spec: StripSpec, scaled: Record) -> Record:
-    """Return the drawn curve and, if all elements are on the curve, the check of the curve."""
+    """Return the drawn curve and, if all rails, pins and ties are on the curve, the check of the curve."""
     curve = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
     record: Record = {"path": path, "kept": scaled}
@@ -257,8 +257,8 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     """Return the strip for the last possible position of a dragged control point.
 
     `request["hold"]` has the indices of the points that move together, their last possible positions `from`,
-    the tolerance `step`, mm, and the number `turn` of the first direction to try. If the points cannot move,
-    the answer has the positions `from`. If more directions are left to try, it has the next `turn`.
+    the tolerance `step`, mm, and the index `turn` of the first direction to try. If the points cannot move,
+    the answer has the positions `from`. If more directions are left to try, the answer has the next `turn`.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]

@@ -242,7 +242,7 @@ def move_poles(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace a curve of a sketch by a spline, or add the spline if `number` is None. Return its number.
+    """Replace the curve with index `number` by a spline, or add the spline if `number` is None. Return its index.
 
     A spline with hidden poles keeps its constraints. Visible poles are deleted with the replaced curve.
     """

@@ -58,7 +58,7 @@ def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
     """Return the pieces to be cut for strips, models and base plates, including all copies.
 
-    A strip is counted once if it is also in a selected model, in an array, or shown by a flat part.
+    A selected strip is not counted again if its model, array or flat part is also selected.
 
     Raises
     ------

@@ -307,12 +307,12 @@ def keys_of(item: Acting) -> tuple[str, ...]:
 
 
 def places_of(item: Acting) -> list[Any]:
-    """Return the positions of an element or load: mm along the curve, or points (x, y)."""
+    """Return the positions of a rail, pin, tie or load: mm along the curve, or points (x, y)."""
     return [getattr(item, key) for key in keys_of(item)]
 
 
 def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
-    """Return the values of the properties Between and Loads: a line for each element or load."""
+    """Return the values of the properties Between and Loads: a line for each rail, pin, tie or load."""
     lines: dict[str, list[str]] = {"Between": [], "Loads": []}
     for item in items:
         kind = word_of(type(item))
@@ -340,7 +340,7 @@ def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def acting_words(item: Acting, places: Sequence[float]) -> str:
-    """Return a description of an element or load; `places` are its positions, mm along the curve."""
+    """Return a description of a rail, pin, tie or load; `places` are its positions, mm along the curve."""
     at = {"at": Length(places[0])}
     match item:
         case Rail(one_sided=True):
@@ -423,7 +423,10 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def sheet_of(obj: Any) -> Sheet:
-    """Return the sheet with the measured thickness. Only the nominal thickness has a range."""
+    """Return the sheet with the measured thickness.
+
+    If this is not the nominal thickness, the result has no `thickness_range`.
+    """
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
         return sheet

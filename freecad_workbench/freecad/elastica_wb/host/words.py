@@ -68,9 +68,9 @@ class Words(Translated):
         return name_of(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Format a value of a message.
+        """Return the text of a value in a message.
 
-        The key `max_width` has two properties. A value of the type `MaterialWidth` selects the second.
+        A `MaterialWidth` becomes the name of the property MaterialWidth.
         """
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 

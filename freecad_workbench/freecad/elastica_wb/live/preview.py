@@ -64,7 +64,7 @@ class Preview:
         moved: Callable[[int, Place], None],
         released: Callable[[], None] | None = None,
     ) -> None:
-        """Add handles at points (n, 2). Dragging calls `moved` with the number and position of a handle."""
+        """Add handles at points (n, 2). Dragging a handle calls `moved` with its index and position."""
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
@@ -111,7 +111,7 @@ EDGE_ON_SINE = 1e-6
 class Handles:
     """Handles at points (n, 2) of a plane, mm.
 
-    Dragging calls `moved` with the number and new position of a handle; releasing it calls `released`. Mouse
+    Dragging a handle calls `moved` with its index and new position; releasing a handle calls `released`. Mouse
     moves during a call of `moved` are ignored.
     """
 

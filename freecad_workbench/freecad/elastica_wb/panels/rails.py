@@ -46,9 +46,9 @@ PROPERTIES = ("Between", "Loads")
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of element or load.
+    """A kind of rail, pin, tie or load.
 
-    `clicks` is the number of clicks that place an element. `make` creates the element from the points (x, y) of
+    `clicks` is the number of clicks that place an object. `make` creates the object from the points (x, y) of
     the clicks and their distances along the curve, mm.
     """
 
@@ -66,7 +66,7 @@ KINDS = {
     QT_TRANSLATE_NOOP("Elastica", "Force"): Kind(1, lambda _, places: PointForce(places[0], USUAL_FORCE_N)),
     QT_TRANSLATE_NOOP("Elastica", "Hung mass"): Kind(1, lambda _, places: PointMass(places[0], USUAL_MASS_G)),
 }
-"""Kinds of elements and loads.
+"""Kinds of rails, pins, ties and loads.
 
 When the curve changes, rails and pins stay in place. Ties and loads keep their fraction of the length.
 """
@@ -105,7 +105,7 @@ class RailsPanel(Panel):
             self._show()
 
     def changed(self) -> None:
-        """Write the numbers of the chosen element into the strip, and recompute."""
+        """Write the values of the chosen rail, pin, tie or load into the strip, and recompute."""
         if self.items:
             self.items[self.chosen] = self._typed(self.items[self.chosen])
         self._write()
@@ -141,7 +141,7 @@ class RailsPanel(Panel):
         self.clicked((x, y))
 
     def clicked(self, point: tuple[float, float]) -> None:
-        """Add an element at a point in the plane of the curve. A tie needs two points."""
+        """Add a rail, pin, tie or load at a point in the plane of the curve. A tie needs two points."""
         kind = KINDS[self.value("kind")]
         with self.telling():
             self._distance(point)
