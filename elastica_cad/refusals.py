@@ -263,7 +263,7 @@ class Refusal(str):
     Parameters
     ----------
     kind : str
-        Kind of the message for programs.
+        Kind of the refusal, as a word for programs.
     text : str
         English template with {name} for each value, or a complete sentence without values.
     values : mapping

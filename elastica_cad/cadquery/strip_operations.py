@@ -257,7 +257,7 @@ def _workplane_strip(
         free part at the origin. The outline, a face that can be extruded, has the same position. A bent strip
         is at its edges, which are first moved to the points of the stack, if there are any.
     combine, clean
-        The same as in `Workplane.eachpoint`. They apply to solids only.
+        The same as in `Workplane.eachpoint`, for solids only.
 
     Returns
     -------

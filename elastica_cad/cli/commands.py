@@ -327,7 +327,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in parameter_names:
-                # otherwise the next run would refuse to overwrite the files
+                # without `force`, the next run would refuse to overwrite the files
                 chosen["force"] = True
 
         remake_on_change(make, partial(echo, err=True))

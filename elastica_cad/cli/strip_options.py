@@ -38,7 +38,7 @@ CALLED = {
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys without a generated option. Their options have other forms of values, or set subkeys."""
+"""Keys without a generated option, because options written by hand set these keys or their subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
 

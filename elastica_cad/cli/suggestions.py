@@ -116,7 +116,7 @@ def cures_of(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> list[Cure]:
-    """Return changes of options that make the strip possible. Ctrl-C ends the search."""
+    """Return changes of options that make the strip possible. Ctrl-C ends the search for changes."""
     from elastica_cad.strip.suggestions import suggest
 
     cures: list[Cure] = []

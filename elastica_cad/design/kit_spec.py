@@ -40,7 +40,7 @@ class Cutting:
     """Options of cutting files.
 
     `kerf` is in mm, or None for the kerf of each sheet. If `curves` is None, curves are arcs for a cutting
-    service and splines otherwise. If `holding` is None, no bridges hold the parts in the sheet.
+    service, and splines for a workshop. If `holding` is None, no bridges hold the parts in the sheet.
     """
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)

@@ -69,8 +69,9 @@ class JoinedRuns:
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
         A shape, an overlapping shape that is not shorter, and the result. A coinciding shape is "left out" if
-        layer and name are equal, otherwise "kept". Shapes that overlap in part are "joined" to their union.
-        They stay unchanged ("in part") if layers or names differ, or if a third shape meets the joint.
+        layer and name are equal, and "kept" if they differ. Shapes that overlap in part are "joined" to their
+        union. If layers or names differ, or if a third shape meets the joint, these shapes are unchanged
+        ("in part").
     closed : tuple of float
         Widths, mm, of the gaps that were closed because rounding of coordinates in the file explains them.
     widest : float

@@ -53,7 +53,7 @@ def write_curves(
 
     DXF keeps degree, knots and weights of every spline. JSON stores the exact numbers, and SVG stores cubics
     to 1e-12 mm. In SVG, weighted splines and higher degrees become cubics. In DXF R12, curves become arcs.
-    Both replacements are accurate to 0.001 mm. CSV contains points. A `FitWarning` reports the distance
+    These cubics and arcs are accurate to 0.001 mm. CSV contains points. A `FitWarning` reports the distance
     between a curve and its replacement, and the largest change of strip width. Two curves of a DXF or SVG
     whose ends meet are read back as a single curve.
 

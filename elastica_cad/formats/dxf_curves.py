@@ -517,7 +517,7 @@ def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """Return a polyline without bulges as a single edge, otherwise a line or arc for each side."""
+    """Return a single edge for a polyline without bulges. With bulges, return a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:

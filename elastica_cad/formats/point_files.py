@@ -342,7 +342,7 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
     """Return the columns with decimal points and without separators of thousands.
 
-    Also return a message if the separators are ambiguous, otherwise "".
+    Also return a message, which is "" unless the separators are ambiguous.
     """
     columns = _mapped(
         columns,

@@ -258,7 +258,7 @@ _STALE_S = 24 * 3600
 
 @contextmanager
 def _workshop(ground: Path, above: Path) -> Iterator[Path]:
-    """Provide a folder inside a new, locked temporary folder in `ground`. Both are removed at the end.
+    """Provide a folder inside a new, locked temporary folder in `ground`. At the end, both folders are removed.
 
     First, temporary folders in `ground` and `above` are removed if their process was killed more than a day
     ago.

@@ -25,7 +25,7 @@ UNBENT_SHARE = 2e-3
 _REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # shortest knot span as a fraction of the length; shorter spans would fit rounding errors
+_SHORTEST_SPAN = 1e-3  # shortest knot span as a fraction of the length, above rounding errors
 # inflections closer to an end than this fraction of the rod's length count as inflections at the end
 _SAME_LENGTHS = 1e-6
 _PARDONED = 2.0  # largest accepted error of the best fit, as a multiple of the tolerance

@@ -14,7 +14,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
-"""Number of nodes of the rods in the search."""
+"""Number of nodes of the rods that are computed in the search for ply ends."""
 
 FINE_NODES = 1001
 """Number of nodes of the returned rod; with fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
@@ -26,10 +26,10 @@ ROUNDINGS = (0.35, 0.5, 0.65)
 """Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
 
 DIFFERENCE = 1e-4
-"""Step of the finite differences in the search, as a fraction of the length."""
+"""Step of the finite differences by the ply ends, as a fraction of the length."""
 
 SETTLED = 1e-7
-"""Relative change of the ply ends, or of the squared distance, below which the search ends."""
+"""The search for ply ends stops at a smaller relative change of the ply ends or of the squared distance."""
 
 MOST_TRIALS = 60
 
@@ -126,7 +126,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Search for the ply ends and clamp angles whose rest shape is nearest to the points `drawn`.
+    """Search for ply ends and clamp angles that give the rest shape nearest to the points `drawn`.
 
     The order of the ply ends is fixed.
 

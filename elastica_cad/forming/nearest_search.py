@@ -77,7 +77,7 @@ class SearchSettings(NamedTuple):
         Largest number of searches to determine the scale of the sections.
     scale_reserve, scale_change : float
         Factor on the largest scale, because the widths may still change, and growth of the scale below which the
-        search ends. These and the next settings apply if the margin depends on the widths.
+        search ends. The settings from `scale_reserve` on apply if the margin depends on the widths.
     scale_factors : tuple of float
         Factors on the scale that are tried in order.
     margin_fraction : float

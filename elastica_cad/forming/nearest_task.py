@@ -161,7 +161,7 @@ class NearestTask:
 
     @property
     def scale(self) -> float:
-        """Bending stiffness, N mm2, where the stiffness K of the search is 1; 1 without a section law."""
+        """Bending stiffness, N mm2, where the relative stiffness K is 1; 1 without a section law."""
         return 1.0 if self.section is None else self.section.scale
 
     def scaled_by(self, share: float) -> "NearestTask":

@@ -24,7 +24,7 @@ class InteriorPoints(NamedTuple):
         Largest length of a step, as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
         After `cycling` factorisations, the second-order correction is omitted, and each step reduces the
-        complementarity to the fraction `centered`. Otherwise one program in a thousand would not converge.
+        complementarity to the fraction `centered`. Without this rule, one program in a thousand would not converge.
     most : int
         Largest number of factorisations.
     """

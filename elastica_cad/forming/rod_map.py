@@ -75,7 +75,7 @@ FULL_STRAIN = 1 - 2e-5
 
 @dataclass(frozen=True, eq=False)
 class SectionScale:
-    """Relation between the bending stiffness E I and the stiffness K of the search: E I = `scale` K.
+    """Relation between the bending stiffness E I and the relative stiffness K: E I = `scale` K.
 
     K is between 1 and `ratio`. E I is within the limits of a section law.
 

@@ -356,7 +356,7 @@ class SectionSpec:
     cuts : RadialCuts, ParallelCuts, AlongPath or GivenCuts
         Family of planes.
     half : bool, optional
-        If True, only the part with x >= 0 of each section is used. This is the default for radial cuts.
+        If True, only the part with x >= 0 of each section is used. The default for radial cuts is True.
     longest : bool
         If True, only the longest line of each section is used.
     splits : sequence of PlaneSplit, PointSplit and CornerSplit

@@ -217,7 +217,7 @@ class NonlinearProgram(ABC, Generic[Point]):
     Attributes
     ----------
     lower, upper : (p,) arrays
-        Bounds of the unknowns. They are equal for a fixed unknown.
+        Bounds of the unknowns. A fixed unknown has equal bounds.
     scale : (p,) array
         Typical sizes of the unknowns.
     """
@@ -640,7 +640,7 @@ class _Walk(Generic[Point]):
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
     """Return the first iterate: the start, if its defect is small.
 
-    Otherwise return the point in equilibrium with the same unknowns, or the fallback of the program.
+    For a large defect, return the point in equilibrium with the same unknowns, or the fallback of the program.
     """
     point = program.clip(start)
     here = iterate_at(program, point)

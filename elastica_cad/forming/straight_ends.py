@@ -21,7 +21,7 @@ class StraightEnds:
     Attributes
     ----------
     drawn, bent : PlaneCurve
-        The whole curve and its bent part. They are equal if neither end is straight.
+        The whole curve and its bent part. If neither end is straight, the bent part is the whole curve.
     lengths : (float, float)
         Lengths of the straight first and last pieces, mm; 0 if there is none.
 

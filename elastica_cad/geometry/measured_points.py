@@ -24,7 +24,7 @@ SETTLED = 0.7
 CROWDED_SHARE = 0.1
 """If the noise exceeds this fraction of the point spacing, every other point is omitted.
 
-Otherwise noise could change the order of neighbouring points along the curve.
+If all points were used, noise could change the order of neighbouring points along the curve.
 """
 
 REPORTED_MM = 0.01

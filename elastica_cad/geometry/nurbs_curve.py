@@ -290,8 +290,8 @@ class RationalPieces:
     def _local(self) -> FloatArray:
         """Bezier points (p, degree + 1, 2 or 3) of the pieces. If weights differ, they are the third column.
 
-        Coordinates are relative to the middle control point of each piece. Otherwise second derivatives of
-        short pieces far from the origin would have large rounding errors.
+        Coordinates are relative to the middle control point of each piece. With coordinates relative to the origin,
+        second derivatives of short, distant pieces would have large rounding errors.
         """
         near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
@@ -450,7 +450,7 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 SAME_KNOT = 1e-12
 """A parameter closer to a knot than this fraction of the domain counts as the knot.
 
-Otherwise a knot span could be as short as rounding errors.
+Without this rule, a knot span could be as short as rounding errors.
 """
 
 FAR_SIZES = 1e6
@@ -594,8 +594,8 @@ class NurbsCurve:
     ) -> Self:
         """Return a spline with few control points whose distance from all `points` is at most `tolerance` mm.
 
-        The curve contains the noise of measured points. Strips report noise that affects their widths. Their option
-        `smooth` removes the noise.
+        The curve contains the noise of measured points. Strips report noise that affects their widths. The option
+        `smooth` of a strip removes the noise.
 
         Parameters
         ----------
@@ -640,7 +640,7 @@ class NurbsCurve:
         function : callable
             Function of parameters (k,) between `start` and `end` that returns points (k, 2), mm.
         breaks : sequence of (parameter, continuity)
-            Parameters at which the function has only `continuity` continuous derivatives. They become knots.
+            Parameters at which the function has only `continuity` continuous derivatives. Knots are put there.
 
         Examples
         --------
@@ -703,8 +703,8 @@ class NurbsCurve:
     def siblings(self, control_points: FloatArray) -> list[Self]:
         """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        The curves are not checked, because that would be slow for thousands of curves. Their speed must be
-        positive everywhere.
+        The speed of the curves must be positive everywhere. It is not checked, because the check would be slow for
+        thousands of curves.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 

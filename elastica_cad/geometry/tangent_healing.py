@@ -68,7 +68,7 @@ class Healing:
     healed : tuple of Turn
         Nodes whose corners were removed.
     undecided : tuple of Turn
-        Nodes with corners above `SURE` that rounding can cause. They may be real corners.
+        Nodes with corners above `SURE` that may be caused by rounding or may be real.
     """
 
     knots: FloatArray

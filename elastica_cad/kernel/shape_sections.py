@@ -42,9 +42,8 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     Returns
     -------
     tuple of PlaneSection
-        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or more if
-        its chords would otherwise deviate by more than 0.001 mm. The section has no lines if the plane misses the
-        shape.
+        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or as many as
+        its chords need to deviate by at most 0.001 mm. The section has no lines if the plane misses the shape.
     """
     k, shape = kernel(), bare(shape)
     if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():
@@ -53,7 +52,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # request splines, because a freeform face would otherwise give a polyline of 10,000 points
+        # request splines; without this request, a freeform face would give a polyline of 10,000 points
         section.Approximation(True)
         section.Build()
         return section.Shape()

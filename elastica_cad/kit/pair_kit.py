@@ -40,7 +40,7 @@ class MadePair:
 
     @cached_property
     def kit(self) -> Kit:
-        """Report and all files for which the required packages are installed."""
+        """Report and files, without files that require a missing package."""
         name, part = self.name, self.part
         files = [
             file

@@ -86,7 +86,7 @@ class StripResult:
         return stability(self.strip.rod)
 
     def kit(self, request: StripFiles) -> Kit:
-        """Return the report and all requested files for which the required packages are installed.
+        """Return the report and the requested files, without files that require a missing package.
 
         The description of a file is its kind, such as "dxf", or "backing dxf" for the backing of a laminate.
         """

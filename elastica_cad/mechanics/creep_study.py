@@ -28,7 +28,7 @@ class Creep:
     rod, later : Rod
         Rod before creep and after creep has ended, with the same supports.
     exact : bool
-        True if the result is exact for a homogeneous standard linear solid. Otherwise the result is an
+        True if the result is exact for a homogeneous standard linear solid. False if the result is an
         approximation with an effective modulus.
     """
 

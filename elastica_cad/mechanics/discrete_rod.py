@@ -516,8 +516,8 @@ class Margin:
     mode : (n,) array
         Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
-        Multipliers nu of the constraints on x and y, see `DiscreteRod.margin_derivatives`. They are zero for a
-        coordinate that is not held at both ends, and for axially elastic rods.
+        Multipliers nu of the constraints on x and y, see `DiscreteRod.margin_derivatives`. The multiplier is zero
+        for a coordinate that is not held at both ends, and for axially elastic rods.
     """
 
     value: float

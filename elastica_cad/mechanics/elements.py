@@ -227,7 +227,8 @@ class PlacedElement:
         """Convert the position of `element` from the `drawn` curve to the realizable `curve`.
 
         Rails and pins are moved to the nearest point of `curve`. Ties and loads keep their arc length as a
-        fraction of the whole length. A position near the start of a straight free end (`joints`, mm) is moved there.
+        fraction of the whole length. If the position is near the start of a straight free end (`joints`, mm), it is
+        moved there.
         """
         assert isinstance(element, Rail | Pin | Tie | PointForce)
         places = (element.start, element.end) if isinstance(element, Tie) else (element.at,)

@@ -489,7 +489,7 @@ def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, Float
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
-    """Return the lines through the only inflection of a curve for which moment and bending have the same sign.
+    """Return lines through the only inflection of a curve such that moment and bending have the same sign.
 
     The inflection p is the only zero of kappa - kappa_0, the curvature minus the natural curvature. The moment
     M = <b, gamma - p> must have the sign of kappa - kappa_0 on the whole curve gamma. A vector b exists if and

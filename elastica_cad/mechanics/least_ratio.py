@@ -550,7 +550,7 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
 
 
 _SETTLED_SHARE = 1e-5
-"""The search has converged when the stiffness changes by less than this fraction."""
+"""The search for a laminate has converged when the stiffness changes by less than this fraction."""
 
 _MOST_ROUNDS = 30
 """Largest number of optimal rods that are computed in the search for a laminate."""

@@ -245,7 +245,7 @@ class End:
     x, y : bool
         True if the coordinate is held. An end free in x slides horizontally.
     angle : bool
-        True if the tangent is held. Otherwise the moment at the end is zero, and the curvature equals the natural
+        True if the tangent is held. If False, the moment at the end is zero, and the curvature equals the natural
         curvature.
     """
 

@@ -794,7 +794,7 @@ class ConditionedRows:
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
-        """Panels and coordinates x of the nodes if the ratio is evaluated only at the nodes, otherwise None."""
+        """Panels and coordinates x of the nodes, or None if the ratio is evaluated on the whole curve."""
         everywhere = self.request.samples is None or self.request.largest_stiffness is not None
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 

@@ -310,7 +310,7 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.effective_curvature`; beyond the table, the slope remains that of the last point."""
+        """See `MaterialLaw.effective_curvature`; beyond the last curvature, the slope is that of the last point."""
         kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
@@ -327,17 +327,17 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """At most the last curvature of the table; see `MaterialLaw.injective_limit`."""
+        """At most the last of `curvatures`; see `MaterialLaw.injective_limit`."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """Points of the table; see `MaterialLaw.kinks`."""
+        """All `curvatures`; see `MaterialLaw.kinks`."""
         return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
-        """Refuse a curvature beyond the table as well; see `MaterialLaw.require_injective`."""
+        """Also refuse a curvature beyond the last of `curvatures`; see `MaterialLaw.require_injective`."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
                 f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "

@@ -87,8 +87,8 @@ def correct(
 ) -> tuple[RodState, int] | None:
     """Return the solution near a state by Newton's method with line search, or None without convergence.
 
-    A step is accepted if the next Newton step is smaller, and halved otherwise. This test (natural monotonicity) is
-    independent of units and of the number of edges.
+    A step is halved until the next Newton step is smaller. This test (natural monotonicity) is independent of units
+    and of the number of edges.
 
     Parameters
     ----------

@@ -278,9 +278,9 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness of least ratio whose largest value is `most`, N mm2, and the inverse of its least value.
+    """Return the stiffness of least ratio with the largest value `most`, N mm2, and the inverse of its least value.
 
-    Both are found by iteration, because a weight proportional to the relative stiffness depends on the least value.
+    The method is iterative, because a weight proportional to the relative stiffness depends on the least value.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -338,7 +338,10 @@ MOST_ROUNDS = 40
 """Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""The search ends when E I changes by a smaller fraction; the relative error of the weight is about its square."""
+"""The iteration for weight and E I stops when E I changes by a smaller fraction.
+
+The relative error of the weight is about the square of this fraction.
+"""
 
 TANGENT_STEP = 1e-4
 """Relative change of E I in the finite difference for the slope of the weight."""
@@ -347,7 +350,7 @@ FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
 HOPELESS_SHARE = 1e-4
-"""Fraction of the least section's E I below which the search stops."""
+"""The iteration stops if E I falls below this fraction of the E I of the least section."""
 
 WIDEST_REACH = 0.1
 """Largest root mean square change of E I in a step of a descent, as a fraction of the limit of E I."""
@@ -355,7 +358,7 @@ WIDEST_REACH = 0.1
 MOST_STEPS = 150
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent: `SHORTER` after a reversal of direction, otherwise `LONGER`."""
+"""Factors on the largest step of a descent after a reversal of direction, and after other steps."""
 
 LONGEST_JUMP = float(np.log(4.0))
 """Largest change of the natural logarithm of a scale by extrapolation."""
@@ -454,13 +457,13 @@ def _balance_by_descent(
 ) -> BalancedStiffness:
     """Return the stiffness in equilibrium that fits a section, by a descent in short steps.
 
-    If the section has an upper limit, the least E I is maximised. Otherwise the largest E I is minimised. The
-    steps become shorter after each reversal, because linear programs oscillate if the optimum is not at a
+    If the section has an upper limit, the least E I is maximised. If it has none, the largest E I is minimised.
+    The steps become shorter after each reversal, because linear programs oscillate if the optimum is not at a
     vertex. `state` is the moment (N mm) and force (N) at the end of the curve, an array (3,).
     """
     deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1 if the section has an upper limit, which E I must not exceed; otherwise 1
+    # -1 if the section has an upper limit, which E I must not exceed; 1 if it has none
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):

@@ -126,7 +126,8 @@ def _stiffness_profile_of(
 ) -> tuple[Profile, int]:
     """Return the stiffness as a profile over [0, length], and the number of nodes.
 
-    Without `samples`, an array determines the number of nodes; otherwise the number is `DEFAULT_SAMPLES`.
+    If `samples` is None, the number of nodes is the size of an array of stiffnesses. For a profile or a single
+    stiffness, the number is `DEFAULT_SAMPLES`.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -566,7 +567,7 @@ class Rod:
         }  # fmt: skip
 
     def csv(self) -> str:
-        """Return the table as comma-separated text with a header."""
+        """Return the columns of `table` as comma-separated text with a header."""
         return csv_text(self.table())
 
     @property
@@ -579,7 +580,7 @@ class Rod:
     def effective_curvature(self) -> FloatArray:
         """Moment divided by stiffness (n,), 1/mm.
 
-        The value is the change of curvature for a linear material, otherwise the effective curvature of `law`.
+        For a linear material, the value is the change of curvature; for a `law`, the effective curvature.
         """
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))

@@ -936,7 +936,7 @@ class SheetForCurve:
     sheet : Sheet
     scale : float
         Largest strain of a strip in the shape of the curve, divided by the long-term limit of the sheet. At 1 or
-        less the sheet withstands the curve as drawn. Otherwise the curve must be enlarged by this factor.
+        less the sheet withstands the curve as drawn. Above 1, the curve must be enlarged by this factor.
     """
 
     sheet: Sheet

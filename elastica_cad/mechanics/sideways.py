@@ -98,7 +98,7 @@ class SidewaysSection:
         -----
         The lower bound assumes stresses in equilibrium. Every ligament, of width b across the strip, carries its
         part of the load alone. A torque T on the strip is a torque T cos(theta) and a bending moment T sin(theta)
-        on the ligament. They reduce the torsional stiffness G b h^3/3, for sheet thickness h, by the factor
+        on the ligament. The torsional stiffness G b h^3/3, for sheet thickness h, is therefore multiplied by
         cos^2 / (cos^2 + 4 G/E sin^2). Edgewise, each ligament has the second moment of area b^3 h/12.
 
         The upper bound assumes compatible displacements. All ligaments twist equally, with the torsional stiffness

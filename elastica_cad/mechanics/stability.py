@@ -156,8 +156,8 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     """Return the first isoperimetric conjugate point from the start of the rod, mm, or None.
 
     The point is the length s of the shortest piece [0, s] of the rod that is not stable if the piece is clamped
-    at s. The method is bisection on the number of unstable modes of the piece. This method excludes the zero of
-    the determinant at s = 0.
+    at s. The method is bisection on the number of unstable modes of the piece, which excludes the zero of the
+    determinant at s = 0.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:

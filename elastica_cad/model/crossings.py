@@ -181,7 +181,7 @@ def _bracketed_zeros(
 
 
 PARALLEL_RAD = 2e-8
-"""Largest angle, rad, at which rulings count as parallel. Their distance then changes by 20 nm over 1 m."""
+"""Largest angle, rad, at which rulings count as parallel. Over 1 m, their distance then changes by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
 """Largest difference of the heights after Newton's method, as a fraction of the length of the longer strip."""
@@ -415,9 +415,9 @@ def _extreme_at_end(
 ) -> tuple[str, int, int] | None:
     """Return the height extreme at the end of a piece of equal height, or None where the surfaces touch.
 
-    The piece is in stretch k of strip a and in stretch m of strip b. Their heights are c_a and c_b, and the
-    piece ends at the height `bound`. The result is the strip with the extreme ("a" or "b"), the number of its
-    stretch that begins there, and the number of the other strip's stretch.
+    The piece is in stretch k of strip a and in stretch m of strip b. The heights of the strips are c_a and c_b, and
+    the piece ends at the height `bound`. The result is the strip with the extreme ("a" or "b"), the index of its
+    stretch that begins there, and the index of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:

@@ -25,7 +25,7 @@ def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> 
 
 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
-    """Return the number of each slot with a tab, the tab, and the two walls of the slot.
+    """Return the index of each slot with a tab, the tab, and the two walls of the slot.
 
     The walls (2, n, 2) are points in the plane of the strip's curve. Their coordinates are the distances along
     the tab and to its left. Wall 0 is between the corners 0 and 1 of the slot.

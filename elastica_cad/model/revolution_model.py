@@ -236,8 +236,8 @@ def revolve(
         neighbouring tabs apart.
     rings : Sheet or str, optional
         Sheet of the ring at each end, or of the cap near a pole. Rings and caps are the `plates` of the
-        model; see `ring_plate`. Their names are ring-bottom and ring-top, or ring-start and ring-end at equal
-        heights.
+        model; see `ring_plate`. The plates are named ring-bottom and ring-top, or ring-start and ring-end if they
+        have equal heights.
     gap : float, optional
         If given, two rings at this distance, mm, replace each single slotted ring and hold the tabs at their
         angle; see `ring_pair`.

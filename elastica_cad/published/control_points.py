@@ -222,7 +222,7 @@ _COARSE = 3.0
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-# predicted gain of a step, as a fraction of half the mean square distance, below which the search ends
+# no further step is made if its predicted gain is less than this fraction of half the mean square distance
 _SETTLED = 1e-3
 # gain of a step, relative to the squared length, that is only a rounding error
 _RESOLUTION = 1e-12

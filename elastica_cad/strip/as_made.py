@@ -178,7 +178,7 @@ def stiffness_factors(
     - "narrow tabs": unstressed corners at ends that are wider than their tabs.
     - "steps of width": unstressed corners on the wider side of a jump of the width, for solid strips.
     - "leaning ligaments": the stiffness of a ligament at the angle theta to the strip is multiplied by
-      cos(theta), because its mirror image prevents twisting. This holds for a Poisson ratio near 0.3. At 25
+      cos(theta), because its mirror image prevents twisting. This factor is for a Poisson ratio near 0.3. At 25
       degrees, ligaments are up to 7 % stiffer for the Poisson ratio 0, and up to 4 % stiffer for 0.1.
     - "anticlastic bending": a strip or ligament is stiffer if it cannot curl across its width.
     - "borders that curl": change of the stiffness of a laminate, because its borders curl.
@@ -267,7 +267,7 @@ def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     """Return the designed rod with a stiffness that depends on its curvature.
 
-    If the widths are `corrected` for curling, the rod keeps its stiffness in the designed shape. Otherwise it
+    If the widths are `corrected` for curling, the rod keeps its stiffness in the designed shape. If not, the rod
     is not in equilibrium until its rest shape is computed. The stiffness stays constant for a single sheet
     whose Poisson ratio is only an estimate.
     """

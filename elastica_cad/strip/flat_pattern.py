@@ -278,7 +278,7 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Number of pieces of the outline. Their indices precede the indices of the pieces of holes."""
+    """Number of pieces of the outline. Pieces of the outline have smaller indices than pieces of holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split a closed loop at the stations. `backward` reverses the loop."""

@@ -108,7 +108,7 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # the search ends if an iteration leaves more than this fraction of the deviation
+LEAST_GAIN = 0.97  # stop if an iteration leaves more than this fraction of the deviation
 LARGEST_GUESS = 0.5  # largest magnitude of the logarithm of the first factors on the width
 SMALL_DEVIATION_FRACTION = 1e-5  # smaller deviations, as fractions of the length, are accepted
 

@@ -386,7 +386,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
-    """Return (offset, speed) if x = offset + speed * parameter on the whole segment, otherwise None."""
+    """Return (offset, speed) such that x = offset + speed * parameter on the whole segment, or None."""
     if isinstance(segment, Line):
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
     if not isinstance(segment, Spline) or segment.curve.is_rational:

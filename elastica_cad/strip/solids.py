@@ -34,7 +34,7 @@ the largest extent."""
 def centred_thickness(strip: Strip) -> float:
     """Return the thickness that is centred on the curve, mm.
 
-    For a stack of plies, this is the full-length ply. Otherwise it is the sum of all layers.
+    In a stack of plies, only the ply of full length is centred. In other strips, the sum of all layers is centred.
     """
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 

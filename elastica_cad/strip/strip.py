@@ -505,7 +505,7 @@ class Strip:
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
 
     def csv(self) -> str:
-        """Return the table as comma-separated text with a header."""
+        """Return the columns of `table` as comma-separated text with a header."""
         return csv_text(self.table())
 
     @property
@@ -836,7 +836,7 @@ class Strip:
 
         All drawings have the same origin and the same holes in the tabs.
 
-        In a laminate, the position of the backing is marked on the base. Both sheets are engraved with INSIDE
+        In a laminate, the position of the backing is marked on the base. Base and backing are engraved with INSIDE
         or OUTSIDE, the side of the bend to which the engraved face points.
         """
         lap = self.ends[1].length if self.is_closed else 0.0

@@ -59,7 +59,7 @@ class Suggestion:
         Field and value. Two fields are not part of a request. "point" moves a control point; its value is (index,
         (x, y)), with indices from 0. "size" is a factor on the size of the drawing.
     requests : tuple of StripSpec
-        Requests with this change. There are several if the curve is divided at its corners.
+        Requests with this change: several requests if the curve is divided at its corners.
     deviation : float
         Largest distance from the drawn curve, mm.
     used : int

@@ -289,7 +289,7 @@ class Travel:
         }
 
     def csv(self) -> str:
-        """Return the table as comma-separated text with a header."""
+        """Return the columns of `table` as comma-separated text with a header."""
         return csv_text(self.table())
 
 

@@ -43,17 +43,17 @@ class FabricationLimits:
     Parameters
     ----------
     least_width : float, optional
-        Least width of a strip, a tab or a tongue, mm. By default the value of the sheet record, otherwise 3 times
-        the thickness and at least 3 mm.
+        Least width of a strip, a tab or a tongue, mm. By default the value of the sheet record or, if it has none,
+        3 times the thickness and at least 3 mm.
     least_ligament : float, optional
         Least width of material between the holes of a perforated strip, mm. By default the value of the sheet
-        record, otherwise 0.5 mm.
+        record or, if it has none, 0.5 mm.
     least_bridge : float, optional
-        Least width of material between the cuts of a ring or a plate, mm. By default the value of the sheet record,
-        otherwise the thickness and at least 2 mm.
+        Least width of material between the cuts of a ring or a plate, mm. By default the value of the sheet record
+        or, if it has none, the thickness and at least 2 mm.
     stock : (float, float), optional
-        Longer and shorter side of the largest sheet, mm. By default the values of the sheet record, otherwise 3050
-        by 1525 mm.
+        Longer and shorter side of the largest sheet, mm. By default the values of the sheet record or, if it has
+        none, 3050 by 1525 mm.
     lap : float, optional
         Length of the plates that join the pieces of a strip longer than the stock, mm. By default such strips are
         refused.
@@ -227,8 +227,8 @@ def _opposed_points(
 ) -> tuple[IntArray, IntArray]:
     """Return index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
 
-    The first point of each pair is among `searching`. One search compares points and normals, because the
-    normals times `least` are appended to the coordinates.
+    The first point of each pair is among `searching`. Points and normals are compared in the same search, because
+    the normals times `least` are appended to the coordinates.
     """
     # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])

@@ -903,7 +903,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
 }
 
 WITH_FILES = (_read_dropped, _download)
-"""Functions that get a temporary folder. They read no files outside it."""
+"""Functions that get a temporary folder and read no files outside this folder."""
 
 OF_THE_FILE = (_open_saved, _save)
 """Functions that get the path of the studio's design file."""

@@ -49,7 +49,7 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Check of requests. They must have the token, name this computer as host, and come from this site."""
+    """Check of requests: a request must have the token, name this computer as host, and come from this site."""
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
@@ -211,7 +211,7 @@ def _save_if_unchanged(path: Path, content: bytes) -> bytes:
 def bound_socket(port: int) -> socket.socket:
     """Return a listening socket for connections from this computer only. Port 0 selects any free port."""
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    # otherwise, recently closed connections would block the port for a minute
+    # by default, recently closed connections would block the port for a minute
     if os.name == "posix":
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:

@@ -21,7 +21,7 @@ def open_step(document: Any, name: str) -> None:
 
 def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
     """Begin an undo step, and close the open sketch in it."""
-    # open the step first, because FreeCAD would otherwise name the step "close the sketch"
+    # open the step first, because FreeCAD names a step "close the sketch" if no step is open
     open_step(document, name)
     close_sketch()
     if not active_step(document):  # FreeCAD 1.2 ends the step when the sketch closes
@@ -32,7 +32,7 @@ def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
     if not _has_steps_of_documents():
-        # otherwise a step without changes would stay open, and FreeCAD would add later changes to it
+        # a step without changes is still open here, and FreeCAD would add later changes to it
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 

@@ -251,7 +251,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 def _may_help(spec: StripSpec, change: Change) -> bool:
     """Return True if a change makes the strip possible. Switches are accepted without a test."""
     if change.field == "nearest" and (spec.between or spec.rod_spec.point_forces):
-        return False  # the search ignores rails, pins, ties and point forces
+        return False  # `nearest_rod` ignores rails, pins, ties and point forces
     if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):
@@ -320,7 +320,7 @@ def _solids(body: Any) -> bool:
 
 
 def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write the results. The curve was moved `changed` mm by the search and `smoothed` mm by smoothing."""
+    """Write the results. `nearest_rod` moved the curve by `changed` mm, and smoothing by `smoothed` mm."""
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [

@@ -58,7 +58,7 @@ def field_for(obj: Any, name: str) -> Any:
 
 
 def put_away(widget: Any) -> None:
-    """Delete a widget of `field_for`. Otherwise it would continue to react to formulas."""
+    """Delete a widget of `field_for`, because a widget that remains would continue to react to formulas."""
     widget.blockSignals(True)
     widget.setParent(None)
     widget.deleteLater()
@@ -215,7 +215,7 @@ def _is_number_box(widget: Any) -> bool:
 
 
 def _widen(box: Any) -> None:
-    """Remove the limits of a box. Otherwise FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large."""
+    """Remove the limits of a box. With limits, FreeCAD drops the first m of "0.15 mm" if 0.15 m is too large."""
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
     box.setProperty("maximum", LARGEST)

@@ -59,7 +59,7 @@ class Panel:
             open_step(document, self.step)
 
     def make_form(self) -> Any:
-        """Make the form. The message is at the top, visible without scrolling."""
+        """Make the form. Messages are at the top, visible without scrolling."""
         form = load_panel(self.file)
         for name, value in quantities_of(self.file).items():
             set_value(getattr(form, name), value)

@@ -48,7 +48,7 @@ from elastica_cad.strip.suggestions import Suggestion
 
 # delay, ms, between the last change and the search for suggestions
 IDLE_MS = 400
-# interval, ms, between checks whether the search has ended
+# interval, ms, between checks whether the search for suggestions has ended
 PEEK_MS = 60
 STYLES = {
     severity: f' style="color: {hex_color(COLORS[verdict])};"'

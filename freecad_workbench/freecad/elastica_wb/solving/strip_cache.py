@@ -206,7 +206,7 @@ def _is_within_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        # the search is slow, so it comes last
+        # `find_rod` is slow, so it is called last
         again = find_rod(spec)
     except ElasticaError:
         return False
