@@ -54,9 +54,9 @@ _MOST_ENDS = 50
 # largest number of neighbours that are compared with an end, as a multiple of `_MOST_ENDS`
 _CROWDED_CELLS = 4
 
-# map from each joined end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+# map from each joined end to the end that it touches; an end is (index of the run, 0 for start or 1 for end)
 _Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
-# position in a run: number of the edge, and parameter on it
+# position in a run: index of the edge, and parameter on the edge
 _Place: TypeAlias = tuple[int, float]
 
 
@@ -197,7 +197,7 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Return pairs of unjoined ends that nearly meet: distance (mm), numbers of both chains, position.
+    """Return pairs of unjoined ends that nearly meet: distance (mm), indices of both chains, position.
 
     The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted
     by distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if
@@ -226,7 +226,7 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
     """Return the runs that are joined one after another to the end `side` (0 start, 1 end) of a run.
 
-    Each entry has the number of a run, and the end at which the path leaves this run.
+    Each entry has the index of a run, and the end at which the chain leaves this run.
     """
     used[first] = True
     path: list[tuple[int, int]] = []
@@ -309,7 +309,7 @@ class _RunIndex:
         self.rank = np.argsort(self.by_length)
 
     def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:
-        """Yield the number of each shorter run that touches run j, with two flags.
+        """Yield the index of each shorter run that touches run j, with two flags.
 
         The first flag is True if both ends are on run j. The second is True if a part may coincide with run j.
         """

@@ -133,11 +133,11 @@ class _Search:
     Attributes
     ----------
     steps : (m, 2) int array
-        For each of `places`, the number of a ply, and 1 if the ply begins there or -1 if it ends there.
+        For each of `places`, the index of a ply, and 1 if the ply begins there or -1 if it ends there.
     places : (m,) array
         Initial positions of the ply ends, as fractions of the length.
     first : tuple of int
-        Numbers of the plies that begin at the start of the rod.
+        Indices of the plies that begin at the start of the rod.
     tangents : (bool, bool)
         For start and end, True if the clamp angle is fixed.
     """

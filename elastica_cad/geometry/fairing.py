@@ -253,7 +253,7 @@ class _Problem:
         self.data_part = self._normal_equations(both, np.concatenate(target))
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Fix the end control points. Return the number of each control point among the unknowns, -1 if fixed."""
+        """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
         # the first three control points of a straight line with constant speed are 0, 1 and 3 steps from its end

@@ -312,7 +312,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the plies or pieces: the number of the ply, and a letter if the ply has several pieces."""
+        """Names of the plies or pieces: the index of the ply from 1, and a letter if the ply has several pieces."""
         numbers = [leaf.number for leaf in self.leaves]
         counts: dict[int, int] = {}
         labels = []

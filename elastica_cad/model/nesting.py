@@ -100,7 +100,7 @@ class _Box:
 
 @dataclass
 class _Row:
-    """Row of boxes: number of the sheet, start and width across the sheet, and length of all boxes, mm."""
+    """Row of boxes: index of the sheet, start and width across the sheet, and length of all boxes, mm."""
 
     sheet: int
     start: float
@@ -126,7 +126,7 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to the side of the sheet for which the pieces need fewer sheets or, if the numbers are
+    Rows are parallel to the side of the sheet for which the pieces need fewer sheets or, if the counts are
     equal, less of the last sheet. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is
     along its width, and `Sheet.grain` sets the direction of pieces with grain.
 

@@ -490,7 +490,7 @@ class _ContactProblem:
     ) -> QuadraticSolution:
         """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
         length = self.design.length
-        # H: Hessian of the energy of the tabs, 1/mm3; the energy of the rod is added below
+        # H: Hessian of the energy of the tabs, 1/mm3; the Hessian of the rod is added below
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )

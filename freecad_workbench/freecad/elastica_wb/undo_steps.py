@@ -37,14 +37,14 @@ def close_step(document: Any, *, abort: bool = False) -> None:
 
 
 def active_step(document: Any) -> int:
-    """Return the number of the undo step that records changes of a document, or 0."""
+    """Return FreeCAD's identifier of the undo step that records changes of a document, or 0."""
     if _has_steps_of_documents():
         return int(App.Document.getBookedTransactionID(document))
     return (App.getActiveTransaction() or ("", 0))[1]
 
 
 def active_steps() -> dict[str, int]:
-    """Return the number of the undo step of every open document that has an undo step."""
+    """Return FreeCAD's identifiers of the undo steps of all open documents."""
     steps = {name: active_step(document) for name, document in App.listDocuments().items()}
     return {name: step for name, step in steps.items() if step}
 

@@ -77,7 +77,7 @@ def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None
 
 
 def check() -> None:
-    """Start live feedback in an open sketch. Without open sketch, open a panel with the full result of the check."""
+    """Start live feedback in an open sketch. If none is open, open a panel with the full result."""
     selected = chosen_curves()
     if edited_sketch() is selected[0][0]:
         observers.switch(edited_sketch(), on=True)

@@ -208,7 +208,7 @@ class RailsPanel(Panel):
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return, for each mark, the number of its item and the field with its position."""
+        """Return, for each mark, the index of its item and the field with its position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:
