@@ -16,7 +16,7 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MA
 CURVES = ("spline", "bezier", "arc", "polyline")
 
 EXACT = "exact"
-"""Curve style for CAD programs, in which splines of any degree are unchanged."""
+"""Curve style for CAD programs: splines of any degree are unchanged."""
 
 _SPLINE_TOLERANCE_MM = 1e-3
 """Largest tolerance of approximated splines, mm. A larger tolerance would hardly make files smaller."""

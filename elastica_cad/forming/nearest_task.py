@@ -185,7 +185,7 @@ class NearestTask:
         return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """Return the rod in mm, with a least stiffness of 1 and, without weight, the largest allowed sections."""
+        """Return the rod in mm, with a least stiffness of 1. Without weight, sections are as large as allowed."""
         size, section = self.target.size, self.section
         if section is not None and self.is_light:
             section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)

@@ -113,7 +113,7 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # if stiffness and strain depend on the curvature, the scale is determined after the rod
+            # if stiffness and strain depend on the curvature, the scale is determined after the rod is known
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:

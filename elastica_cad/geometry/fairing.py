@@ -433,7 +433,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """Remove the corners for which the ends of the handles must move by at most `reach`, mm."""
+    """Remove the corners that disappear if ends of handles move by at most `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

@@ -20,8 +20,8 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
-# loads as force * length^2 / stiffness (a straight strip buckles at 2.5): equal steps of the first number up to
-# the second; from there, each load is the third number times the previous load
+# loads as force * length^2 / stiffness; a straight strip buckles at 2.5. Loads grow in equal steps of
+# `FIRST_LOAD` to `LAST_EVEN_LOAD`. Each further load is `LOAD_GROWTH` times the previous load
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,

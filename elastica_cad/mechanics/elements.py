@@ -194,7 +194,7 @@ AT_END_SHARE = 1e-6
 """Positions closer to an end than this fraction of the length count as at the end."""
 
 AT_JOINT_SHARE = 2e-3
-"""Rails, pins and ties nearer to the start of a straight free end than this fraction of the length are moved there.
+"""Largest distance, as a fraction of the length, by which a position is moved to the start of a straight free end.
 
 The tolerance allows for positions that are rounded to a millimetre.
 """

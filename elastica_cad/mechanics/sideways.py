@@ -26,7 +26,7 @@ from elastica_cad.mechanics.sheets import even_shear_ratio
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
-"""Constant in the torsional stiffness of a rectangle, G w h^3/3 (1 - 0.63 h/w) (St Venant).
+"""Constant 0.63 in the torsional stiffness of a rectangle, G w h^3/3 (1 - 0.63 h/w), by St Venant.
 
 G is the shear modulus, w the width and h the thickness.
 """
@@ -228,7 +228,7 @@ RIBBON_SLENDERNESS = 6.0
 
 # largest error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-# least distance of the search for the margin from the two lowest eigenvalues, as a fraction of their difference
+# least distance from the two lowest eigenvalues at which a root is sought, as a fraction of their difference
 _SIGN_SHARE = 1e-9
 
 

@@ -666,7 +666,9 @@ If the width of a strip is a fifth of its length, such a jump turns its edge by 
 """
 
 SHARP_SHARE = 5.0
-"""Jump of the slope of the curvature, times length divided by curvature, from which the edge has a visible corner.
+"""The edge of a strip has a visible corner where the slope of the curvature jumps by this value or more.
+
+The jump is multiplied by the length of the curve and divided by the curvature.
 
 If the width of a strip is a fifteenth of its length, the corner has 10 degrees.
 """
@@ -988,7 +990,10 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return the jumps (n,) of the curvature, and those of its slope times the length, divided by the curvature."""
+    """Return the relative jumps (n,) of the curvature, and the jumps (n,) of its slope.
+
+    Both are divided by the curvature, and the jumps of the slope are multiplied by the length of the curve.
+    """
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
     before = np.where(after == low, high, after)  # the start of a closed curve follows its end

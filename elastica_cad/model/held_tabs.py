@@ -86,7 +86,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
 
 
 def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
-    """Yield the plates and the rails of frames whose tabs are not glued and can therefore move."""
+    """Yield plates, and rails of frames, in which tabs can move because they are not glued."""
     for holder in holders:
         # recognise frames by their `rails`, because the module of frames imports this module
         for plate in getattr(holder, "rails", (holder,)):

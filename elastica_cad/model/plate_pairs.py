@@ -49,7 +49,7 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Least relative decrease of the distances to a neighbour's ends for which a strip is reversed."""
+"""A strip is reversed if this decreases the distances to a neighbour's ends by at least this fraction."""
 
 PRESSED_MM = 0.01
 """Largest gap, mm, between a tab and a wall against which the load presses the tab."""
@@ -410,7 +410,7 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease, mm, of the tabs' height differences for which their plate is inclined."""
+"""A plate is inclined if this decreases the height differences of its tabs by at least so many mm."""
 
 
 def end_plates(
@@ -474,7 +474,7 @@ def end_plates(
 
 
 UPRIGHT_COSINE = 0.9
-"""Least cosine of the angle between mean tab and vertical for which plates are named bottom and top."""
+"""Plates are named bottom and top if the angle between mean tab and vertical has at least this cosine."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:

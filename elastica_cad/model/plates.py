@@ -418,7 +418,7 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
 
 
 STANDS_MM = 0.2
-"""Depth, mm, of tabs' tips below the lowest plate of a base, up to which the tips are not reported."""
+"""Tips of tabs are reported if they are deeper than this, mm, below the lowest plate of a base."""
 
 
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:

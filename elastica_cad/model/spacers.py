@@ -47,7 +47,7 @@ GRID_MM, GRID_LINES = 2.0, 60
 """Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
 
 GRID_RADIUS_MM, GRID_TURN = 1.0, np.radians(2.0)
-"""Distance, mm, and angle, rad, between places that are tried in a round plate, along the radius and around."""
+"""Radial distance, mm, and angle, rad, between places that are tried for a spacer in a round plate."""
 
 MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
