@@ -119,7 +119,7 @@ class ElasticaError(Exception):
 
 
 def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
-    """Restore a pickled error. Its constructor is not called, because its signature depends on the class."""
+    """Restore a pickled error without calling its constructor, whose signature depends on the class."""
     return kind.__new__(kind, message)
 
 

@@ -137,7 +137,7 @@ class RepeatPattern:
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
-"""Function of each pattern. Its options are the keys of the pattern's table."""
+"""Function of each pattern. The options of the function are the keys of the pattern's table."""
 
 
 @dataclass(frozen=True)

@@ -54,7 +54,7 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
 def pre_bend_message(strip: Strip) -> str:
     """Return an instruction for pre-bending the strip, without a full stop, or "" for a flat strip.
 
-    The instruction gives the direction relative to the final bend. It does not name a face of the strip, because
+    The instruction gives the direction relative to the final bend. No face of the strip is named, because
     equal pieces may be turned over.
     """
     rod = strip.rod

@@ -89,7 +89,7 @@ class FinishedStrip:
             ) from problem
 
     def changed(self, **fields: Any) -> "FinishedStrip":
-        """Return the strip with other values of some fields of its request. Its stiffness is unchanged.
+        """Return the strip with other values of some fields of its request, and with the same stiffness.
 
         A new width replaces both widths. A new law replaces widths, style, slots and the shapes of tabs. New
         widths or a new style replace a law. If the gravity is removed, the loads are removed too.

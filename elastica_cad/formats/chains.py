@@ -39,7 +39,7 @@ SAME_POINT = 1e-13
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 # ends whose directions differ by less than 1 degree are tangent
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
-# least length, in tolerances, of a polyline side that is meant to be straight
+# least length, as a multiple of the tolerance, of a polyline side that is meant to be straight
 _STRAIGHT_SIDE_TOLERANCES = 20.0
 # largest error of an end point, in units of the coordinates' rounding; 1.1 allows for rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)

@@ -112,7 +112,7 @@ def even_steps(count: int) -> FloatArray:
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Return the centre of symmetry (2,), in lengths of the curve, and the direction of the mirror axis (2,)."""
+    """Return the centre of symmetry (2,), divided by the length, and a unit vector (2,) along the mirror axis."""
     p, q = target.position, target.position[::-1]
     middles, across = (p + q) / 2, p - q
     centre = middles.mean(axis=0)

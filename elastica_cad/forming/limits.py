@@ -146,7 +146,7 @@ class Limits:
     sheet : Sheet, optional
         Sheet whose strain limit bounds the change of curvature by 2 strain / thickness.
     strain : float, optional
-        Strain limit in place of the limit of the sheet. It requires `sheet`, for its thickness.
+        Strain limit in place of the limit of the sheet; requires `sheet`, for its thickness.
     width : (2,) array_like, optional
         Least and largest width of a solid strip, mm. The quotient of both widths limits the stiffness ratio.
     length : (2,) array_like, optional

@@ -443,7 +443,7 @@ def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 _MOST_NODES = 5000  # more nodes hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which the weight explains a failed search."""
+"""Length of a curve, divided by the elasto-gravity length, above which the weight explains a failed search."""
 
 
 def nearest_rod(

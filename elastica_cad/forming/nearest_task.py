@@ -274,7 +274,8 @@ class SearchPoint:
     origin : (2,) array
         Origin of the coordinates, mm.
     off : float
-        Mean distance from the target, in diagonals of the target, after the last search from all initial guesses.
+        Mean distance from the target, divided by the diagonal of the target, after the last search from all initial
+        guesses.
     """
 
     z: FloatArray

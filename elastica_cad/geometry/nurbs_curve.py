@@ -703,8 +703,7 @@ class NurbsCurve:
     def siblings(self, control_points: FloatArray) -> list[Self]:
         """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        The speed of the curves must be positive everywhere. It is not checked, because the check would be slow for
-        thousands of curves.
+        The speed of the curves must be positive everywhere. A check would be slow for thousands of curves.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 

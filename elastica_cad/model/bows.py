@@ -44,7 +44,7 @@ class Bow:
     drawn : PlaneCurve
         Drawn curve. The bow has the same end points.
     strip : Strip
-        Strip or rod with pinned ends at the ends of the cord. Its weight is neglected.
+        Strip or rod with pinned ends at the ends of the cord. The weight is neglected.
     """
 
     drawn: PlaneCurve

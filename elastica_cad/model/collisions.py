@@ -44,13 +44,13 @@ INSCRIBED_SQUARE = np.sqrt(0.5)
 """Side of the inscribed square that replaces a round section, divided by the diameter."""
 
 SLOT_EXTENSION = 4.0
-"""Length by which a slot is extended beyond the edge of its strip, in slot widths."""
+"""Length by which a slot is extended beyond the edge of its strip, as a multiple of the slot's width."""
 
 RIM_MM = 0.002
 """Largest distance, mm, between a slot and the polygon that represents it."""
 
 SELF_PITCH_THICKNESSES = 0.25
-"""Distance, in thicknesses, between samples along a strip that may touch itself."""
+"""Distance, as a multiple of the thickness, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
 """Largest number of samples along a strip that may touch itself. Samples of long strips are farther apart."""

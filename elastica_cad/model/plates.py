@@ -259,7 +259,7 @@ class BasePlate:
         return np.asarray(self.outline.bounds.mean(axis=0), dtype=float)
 
     def resized(self, inner: float, outer: float) -> Self:
-        """Return the round plate with other radii, mm, of its opening and its rim. It is not checked."""
+        """Return the round plate with other radii, mm, of its opening and its rim, without checks."""
         opening, holes = _with_holes(
             self.options or PlateOptions(), self._middle, _opening(self._middle, inner)
         )

@@ -53,7 +53,7 @@ LEAST_GAP_MM = 0.3
 
 NAME_MM = 3.0  # height of the engraved names of states on the holder
 APART = 3.0
-"""Distance along the part, in thicknesses, below which points are neighbours.
+"""Distance along the part, as a multiple of its thickness, below which points are neighbours.
 
 The gap between neighbours is not checked."""
 
@@ -964,7 +964,7 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""Apparent additional length, in thicknesses, of a strip that ends in an elastic half-plane.
+"""Apparent additional length, as a multiple of the thickness, of a strip that ends in an elastic half-plane.
 
 Source: O'Donnell, J. Appl. Mech. 27, 1960."""
 

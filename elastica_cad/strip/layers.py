@@ -286,7 +286,7 @@ END_MM = 1e-6
 """Distance from the ends, mm, at which their net width is measured, because it is zero at a bare end."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Lengths along which a glued plate does not stiffen the strip, in thicknesses of the plate.
+"""Lengths along which a glued plate does not stiffen the strip, as multiples of the plate's thickness.
 
 `PLATE_END` is for each end of the plate, fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is
 for the joint, which is an edge crack through half of the total thickness. Such a crack in bending adds the

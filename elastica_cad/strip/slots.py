@@ -227,7 +227,7 @@ SAME_PARAMETER = 1e-6
 """Difference of the parameters of two positions on a segment, below which their distance is checked."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""Extensions of the sides of a slot, in widths of the slot, tried in order until the sides meet the edge."""
+"""Extensions of a slot's sides, as multiples of its width, tried in order until the sides meet the edge."""
 
 
 @dataclass(frozen=True)

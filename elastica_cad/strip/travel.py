@@ -235,7 +235,7 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before the ends are moved. Its weight may differ from the design."""
+        """Rod in equilibrium before the ends are moved. The weight of the rod may differ from the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:

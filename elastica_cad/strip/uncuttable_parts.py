@@ -25,11 +25,11 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
 LEAST_STRIP_MM = 3.0  # least width of a strip, mm; narrower strips break when they are lifted out
-LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip in thicknesses; narrower strips twist
+LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip as a multiple of the thickness; narrower strips twist
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot that holds its tab, in thicknesses of the tab; for example, a tab of 0.8 mm may meet
+# largest width of a slot that holds its tab, divided by the tab's thickness; for example, a tab of 0.8 mm may meet
 # a plate of 3 mm at 32 degrees
 WIDEST_SLOT_THICKNESSES = 8.0
 FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
