@@ -285,7 +285,7 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Return the unknowns of this rod in the units of another target, or None if its `unknowns` differ."""
+        """Convert the unknowns of this rod to the units of another target. Return None if `unknowns` differ."""
         u = self.unknowns
         if unknowns != u:
             return None

@@ -166,7 +166,7 @@ class Root:
 _MOST_HALVINGS = 48
 """Largest number of halvings of an interval, which is then as short as rounding errors.
 
-All zeros in the remaining interval count as one.
+All zeros in the remaining interval count as one zero.
 """
 
 _GENTLE, _BLUR = 10.0, 4.0

@@ -494,7 +494,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """Return the initial edges, and the continuity at breaks. Breaks that are too close count as one."""
+    """Return the initial edges, and the continuity at breaks. Breaks that are too close count as one break."""
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
     for place, continuity in sorted(breaks):

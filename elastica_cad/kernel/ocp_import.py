@@ -13,7 +13,7 @@ from elastica_cad.errors import MissingDependencyError, how_to_install, installe
 from elastica_cad.refusals import note
 
 Shape: TypeAlias = Any
-"""TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
+"""TopoDS_Shape, or an object of build123d or CadQuery that wraps a TopoDS_Shape."""
 
 
 def bare(shape: Any) -> Any:

@@ -269,8 +269,8 @@ def optimal_rod(
     Returns
     -------
     Rod
-        Rod with least nodal stiffness 1. If weight or elements allow several stiffnesses, the result is the
-        smoothest stiffness within 1 % of the least ratio (section 5.3).
+        Rod with least nodal stiffness 1. If weight, rails, pins or ties allow several stiffnesses, the result is
+        the smoothest stiffness within 1 % of the least ratio (section 5.3).
 
     Raises
     ------

@@ -310,7 +310,7 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw.effective_curvature`; beyond the last curvature, the slope is that of the last point."""
+        """See `MaterialLaw.effective_curvature`; beyond the last curvature, the slope is constant."""
         kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))

@@ -145,7 +145,7 @@ def move_while_possible(
     start, end : ndarray, shape (2,) or (n, 2)
         Possible start and impossible end: one place each, or n places that move together.
     possible : callable
-        Returns a result for a possible place, and None for an impossible one.
+        Returns a result for a possible place, and None for an impossible place.
     step : float
         Distance below which two places count as the same.
     halvings : int

@@ -49,7 +49,7 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""A strip is reversed if this decreases the distances to a neighbour's ends by at least this fraction."""
+"""A strip is reversed if its distances to a neighbour's ends then decrease by more than this fraction."""
 
 PRESSED_MM = 0.01
 """Largest gap, mm, between a tab and a wall against which the load presses the tab."""
@@ -410,7 +410,7 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
 
 
 LEVEL_GAIN_MM = 0.5
-"""A plate is inclined if this decreases the height differences of its tabs by at least so many mm."""
+"""A plate is inclined if its tabs' differences of height then decrease by more than this value, mm."""
 
 
 def end_plates(

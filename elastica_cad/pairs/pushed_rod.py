@@ -324,7 +324,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return the nodes to first order, after the pushed node has moved by `by` along the push."""
+        """Return a linear estimate of the nodes after the pushed node has moved by `by` along the push."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])

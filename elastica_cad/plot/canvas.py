@@ -29,7 +29,7 @@ RESOLUTION = 150.0
 """Default resolution of PNG files, dots per inch."""
 
 MOST_RESOLUTION = 2400.0
-"""Largest resolution, dots per inch. A higher one would need too much memory."""
+"""Largest resolution, dots per inch. A higher resolution would need too much memory."""
 
 PICTURES = ("png", "svg", "pdf")
 

@@ -431,7 +431,7 @@ class Cut:
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Return True if the line crosses a box (4, 2), or if there is no material in the box."""
+        """Return True if this cut line crosses a box (4, 2), or if there is no material in the box."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
