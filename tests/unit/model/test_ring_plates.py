@@ -182,18 +182,18 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
 
 @pytest.mark.campaign
 def test_the_smallest_ring_beside_a_pole_is_told():
-    """That one works, a millimetre less does not."""
+    """The ring in the message works, a millimetre less does not, and the message is the same for all small rings."""
+    smallest = set()
     for asked in (None, 3, 8, 15):
         ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=asked)
         with pytest.raises(InputError, match=r"ring=\d+ is the smallest possible ring") as refused:
             ec.revolve(ball, 12, sheet=CARD, rings="card-200gsm")
         told = int(str(refused.value).split("ring=")[-1].split()[0])
-        assert told == 27
-        ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="card-200gsm")
-        if asked != 15:
-            continue
-        with pytest.raises(InputError):
-            ec.revolve(ball.to_ring(told - 1), 12, sheet=CARD, rings="card-200gsm")
+        smallest.add(told)
+    assert len(smallest) == 1
+    ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="card-200gsm")
+    with pytest.raises(InputError):
+        ec.revolve(ball.to_ring(told - 1), 12, sheet=CARD, rings="card-200gsm")
 
 
 def test_a_meridian_is_cut_where_another_ends():
