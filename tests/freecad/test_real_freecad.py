@@ -194,7 +194,7 @@ def test_a_model_by_its_names(tmp_path):
     assert found["edited"] == [[14, 14], [17, 17], [10, 10], [15, 15]], "of both, and Cancel takes back both"
     refused, sentence, made, moved = found["held"]
     assert refused == 0, "no block is made before the plate is refused"
-    assert "no tab" in sentence
+    assert "the ends of the strips come from below the plate" in sentence
     assert moved - made == made / 2, "the blocks of one strip of two"
     names, files = found["exported"]
     assert names == ["Lamp", first, "Right rib strip", *(f"fixture {one}:{end}"

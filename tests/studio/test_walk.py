@@ -358,7 +358,7 @@ def test_a_file_is_dropped_on_the_drawing(server, tmp_path, kind):
         studio.until(lambda: studio.all(".yes, .care"))
         (left, bottom), (right, top) = curve.bounds
         read = studio.text(".numbers dd:nth-of-type(1)")
-        assert read.startswith(f"{right - left:.1f} x {top - bottom:.1f} mm (mm, ")
+        assert read.startswith(f"{right - left:.1f} x {top - bottom:.1f} mm (unit ")
         length = float(studio.text(".numbers dd:nth-of-type(2)").partition(" mm")[0])
         assert length == pytest.approx(curve.length, rel=1e-3)
         studio.press(studio.point(3), (0, 15))

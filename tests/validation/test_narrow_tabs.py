@@ -8,7 +8,7 @@ import pytest
 
 from elastica_cad.mechanics import crack_energy
 from elastica_cad.strip.as_made import idle_length
-from tests.campaign.finite_elements.drawn_by_seed import tab_requests
+from tests.campaign.finite_elements.drawn_requests import tab_requests
 
 pytestmark = pytest.mark.core
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.campaign.finite_elements.drawn_by_seed import requests_drawn
+from tests.campaign.finite_elements.drawn_requests import requests_drawn
 
 MEASURED = Path(__file__).parents[1] / "campaign/finite_elements/measured.json"
 

@@ -47,7 +47,7 @@ is known. *Corrected*: `compensate=True`, for all causes. The accuracy required 
 median of 3e-04 and a worst case of 1e-03."""
 
 DRAWN = """A random generator with the seed 541126 draws the curves, the widths, the places of slots and the
-widths of tabs (`drawn_by_seed.py`). The computation of the stiffness was not adjusted to these
+widths of tabs (`drawn_requests.py`). The computation of the stiffness was not adjusted to these
 strips, but four uncertainties of the model were set after these results: for slots; for slots that
 are closer together than they are deep; for perforated and laminated plywood; and the least
 uncertainty of any strip (1e-4 of the length).

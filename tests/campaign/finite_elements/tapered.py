@@ -20,11 +20,12 @@ from tests.campaign.finite_elements.bent_strip import middle_line, on_curve
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, solve
 from tests.campaign.finite_elements.cases import CURVES
+from tests.campaign.finite_elements.drawn_requests import TAPERED_WIDTH
 from tests.campaign.finite_elements.flat_mesh import FlatMesh, mesh_cut_files
 
 __all__ = ["TAPERED", "Tapered", "bend_tapered", "tapered_strips"]
 
-LENGTH, WIDTH, TAB = 400.0, 8.0, 12.0
+LENGTH, TAB = 400.0, 12.0
 ELEMENT_MM = 8.0
 ACROSS = 2
 
@@ -44,7 +45,7 @@ def _spec(curve: str, poisson_ratio: float, most: float, *, rod: bool = False, *
     drawn = CURVES[curve]
     scaled = drawn.transformed(np.diag([1.0, 1.0, drawn.length / LENGTH]))
     sheet = Sheet("known", 2.0, 9000.0, 1200.0, max_strain=0.05, poisson_ratio=poisson_ratio)
-    law = RoundLaw(sheet, 0.2, most) if rod else ThicknessLaw(sheet, 0.2, most, width=WIDTH)
+    law = RoundLaw(sheet, 0.2, most) if rod else ThicknessLaw(sheet, 0.2, most, width=TAPERED_WIDTH)
     return StripSpec(scaled, sheet, law=law, ends=(Tab(TAB), Tab(TAB)), ignore_limits=True, **asked)
 
 
@@ -115,7 +116,7 @@ def _body(strip: Strip, folder: Path, size: float) -> Bricks:
     flat = mesh_cut_files([_side_file(strip, folder)], size=size, at=(0.0, strip.rod.length))
     return extrude(
         replace(flat, layers=np.full_like(flat.layers, ACROSS)),
-        np.linspace(-WIDTH / 2, WIDTH / 2, ACROSS + 1).tolist(),
+        np.linspace(-TAPERED_WIDTH / 2, TAPERED_WIDTH / 2, ACROSS + 1).tolist(),
     )
 
 

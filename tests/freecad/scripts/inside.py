@@ -202,8 +202,13 @@ def report():
 def type_into(widget, words):
     """Click into a field, replace what is there, leave it by Tab; FreeCAD finds nothing wrong with that."""
     before = len(report())
-    click(widget)
-    until(lambda: has_focus(widget), 10)
+    # a panel that grows moves the field away from the mouse; a person then clicks again
+    for _ in range(4):
+        click(widget)
+        if until(lambda: has_focus(widget), 4):
+            break
+    else:
+        raise AssertionError(f"no click reached the field for {words!r}")
     keys("ctrl+a")
     mouse("type", "--delay", 15, "--", words)
     keys("Tab")

@@ -76,7 +76,7 @@ def edited(document):
 
 
 def held(document):
-    """A plate where no tab ends is refused before any block is made; then both are made, and a pole is moved."""
+    """A plate above all tabs is refused before any block is made; then both are made, and a pole is moved."""
     from freecad.elastica_wb.features import fixtures
 
     made, make = [], fixtures.make_solid
@@ -85,7 +85,7 @@ def held(document):
     panel().form.plate.setChecked(True)
     typed("plateHeight", "500 mm")
     press_button("Ok")
-    until(lambda: "no tab" in panel().form.message.text())
+    until(lambda: "below the plate" in panel().form.message.text())
     found = [len(made), panel().form.message.text()]
     typed("plateHeight", "0 mm")
     button()

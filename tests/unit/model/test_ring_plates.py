@@ -182,7 +182,7 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
 
 @pytest.mark.campaign
 def test_the_smallest_ring_beside_a_pole_is_told():
-    """The ring in the message works, a millimetre less does not, and the message is the same for all small rings."""
+    """The ring in the message works, a millimetre less does not; all smaller rings get the same message."""
     smallest = set()
     for asked in (None, 3, 8, 15):
         ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=asked)
