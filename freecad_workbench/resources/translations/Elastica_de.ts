@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
-        <translation>Der Kurve genau folgen oder der nächsten innerhalb von Grenzen</translation>
+        <translation>Der Kurve genau folgen oder der nächstgelegenen innerhalb von Grenzen</translation>
     </message>
     <message>
         <source>Least stability margin. A strip is stable above 0, and safely stable from 5.</source>
@@ -580,7 +580,7 @@
     </message>
     <message>
         <source>Use the nearest curve</source>
-        <translation>Die nächste Kurve nehmen</translation>
+        <translation>Die nächstgelegene Kurve nehmen</translation>
     </message>
     <message>
         <source>Pick another curve</source>
@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Nearest curve</source>
-        <translation>Nächste Kurve</translation>
+        <translation>Nächstgelegene Kurve</translation>
     </message>
     <message>
         <source>Ends and weight</source>
@@ -848,7 +848,7 @@
     </message>
     <message>
         <source>nearest</source>
-        <translation>nächste</translation>
+        <translation>nächstgelegene</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -1036,7 +1036,7 @@
     </message>
     <message>
         <source>Searching the nearest curve</source>
-        <translation>Die nächste Kurve wird gesucht</translation>
+        <translation>Die nächstgelegene Kurve wird gesucht</translation>
     </message>
     <message>
         <source>Putting the model together</source>
@@ -1172,7 +1172,7 @@
     </message>
     <message>
         <source>Nearest</source>
-        <translation>nächste Kurve</translation>
+        <translation>nächstgelegene Kurve</translation>
     </message>
     <message>
         <source>clamped</source>
@@ -1296,7 +1296,7 @@
     </message>
     <message>
         <source>nearest curve</source>
-        <translation>nächste Kurve</translation>
+        <translation>nächstgelegene Kurve</translation>
     </message>
     <message>
         <source>above the sheet's limit</source>
@@ -1938,7 +1938,7 @@
     </message>
     <message>
         <source>Show the nearest curve that can be bent</source>
-        <translation>Die nächste biegbare Kurve zeigen</translation>
+        <translation>Die nächstgelegene biegbare Kurve zeigen</translation>
     </message>
     <message>
         <source>Sheet that new strips are made of</source>
@@ -2284,11 +2284,11 @@
     <name>Elastica_Nearest</name>
     <message>
         <source>Nearest curve to sketch</source>
-        <translation>Nächste Kurve zur Skizze</translation>
+        <translation>Nächstgelegene Kurve zur Skizze</translation>
     </message>
     <message>
         <source>Find the curve nearest to the selected sketch that can be bent within limits</source>
-        <translation>Die der Skizze nächste Kurve finden, die sich innerhalb der Grenzen biegen lässt</translation>
+        <translation>Die der Skizze nächstgelegene Kurve finden, die sich innerhalb der Grenzen biegen lässt</translation>
     </message>
 </context>
 <context>
