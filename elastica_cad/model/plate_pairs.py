@@ -90,10 +90,9 @@ def plate_pair(
         The upper and the lower plate, with the names NAME and NAME-lower.
     """
     sheet = Sheet.of(sheet)
-    require_positive(gap, "the gap between two plates")
     plate_options = options_by_name(PlateOptions, options, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **vars(plate_options))
-    upper, lower = _add_second(placed, upper, replace(plate_options, name=f"{upper.name}-lower"), gap)
+    upper, lower = add_second_plates(placed, [upper], gap, "-lower")
     return with_shoulders(upper, plate_options), lower
 
 
@@ -123,20 +122,42 @@ def ring_pair(
     **options
         Other options of `ring_plate`. The name of the second ring is NAME-outer.
     """
+    options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
+    return add_second_plates(placed, [ring_plate(tabs, sheet, middle=middle, **options)], gap)
+
+
+def add_second_plates(
+    placed: Sequence[Placed],
+    plates: Sequence[Plate],
+    gap: float,
+    suffix: str = "-outer",
+    strips_at: "StripsAt | None" = None,
+) -> tuple[Plate, ...]:
+    """Return each plate and a second plate, `gap` mm behind it, with the name NAME + `suffix`.
+
+    Slots are moved against the loads of tabs. A ring to which tabs are glued flat gets no second ring. Suggestions
+    in errors are tested with all plates.
+
+    Parameters
+    ----------
+    strips_at : function, optional
+        Returns the strips for another gap, if their tabs depend on it.
+    """
     require_positive(gap, "the gap between two plates")
-    ring_options = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
-    first = ring_plate(tabs, sheet, middle=middle, **options)
-    if first.seats:
-        return (first,)
-    return _add_second(placed, first, replace(ring_options, name=f"{first.name}-outer"), gap)
+    cures = partial(_tested_cures, placed, plates, gap, strips_at)
+    result: list[Plate] = []
+    for plate in plates:
+        if not (tabs := _tabs_of(plate)):
+            result.append(plate)
+            continue
+        _refuse_short(plate, {tab.key: needed_length(tab, plate, gap) for tab in tabs}, cures)
+        options = replace(plate.options or PlateOptions(), name=f"{plate.name}{suffix}")
+        result += lean_pair(placed, (plate, _plate_behind(plate, options, gap)), cures)
+    return tuple(result)
 
 
-def _add_second(
-    placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
-) -> tuple[Plate, Plate]:
-    cures = partial(_tested_cures, placed, first, gap)
-    _refuse_short(first, {tab.key: needed_length(tab, first, gap) for tab in _tabs_of(first)}, cures)
-    return lean_pair(placed, (first, _plate_behind(first, options, gap)), cures)
+StripsAt = Callable[[float], Sequence[Placed]]
+"""Function that returns the strips for a gap, mm, between two plates."""
 
 
 def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
@@ -167,19 +188,33 @@ def _untested_cures(length: float) -> str:
     return note("make the tab {needed:.0f} long", needed=Length(length))
 
 
-def _tested_cures(placed: Sequence[Placed], first: BasePlate, gap: float, length: float) -> str:
-    cures = []
-    sized = None if length == np.inf else fitting_tabs(placed, [first], gap, length)
+def _tested_cures(
+    placed: Sequence[Placed],
+    plates: Sequence[BasePlate],
+    gap: float,
+    strips_at: StripsAt | None,
+    length: float,
+) -> str:
+    cures, slotted = [], [plate for plate in plates if _tabs_of(plate)]
+    sized = None
+    if length < np.inf and len(slotted) == len(plates):  # a longer tab may not fit flat on a ring
+        # if tabs depend on the gap, a tab of a given length has no width unless the suggestion includes it
+        sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:
         long, wide = sized
         text = "make the tab {needed:.0f} long and {width:.0f} wide"
         cures.append(
             _untested_cures(long) if wide == np.inf else note(text, needed=Length(long), width=Length(wide))
         )
-    tips = [-float(first.frame.local(tab.tip)[2]) for tab in _tabs_of(first)]
-    largest = min(gap, min(tips) - 2 * first.sheet.thickness)
+    behind = [
+        -float(plate.frame.local(tab.tip)[2]) - 2 * plate.sheet.thickness
+        for plate in slotted
+        for tab in _tabs_of(plate)
+    ]
+    largest = min(gap, *behind)
     tested = dict.fromkeys(float(np.floor(fraction * largest)) for fraction in TESTED_FRACTIONS)
-    works = (nearer for nearer in tested if 1 <= nearer < gap and pair_with_tabs(placed, first, nearer))
+    strips = strips_at or (lambda _: placed)
+    works = (nearer for nearer in tested if 1 <= nearer < gap and _fits(strips, slotted, nearer))
     if (nearer := next(works, None)) is not None:
         cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
     return sentences(cures, note(", or ")) or _untested_cures(np.inf)
@@ -189,8 +224,17 @@ TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 """Tested widths of tabs and gaps, as fractions of the width of the narrowest tab and of the largest gap."""
 
 
+def _fits(strips_at: StripsAt, plates: Sequence[BasePlate], gap: float) -> bool:
+    """Return True if two plates at this gap can replace each plate."""
+    try:
+        placed = strips_at(gap)
+    except InputError:
+        return False
+    return all(pair_with_tabs(placed, plate, gap) for plate in plates)
+
+
 def fitting_tabs(
-    placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
+    placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool
 ) -> tuple[float, float] | None:
     """Return the length and width of tabs, mm, with which two plates can replace each plate, or None.
 
@@ -457,20 +501,15 @@ def end_plates(
         if together or len(ring_options.ends) == 1
         else [(end,) for end in ring_options.ends]
     )
-    if gap is not None:
-        require_positive(gap, "the gap between two plates")
     tabs_at = _tabs_at_ends(placed)
     called = _names_of_ends(ring_options.name, tabs_at)
     names = [ring_options.name] if len(groups) == 1 else [called[end] for (end,) in groups]
     refuse_other_ends(ring_options.holes, names)
-    plates: list[BasePlate] = []
-    for group, name in zip(groups, names, strict=True):
-        plate = _plate(
-            [tab for end in group for tab in tabs_at[end]], sheet, replace(ring_options, name=name)
-        )
-        outer = replace(ring_options, name=f"{name}-outer")
-        plates += [plate] if gap is None else _add_second(placed, plate, outer, gap)
-    return tuple(plates)
+    plates = tuple(
+        _plate([tab for end in group for tab in tabs_at[end]], sheet, replace(ring_options, name=name))
+        for group, name in zip(groups, names, strict=True)
+    )
+    return plates if gap is None else add_second_plates(placed, plates, gap)
 
 
 UPRIGHT_COSINE = 0.9

@@ -1,7 +1,7 @@
 """Models of surfaces of revolution, and widths with which neighbouring strips meet without gaps."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
-from elastica_cad.model.plate_pairs import ring_pair
+from elastica_cad.model.plate_pairs import add_second_plates
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.model.spacers import add_spacers
 from elastica_cad.refusals import Length
@@ -295,15 +295,11 @@ class _Request:
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
-        width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
-        strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
-        turn = 2 * np.pi * np.arange(self.strips) / self.strips
-        placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
-        refuse_broken(strip, self.ignore_limits)
-        warnings = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
+        """Return all strips about the axis, rings, and warnings about strips that cannot be cut."""
+        placed, warnings = self._strips(meridian)
         if self.rings is None:
             return placed, (), warnings
-        heights = strip.rod.position[:, 1]
+        heights = meridian.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
         names = end_names("ring", (heights[0], heights[-1]))
         refuse_other_ends(self.holes, [*names.values()])
@@ -313,17 +309,30 @@ class _Request:
             "shop": self.shop,
             "ignore_limits": self.ignore_limits,
         }
-        plates: list[Ring] = []
-        for end in ENDS:
-            tabs, called = tabs_to_hold(placed, [end]), names[end]
-            if self.gap is None:
-                plates.append(ring_plate(tabs, self.rings, name=called, **options))
-            else:
-                plates += ring_pair(placed, tabs, self.rings, gap=self.gap, name=called, **options)
+        plates = tuple(
+            ring_plate(tabs_to_hold(placed, [end]), self.rings, name=names[end], **options) for end in ENDS
+        )
+        if self.gap is not None:
+            plates = add_second_plates(
+                placed,
+                plates,
+                self.gap,
+                strips_at=None if self.ends else lambda gap: replace(self, gap=gap)._strips(meridian)[0],
+            )
         if self.spacers is None:
-            return placed, tuple(plates), warnings
+            return placed, plates, warnings
         rings, spacers = add_spacers(placed, plates, self.spacers)
         return placed, (*rings, *spacers), warnings
+
+    def _strips(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[str, ...]]:
+        """Return all strips about the axis, and warnings about strips that cannot be cut."""
+        width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
+        strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
+        turn = 2 * np.pi * np.arange(self.strips) / self.strips
+        placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+        refuse_broken(strip, self.ignore_limits)
+        warnings = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
+        return placed, warnings
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Return straight tabs that keep a gap to the tabs of both neighbours.

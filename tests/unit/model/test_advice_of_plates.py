@@ -98,3 +98,28 @@ def test_tabs_that_the_load_bends_get_the_length_of_the_bent_tab():
     found = re.search(r"make the tab (\d+) mm long, or reduce the gap to (\d+) mm", str(refused.value))
     assert len(rings(Tab(float(found[1]), width=10), 6.0).plates) == 4
     assert len(rings(Tab(20, width=10), float(found[2])).plates) == 4
+
+
+@pytest.mark.parametrize(
+    ("latitudes", "gap", "tabs"),
+    [((30, 60), 12, (Tab(16, width=10),) * 2), ((60, 30), 12, None), ((60, 30), 6, (Tab(16, width=10),) * 2)],
+)
+def test_suggestions_hold_for_both_rings_of_a_revolution(latitudes, gap, tabs):
+    """The tabs of the smaller ring lean more; without given tabs, the tabs depend on the gap."""
+    turns = np.radians(np.linspace(-latitudes[0], latitudes[1], 5))
+    ball = ec.meridian_through(120 * np.column_stack([np.cos(turns), np.sin(turns) - np.sin(turns[0])]))
+    plastic = "polypropylene-0.8"
+
+    def rings(gap=gap, ends=tabs):
+        return revolve(ball, 12, sheet=plastic, rings=plastic, gap=gap, ends=ends)
+
+    with pytest.raises(InputError, match="second plate|too far") as refused:
+        rings()
+    longer = re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value))
+    nearer = re.search(r"reduce the gap to (\d+) mm", str(refused.value))
+    assert longer or nearer or "hold the strips by single plates" in str(refused.value)
+    if longer:
+        length, width = longer.groups()
+        ends = tuple(Tab(float(length), width=float(width) if width else tab.width) for tab in tabs)
+        assert len(rings(ends=ends).plates) == 4
+    assert len(rings(gap=float(nearer[1]) if nearer else None).plates) == (4 if nearer else 2)
