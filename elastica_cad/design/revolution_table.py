@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option
+from elastica_cad.defaults import BORDER
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError, NotConvergedError
@@ -16,6 +17,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
+from elastica_cad.model.plates import Border
 from elastica_cad.model.revolution_model import revolve
 from elastica_cad.model.spacers import Spacers
 from elastica_cad.refusals import Length, note
@@ -62,6 +64,7 @@ class RevolutionTable:
     rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
     gap: Annotated[float | None, Option("Distance between two rings at each end.", "mm", least=0)] = None
     spacers: Spacers = None
+    border: Border = BORDER
     holes: Annotated[PlateHoles | None, Option("Holes of the rings for a lamp holder and screws.")] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
@@ -122,6 +125,7 @@ class RevolutionTable:
             rings=self.rings,
             gap=self.gap,
             spacers=self.spacers,
+            border=self.border,
             holes=self.holes,
             name=name,
             shop=self.shop,

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
-from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
+from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.forming.meridians import Meridian
 from elastica_cad.forming.meridians import meridian as make_meridian
@@ -216,6 +216,7 @@ def revolve(
     rings: Sheet | str | None = None,
     gap: float | None = None,
     spacers: int | None = None,
+    border: float = BORDER,
     holes: PlateHoles | None = None,
     name: str = "revolution",
     shop: FabricationLimits = DEFAULT_LIMITS,
@@ -243,6 +244,8 @@ def revolve(
         angle; see `ring_pair`.
     spacers : int, optional
         Number of spacers between the two rings of each pair; see `add_spacers`. The rings are as wide as they need.
+    border : float
+        Least distance of slots from the edges of the rings, mm.
     holes : PlateHoles, optional
         Holes of the rings for a lamp holder and screws.
     name : str
@@ -270,7 +273,7 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    request = _Request(strips, sheet, ends, rings, gap, spacers, holes, shop, ignore_limits)
+    request = _Request(strips, sheet, ends, rings, gap, spacers, border, holes, shop, ignore_limits)
     try:
         placed, plates, reports = request.made(meridian)
     except InputError as problem:
@@ -290,6 +293,7 @@ class _Request:
     rings: Sheet | None
     gap: float | None
     spacers: int | None
+    border: float
     holes: PlateHoles | None
     shop: FabricationLimits
     ignore_limits: bool
@@ -305,6 +309,7 @@ class _Request:
         refuse_other_ends(self.holes, [*names.values()])
         options: dict[str, Any] = {
             "middle": middle,
+            "border": self.border,
             "holes": self.holes,
             "shop": self.shop,
             "ignore_limits": self.ignore_limits,

@@ -250,7 +250,7 @@ sheet_size = [600, 400]
 margin = 3
 """,
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\nspacers = 3\n'
-    "rings = 'card-200gsm'\nends = { length = 9 }\nholes = { bulb = 40 }\n"
+    "border = 6\nrings = 'card-200gsm'\nends = { length = 9 }\nholes = { bulb = 40 }\n"
     "shop = { least_width = 1 }\nignore_limits = true\na = 0.2\nb = [0, 0.01]\nstart = [60, 0]\n"
     "angle = 1.2\nlength = 90\nring = 10\n",
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'

@@ -47,6 +47,21 @@ def test_a_gap_makes_two_rings_at_either_end(read):
     assert not ec.model.rocking_tabs(model.placed, model.plates)
 
 
+def test_the_opening_of_a_narrow_ring_follows_from_its_note(read):
+    """A smaller border is the change that the note suggests."""
+    vase = (
+        "[revolution]\nsheet = 'polypropylene-0.8'\nstrips = 8\nrings = 'mdf-3'\n"
+        "points = [[20, 0], [40, 40], [48, 90], [40, 140], [20, 180]]\n"
+    )
+    closed = kit_contents(read(vase).model())
+    assert [ring.opening for ring in closed.model.plates] == [None, None]
+    (note, *_) = (text for text in closed.notes if text.startswith("ring-bottom has no opening"))
+    assert "border of 8 mm. For an opening, reduce the border" in note
+    opened = kit_contents(read(f"{vase}border = 4\n").model())
+    assert all(ring.radii[0] >= 10 for ring in opened.model.plates)
+    assert not any("no opening" in text for text in opened.notes)
+
+
 def test_constants_and_other_strips_beside_it(read):
     """A globe of 80 mm: x kappa = x / 80; a strip of its own stands inside."""
     text = (

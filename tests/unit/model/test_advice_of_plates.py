@@ -113,7 +113,7 @@ def test_suggestions_hold_for_both_rings_of_a_revolution(latitudes, gap, tabs):
     def rings(gap=gap, ends=tabs):
         return revolve(ball, 12, sheet=plastic, rings=plastic, gap=gap, ends=ends)
 
-    with pytest.raises(InputError, match="second plate|too far") as refused:
+    with pytest.raises(InputError, match=r"second plate|too far") as refused:
         rings()
     longer = re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value))
     nearer = re.search(r"reduce the gap to (\d+) mm", str(refused.value))
