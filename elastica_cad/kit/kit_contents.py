@@ -8,7 +8,7 @@ from typing import Any
 
 from elastica_cad._values import and_more, counted
 from elastica_cad.defaults import CLEARANCE
-from elastica_cad.design.kit_spec import KitSpec
+from elastica_cad.design.kit_spec import HolderKind, KitSpec
 from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
@@ -25,6 +25,7 @@ from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
+from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, tips_below
 from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
@@ -109,7 +110,7 @@ def kit_contents(
     deviations = _deviations(model, entries)
     messages = [
         *_departure_notes(model, entries, deviations), *_instability_notes(model), *_pre_bend_notes(model),
-        *_strip_faults(model, spec, requests),
+        *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
     ]  # fmt: skip
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
@@ -124,7 +125,6 @@ def kit_contents(
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
-        bases = [plate for plate in plates if request.kind == "base" and isinstance(plate, BasePlate)]
         cut = tuple(
             replace(piece, name=f"{model.name}-{piece.name}")
             for piece in count_pieces(plate.piece for plate in plates)
@@ -132,7 +132,7 @@ def kit_contents(
         shared.setdefault((request.kind, request.sheet, request.nesting), []).append((request.name, cut))
         pieces, holders = (*pieces, *cut), [*holders, *new_holders]
         messages += [sentence] if sentence else []
-        messages += tips_below(bases) if bases else ()
+        messages += _tip_notes(request.kind, plates)
     for (_, _, nesting), parts in shared.items():
         names = "-".join(name for name, _ in parts)
         laid = [piece for _, cut in parts for piece in cut]
@@ -148,6 +148,15 @@ def kit_contents(
     return KitContents(
         model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages), deviations
     )
+
+
+def _tip_notes(kind: HolderKind, parts: Sequence[Holder]) -> tuple[str, ...]:
+    """Return a note if tabs extend below the lowest plate. A model with a frame stands on its ribs."""
+    plates = [part for part in parts if isinstance(part, BasePlate)]
+    if kind == "frame" or (kind == "stand" and len(plates) < len(parts)):
+        return ()
+    standing = [plate for plate in plates if kind == "base" or plate.frame.z_axis[2] >= UPRIGHT_COSINE]
+    return tips_below(standing) if standing else ()
 
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:

@@ -62,6 +62,21 @@ def test_the_opening_of_a_narrow_ring_follows_from_its_note(read):
     assert not any("no opening" in text for text in opened.notes)
 
 
+def test_tabs_below_the_lowest_ring_have_a_note(read):
+    vase = (
+        "[revolution]\nsheet = 'polypropylene-0.8'\nstrips = 12\nrings = 'mdf-3'\n"
+        "points = [[60, 0], [85, 40], [100, 90], [85, 140], [60, 180]]\n"
+    )
+
+    def notes(more):
+        return [text for text in kit_contents(read(vase + more).model()).notes if "tips of the tabs" in text]
+
+    (single,), (double,) = notes(""), notes("gap = 6\n")
+    assert single.startswith("ring-bottom: ")
+    assert double.startswith("ring-bottom-outer: ")
+    assert not notes("ends = { length = 3, width = 20 }\n")
+
+
 def test_constants_and_other_strips_beside_it(read):
     """A globe of 80 mm: x kappa = x / 80; a strip of its own stands inside."""
     text = (
