@@ -251,6 +251,15 @@ def test_the_language_can_be_chosen(server, tmp_path, width):
         studio.choose("header > select", "de")
         studio.until(lambda: studio.verdict() == "Machbar")
         assert len(studio.all("g.points circle")) == 9
+        for typed in ("30.5", "31,5"):
+            studio.type("#field-max_width", typed)
+            studio.until(lambda typed=typed: value(studio) == typed.replace(".", ","))
+        studio.choose("header > select", "en")
+        studio.until(lambda: value(studio) == "31.5")
+
+
+def value(studio):
+    return studio.all("#field-max_width")[0].get_attribute("value")
 
 
 TEXTS = """

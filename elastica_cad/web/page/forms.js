@@ -39,20 +39,25 @@ export function read(text, unit) {
 const valuesOf = (field) => (field.kind === "either" ? field.of : [field]);
 // The tables of which a value is a list.
 const listed = (value) => (value?.kind === "list" ? value.of.flatMap(valuesOf).filter((entry) => entry.fields) : []);
-const shown = (value, unit) => (value == null ? "" : typeof value === "number" ? `${unit === "mm" ? +value.toPrecision(6) : value}`
-  : Array.isArray(value) && value.length === 2 && value.every(Number.isFinite) ? value.join("; ") : typeof value === "object" ? JSON.stringify(value) : `${value}`);
 const titleOf = (table) => LABELS[table.word ?? table.table] ?? table.word ?? table.table;
 
 export class Form {
   // Groups are titles with their fields; others are behind one step. get(path) and set(path, value) reach into the design; undefined is what is not given.
-  constructor(host, groups, others, { t, get, set, sheets, begin }) {
-    Object.assign(this, { t, get, set, sheets, begin, controls: [], named: new Map() });
+  constructor(host, groups, others, { t, boxed, get, set, sheets, begin }) {
+    Object.assign(this, { t, boxed, get, set, sheets, begin, controls: [], named: new Map() });
     const made = (fields) => fields.map((field) => this.control(field, [field.name])), by = new Map();
     for (const field of others) by.set(field.group, [...(by.get(field.group) ?? []), field]);
     host.replaceChildren(...groups.map(([title, fields]) => html("fieldset", { class: title.toLowerCase() }, html("legend", {}, t(title)), ...made(fields))),
       ...(by.size ? [html("details", { class: "rest" }, html("summary", {}, t("More settings")),
         ...[...by].map(([title, fields]) => html("fieldset", {}, title ? html("legend", {}, t(title)) : null, ...made(fields))))] : []));
     this.show();
+  }
+
+  // A value as text in a box; boxed(number) has the decimal separator of the language.
+  shown(value, unit) {
+    if (typeof value === "number") return this.boxed(unit === "mm" ? +value.toPrecision(6) : value);
+    if (Array.isArray(value) && value.length === 2 && value.every(Number.isFinite)) return value.map(this.boxed).join("; ");
+    return typeof value === "object" && value ? JSON.stringify(value) : `${value ?? ""}`;
   }
 
   show() { for (const control of [...this.controls]) control(); }
@@ -126,13 +131,13 @@ export class Form {
 
   plain(field, path) {
     const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values;
-    const absent = ABSENT[field.name] ? t(ABSENT[field.name]) : field.default === null ? "" : Array.isArray(field.default) ? shown(field.default, "") : t(LABELS[field.default] ?? `${field.default}`);
+    const absent = t(ABSENT[field.name] ?? LABELS[field.default] ?? this.shown(field.default, ""));
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
     const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t(LABELS[one] ?? one)]);
     const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
     const changed = ({ target }) => {
       const typed = value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit);
-      if (typed === undefined && field.required && path.length > 1) target.value = shown(this.get(path), field.unit); // an entry of a list is not complete without it
+      if (typed === undefined && field.required && path.length > 1) target.value = this.shown(this.get(path), field.unit); // an entry of a list is not complete without it
       else this.set(path, typed);
     };
     const input = choices.length
@@ -140,7 +145,7 @@ export class Form {
       : html("input", { id, onchange: changed, inputmode: value.kind === "text" ? "text" : "decimal", placeholder: absent, spellcheck: "false" });
     this.controls.push(() => {
       const now = this.get(path);
-      if (document.activeElement !== input || choices.length) input.value = shown(now, field.unit);
+      if (document.activeElement !== input || choices.length) input.value = this.shown(now, field.unit);
     });
     const row = this.row(field, input, id);
     if (field.when) this.controls.push(() => { row.hidden = !field.when(); });

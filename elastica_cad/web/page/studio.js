@@ -93,6 +93,8 @@ class Studio {
     const words = this.hello.words[language] ?? {}, t = this.t = (text) => words[`page|${text}`] ?? words[text] ?? text, digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
     this.language = language;
     this.number = (value) => digits.format(value);
+    const [, separator] = digits.format(0.5);
+    this.boxed = (value) => `${value}`.replace(".", separator); // of a number box: all digits
     this.sheetsOf = this.hello.sheets.map(([kind, titles]) => [kind, titles.map(([name, title]) => { // the words of a title, and its thickness
       const [, material, size, unit] = title.match(/^(.*) ([\d.]+) (\S+)$/) ?? [];
       return [name, size ? `${t(material)} ${this.number(+size)} ${unit}` : title];
@@ -214,7 +216,7 @@ class Studio {
       else if (field.many) field.when = () => isModel(this.design);
     const shown = groups.flatMap(([, of]) => of);
     this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
-      t: this.t, sheets: this.sheetsOf, begin: (table) => this.begin(table),
+      t: this.t, boxed: this.boxed, sheets: this.sheetsOf, begin: (table) => this.begin(table),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
@@ -372,7 +374,7 @@ class Studio {
     const axis = Boolean(design.revolution || design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
     const at = this.points(design)[this.chosen]; // its boxes follow the pointer and the keys
-    if (at) this.point.querySelectorAll("input").forEach((input, axis) => { input.value = +at[axis].toFixed(3); });
+    if (at) this.point.querySelectorAll("input").forEach((input, axis) => { input.value = this.boxed(+at[axis].toFixed(3)); });
     if (axis !== this.drawing.axis) Object.assign(this.drawing, { axis }).fit();
     if (!this.drawing.fingers.size) {
       this.form.show();
@@ -661,7 +663,7 @@ class Studio {
     const point = () => this.points()[k];
     if (!point()) return;
     this.chosen = k;
-    const input = (axis) => html("input", { value: +point()[axis].toFixed(3), inputmode: "decimal", "aria-label": "xy"[axis], onchange: (event) => {
+    const input = (axis) => html("input", { value: this.boxed(+point()[axis].toFixed(3)), inputmode: "decimal", "aria-label": "xy"[axis], onchange: (event) => {
       const value = Number(event.target.value.replace(",", "."));
       if (Number.isFinite(value)) this.edit((curve) => movePoint(curve, k, curve.spline[k].with(axis, value)));
     } });
