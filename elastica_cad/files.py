@@ -135,7 +135,7 @@ def read_drawing(
         if suffix in KERNEL_SUFFIXES:
             return _kernel_drawing(file, unit)
     raise InputError(
-        "{path} ends in {suffix!r}, which is not a known type of curve file. Use {curve_suffixes}.",
+        "{path} ends in {suffix!r}, but files of curves end in {curve_suffixes}. Export the curve to such a file.",
         path=path,
         suffix=suffix,
         curve_suffixes=", ".join(CURVE_SUFFIXES),
@@ -196,7 +196,8 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         if suffix not in MESH_SUFFIXES:
             suffixes = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
             raise InputError(
-                "{path} ends in {suffix!r}, which is not a known type of mesh or CAD body. Use {known}.",
+                "{path} ends in {suffix!r}, but files of meshes and CAD bodies end in {known}. Export the "
+                "body to such a file.",
                 path=path,
                 suffix=suffix,
                 known=suffixes,

@@ -486,11 +486,11 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     distance, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
-        return Row("Moved", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
+        return Row("Movement", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
     far = ENGLISH.format_field(float(distance), ".2g")
     text = f"{strip} moves by at most {far} mm from its design"
     return Row(
-        "Moved",
+        "Movement",
         f"{text}: the point {moved.strip.rod.s[k]:.0f} mm along the strip, {direction_in_drawing(angle)}",
     )
 

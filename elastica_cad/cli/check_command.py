@@ -144,7 +144,7 @@ def check(
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
         answers.extend(reports)
     if bad > MOST_REFUSALS:
-        warn(f"{bad} of {len(requested)} curves are not open and smooth{listing_note(bad)}.")
+        warn(f"{bad} of {len(requested)} curves have faults and cannot be checked{listing_note(bad)}.")
     answer([report | {"notes": [*of_file, *report.get("notes", ())]} for report in answers])
     if worst:
         ctx.exit(worst)
@@ -235,7 +235,8 @@ class _Request:
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))
         words = "--sheet", spec.material.name, "--max-width", width
-        return typed_change(suggestion, *words, "-o", _unused_folder(), instead="strip")
+        change = typed_change(suggestion, *words, "-o", _unused_folder(), instead="strip")
+        return f"{change}, or with another sheet, width and folder" if change.startswith("`") else change
 
 
 def _unused_folder() -> str:

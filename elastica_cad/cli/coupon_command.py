@@ -103,11 +103,10 @@ def coupon(**chosen: Any) -> None:
     say_row(
         Row(
             "Next",
-            f"cut the coupon, let {free:g} mm of it hang over an edge, measure the droop of its end "
-            "in mm; then run",
+            f"cut the coupon, let {free:g} mm of it hang over an edge, measure the droop of its end in mm",
         )
     )
-    say_row(Row("", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
+    say_row(Row("Then run", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
 
 
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}

@@ -68,7 +68,7 @@ def sheets(name: str | None) -> None:
         "grain": sheet.grain if sheet.grain == "none" else f"{sheet.grain} the strip",
         "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm; a strip of this length, held level at one "
         "end, sags by about 1/8 of it",
-        "source": sheet.source,
+        "source of the values": sheet.source,
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")
     for label, text in rows.items():

@@ -256,7 +256,7 @@ class Reader:
             table.tables(key)
         if not isinstance(rows, list) or kind.size not in (None, len(rows)):
             raise InputError(
-                "{place} is {given}, but must be a list. Write a list{of_size}.",
+                "{place} is {given}, which is not a list. Write a list{of_size}.",
                 place=table.place(key),
                 given=quoted(rows),
                 of_size="" if kind.size is None else f" of {kind.size}",

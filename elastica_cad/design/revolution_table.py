@@ -81,7 +81,7 @@ class RevolutionTable:
         ways = [form for form in ("points", "curve", "a") if getattr(self, form) not in (None, ())]
         if len(ways) != 1:
             raise InputError(
-                "The meridian is missing. Add one of points, curve, or {own_keys}.",
+                "The meridian is missing. Add one of the keys 'points' and 'curve', or the keys {own_keys}.",
                 own_keys=", ".join(EQUATION_KEYS),
             )
         if self.curve is not None or self.points:
@@ -98,7 +98,9 @@ class RevolutionTable:
         if self.axis is None and self.axis_x is None:
             return self.curve
         if self.curve is None or (self.axis is not None and self.axis_x is not None):
-            raise InputError("axis and axis_x need a profile. Set curve, and one of axis and axis_x.")
+            raise InputError(
+                "The keys 'axis' and 'axis_x' need a profile. Set the key 'curve', and one of 'axis' and 'axis_x'."
+            )
         start, end = (
             np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
         )
@@ -112,7 +114,9 @@ class RevolutionTable:
     def _axis_ends(self) -> FloatArray:
         assert self.axis is not None
         if not self.axis.is_straight or self.axis.is_closed:
-            raise InputError("axis is not a straight line. Draw the axis as one straight line.")
+            raise InputError(
+                "The curve of the key 'axis' is not straight. Draw the axis as one straight line."
+            )
         return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
@@ -140,7 +144,7 @@ class RevolutionTable:
             width = Length(2 * float(self.meridian.curve.bounds[1, 0]))
             reports.append(note(
                 "The axis is x = 0 of the drawing, so the surface is {width} wide. "
-                "If the axis is elsewhere, set axis or axis_x.",
+                "If the axis is elsewhere, set the key 'axis' or 'axis_x'.",
                 width=width,
             ))  # fmt: skip
         if self.meridian.deviation > NEAR_MM:

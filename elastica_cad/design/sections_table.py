@@ -52,7 +52,9 @@ class SectionsTable:
         if self.scale is not None:
             require_positive(self.scale, "scale", "times")
         if len(self._cuts) != 1:
-            raise InputError("Cutting planes are missing. Add one of radial, parallel or along.")
+            raise InputError(
+                "Cutting planes are missing. Add one of the keys 'radial', 'parallel' and 'along'."
+            )
 
     @property
     def _cuts(self) -> list[Any]:

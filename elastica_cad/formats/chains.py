@@ -545,7 +545,7 @@ def curve_from_points(
         apart = SAME_POINT * np.abs(points).max()
         points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
     if len(points) < 2:
-        raise InputError("a curve needs at least two different points: draw it again, or leave it out")
+        raise InputError("a curve has fewer than two different points: draw the curve again, or leave it out")
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
     noise = measured.noise if measured.is_noisy else 0.0

@@ -177,5 +177,5 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
             )
     names = [style.name.casefold() for style in styles.values()]
     if len(set(names)) < len(names):
-        raise InputError("two layers have the same name: give each layer its own name")
+        raise InputError("two layers have the same name: give each layer a different name")
     return styles

@@ -70,7 +70,7 @@ class Edge:
             raise InputError(
                 (
                     "a spline of degree {degree} has {count} control points but needs at least {degree_2}: draw "
-                    "it again"
+                    "the spline again"
                 ),
                 degree=self.degree,
                 count=count,
@@ -87,7 +87,7 @@ class Edge:
             )
         if not knots[self.degree] < knots[count]:
             raise InputError(
-                "all knots of a spline are {knots:g}, but they must span an interval: draw it again",
+                "all knots of a spline are {knots:g}, so the spline has no length: draw the spline again",
                 knots=knots[count],
             )
         object.__setattr__(self, "knots", knots)

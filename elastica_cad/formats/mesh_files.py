@@ -55,7 +55,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise InputError(
-            "{path} ends in {suffix!r}, which is not a supported mesh format: use {mesh_suffixes}",
+            "{path} ends in {suffix!r}, but mesh files end in {mesh_suffixes}: export the mesh to such a file",
             path=path,
             suffix=suffix,
             mesh_suffixes=", ".join(MESH_SUFFIXES),
@@ -120,8 +120,8 @@ def _unlikely_size_message(size: float) -> str:
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
     unit = likely[-1] if likely else "m"
     return note(
-        "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set it, "
-        "with --unit {unit} or unit = \"{unit}\"{hint}, or mm if that is right",
+        "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set the unit, "
+        "such as --unit {unit} or unit = \"{unit}\"{hint}, or set mm",
         size=size, unit=unit, hint=hint,
     )  # fmt: skip
 

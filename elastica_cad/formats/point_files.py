@@ -556,8 +556,8 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(
-            "line {number} is {given}, but must be two whole numbers, degree and count of control points: "
-            "correct it, or put measured points into a .csv file",
+            "line {number} is {given} instead of two whole numbers, the degree and the number of control points: "
+            "correct this line, or put measured points into a .csv file",
             number=number,
             given=quoted(" ".join(head)),
         )

@@ -65,8 +65,8 @@ def editable_curve(rod: Rod) -> PlaneCurve:
         edges = _refined(edges, shape.s[error > 1])
     if best is None or least > _PARDONED:
         raise NotConvergedError(
-            "the bent curve, {length:.6g} long, cannot be written as a spline of degree 4 with "
-            "{most_spans} spans: use rod.curve, or fewer coefficients",
+            "the bent curve, {length:.6g} long, is too complex for a spline of degree 4 with {most_spans} "
+            "spans: use `rod.curve`, or compute the rod with fewer `coefficients`",
             length=Length(rod.length),
             most_spans=_MOST_SPANS,
         )

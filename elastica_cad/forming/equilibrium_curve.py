@@ -83,7 +83,7 @@ class EquilibriumCurve:
             raise NotRealizable(check)
         if check.any_stiffness:
             raise InputError(
-                "the curve is straight, so any strip of one width has this shape: there is nothing to change"
+                "the curve is straight, so any strip of one width already has this shape: draw a bent curve"
             )
         balance = balance_without_weight(RodRequest(curve, supports=supports, known_check=check))
         dense = balance.panels.dense_places(_PARTS)

@@ -84,7 +84,7 @@ class Box:
         lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
         if np.any(lower >= upper):
             raise InputError(
-                f"box corners {lower.tolist()} and {upper.tolist()}: give the lower left corner first"
+                f"the corners of a box are {lower.tolist()} and {upper.tolist()}: give the lower left corner first"
             )
         object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
         object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
@@ -215,7 +215,9 @@ class Limits:
     def __post_init__(self) -> None:
         require_declared(Limits, vars(self), "limit")
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
-            raise InputError(f'limit sheet={self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")')
+            raise InputError(
+                f'the sheet of the limits is {self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")'
+            )
         if self.strain is not None:
             require_positive(self.strain, "limit strain", "mm/mm")
             if self.sheet is None:
@@ -228,7 +230,7 @@ class Limits:
                 continue
             low, high = getattr(self, name)
             if low > high:
-                raise InputError(f"limit {name} is {low} to {high}: give the least first")
+                raise InputError(f"the limit of the {name} is {low} to {high}: give the smaller number first")
             object.__setattr__(self, name, (float(low), float(high)))
         keep_out = several("keep_out", self.keep_out, HalfPlane | Box, "HalfPlane or Box")
         object.__setattr__(self, "keep_out", keep_out)

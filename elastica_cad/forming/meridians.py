@@ -498,7 +498,7 @@ def meridian(
     p = _numbers(a, b, start, angle, length)
     if not (p[3] > 0 and p[6] > 0):
         raise InputError(
-            "the meridian has start x = {p:g} and length = {p_2:g}: give positive numbers, in mm",
+            "the meridian starts at x = {p:g} and is {p_2:g} long: give positive numbers, in mm",
             p=Length(p[3]),
             p_2=Length(p[6]),
         )
@@ -652,8 +652,8 @@ def _integrated(
     if not solution.success:
         raise NotConvergedError(
             (
-                "the curvature of the meridian grows without limit after {t:.4g}, close to the axis: end the "
-                "meridian there"
+                "the curvature of the meridian grows without limit {t:.4g} from its start, close to the "
+                "axis: end the meridian there"
             ),
             t=Length(solution.t[-1]),
         )

@@ -221,7 +221,10 @@ class NearestRod:
         """Sentence on the status and the distance from the drawn curve, without suggestions."""
         if self.found is None:
             return sentences([note(self.status.value), self.message], " ")
-        far = note("The nearest curve is at most {far} from the drawn curve.", far=Length(self.deviation))
+        far = note(
+            "The strip follows the nearest possible curve, at most {far} from the drawn curve.",
+            far=Length(self.deviation),
+        )
         return sentences([note(self.status.value), far], " ")
 
     def __str__(self) -> str:
@@ -308,7 +311,7 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
     if kind.endswith("tangent"):
         end = int(kind == "end tangent")
         is_kept = near.keep.both_tangents[end]
-        return note("the {side} end's angle", side=note(_end_name(near, end))) if is_kept else ""
+        return note("the angle at the {side} end", side=note(_end_name(near, end))) if is_kept else ""
     return note(_NAMES.get(kind, ""))
 
 

@@ -323,7 +323,7 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
     values = values_along(weights, even_steps(nodes), size, "weights")
     if np.any(values < 0) or not values.any():
         raise InputError(
-            "weights along the curve are negative or all 0: give numbers of 0 or more, not all 0"
+            "the weights along the curve are negative or all 0: give numbers of 0 or more, some above 0"
         )
     return np.asarray(values / values.mean())
 

@@ -100,7 +100,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
             "triangles (m, 3), and divide larger faces into triangles"
         )
     if not rows.size:
-        raise InputError("the mesh has no triangles: nothing can be cut")
+        raise InputError("the mesh has no triangles to cut: export the mesh again")
     if not np.issubdtype(rows.dtype, np.integer):
         raise InputError(
             "the triangles of the mesh are not rows of whole numbers: give the indices of three vertices, "
@@ -291,7 +291,7 @@ def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) ->
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:
-        return note("misses the mesh by {far}", far=Length(min(abs(low), abs(high))))
+        return note("misses the mesh by {far}: move the plane", far=Length(min(abs(low), abs(high))))
     touched = used[height[used] == 0]
     if touched.size and (low == 0 or high == 0):
         return note(

@@ -249,8 +249,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
         )
         if least > high or most < low:
             raise InputError(
-                "{asked} {size:.6g} to {size_2:.6g}, but the pre-bent strip is {blank:.6g} long. Give the "
-                "curvature of the pre-bent strip along the required length",
+                "{asked} a length of {size:.6g} to {size_2:.6g}, but the pre-bent strip is {blank:.6g} "
+                "long. Give the curvature of the pre-bent strip along the required length",
                 asked=wish,
                 size=least * target.size,
                 size_2=Length(most * target.size),

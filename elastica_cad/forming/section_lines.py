@@ -574,7 +574,7 @@ def smooth_polyline(
             "(n, 2), in mm"
         )
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
-        raise InputError(f"count is {count!r}: smoothing needs 4 to {MOST_SMOOTHED} points")
+        raise InputError(f"count is {count!r}: give 4 to {MOST_SMOOTHED}, the number of smoothed points")
     if not (is_number(wavelength) and wavelength > 0):
         raise InputError(f"the wavelength is {wavelength!r}: give a number above 0, in mm")
     s = lengths_along(vertices)
@@ -650,8 +650,8 @@ def remove_false_inflections(
         if not len(_false_bends(simpler, turn)):
             return simpler
     raise NotConvergedError(
-        "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections, "
-        "and smoothing by less than {most} does not remove these bends",
+        "the curve bends to one side and back by less than {turn:.2g} degrees ({stretches} from its start), and "
+        "smoothing by less than {most} does not remove these bends: draw the curve without them",
         stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
         turn=np.degrees(turn),
         most=Length(most),

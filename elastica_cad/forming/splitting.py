@@ -281,7 +281,9 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     else:
         what = note("no strip can begin there")
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)
-    reason = note("Supports do not help at {s}: {what}{limit}.", s=Length(s), what=what, limit=limit)
+    reason = note(
+        "Supports do not help {s} from the start: {what}{limit}.", s=Length(s), what=what, limit=limit
+    )
     try:
         why = examine_curvature(curve, cut.supports).reasons
     except InputError:

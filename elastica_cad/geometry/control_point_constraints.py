@@ -267,8 +267,8 @@ def least_norm_newton(
             break
         if len(norms) > max_steps:
             raise NotConvergedError(
-                f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is "
-                "left; leave out one constraint, or start from a nearer curve"
+                f"the constraints on the curve are not met after {max_steps} steps (an error of {norms[-1]:.3g} "
+                "remains): leave out one constraint, or start from a nearer curve"
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
         try:
@@ -301,7 +301,7 @@ def _damped_step(
         if np.linalg.norm(residual) < norm:
             return moved, residual, jacobian
     raise NotConvergedError(
-        f"the constraints on the curve cannot be met: no step reduces the residual {norm:.3g}; "
+        f"the constraints on the curve cannot be met, because no step reduces their error of {norm:.3g}: "
         "leave out one constraint, or start from a nearer curve"
     ) from lost
 

@@ -406,7 +406,7 @@ def _refuse_standstill(
     rounding: float,
 ) -> None:
     if np.ptp(control_points, axis=0).max() == 0:
-        raise InputError("all control points coincide, so the curve has zero length: draw it again")
+        raise InputError("all control points coincide, so the curve has no length: draw the curve again")
     t = pieces.tangent_cones.standstill
     if t is None:
         return
@@ -426,7 +426,7 @@ def _refuse_standstill(
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "undecided at this precision: {place}, because {cause}. The numbers in the file are exact to "
+            "the file leaves open whether {place}: {cause}, but the numbers in the file are exact only to "
             "{rounding}, so a shorter handle is lost. Save the file with more decimals, or lengthen the "
             "handle of that node",
             place=where,
@@ -494,12 +494,13 @@ class NurbsCurve:
                 )
             if weights.min() <= 0:
                 raise InputError(
-                    f"weight {int(weights.argmin())} is {weights.min():g}: give positive weights"
+                    f"the weight of control point {int(weights.argmin())} (from 0) is {weights.min():g}: "
+                    "give positive weights"
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
                 raise InputError(
-                    f"weights run from {weights.min():.3g} to {weights.max():.3g}: the largest may be "
-                    f"{MOST_UNEVEN:g} times the least; export the curve without them"
+                    f"the weights of the control points are {weights.min():.3g} to {weights.max():.3g}, a "
+                    f"ratio above the limit of {MOST_UNEVEN:g}: export the curve without weights"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         provenance = self.provenance
@@ -553,7 +554,7 @@ class NurbsCurve:
         a, b = finite("start", start), finite("end", end)
         degree = whole_degree(degree)
         if a.shape != (2,) or b.shape != (2,):
-            raise InputError("a line needs two points of two numbers each, in mm")
+            raise InputError("the line cannot be read: give two points of two numbers each, in mm")
         u = np.linspace(0.0, 1.0, degree + 1)[:, None]
         return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
 
@@ -579,7 +580,9 @@ class NurbsCurve:
             raise InputError(f"semi-axes (or the radius) are {axes.tolist()}: give positive numbers, in mm")
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
-            raise InputError("the arc has zero length: start and end angle are the same")
+            raise InputError(
+                "the arc has no length, because its start and end angles are equal: give different angles"
+            )
         if not abs(last - first) <= MOST_TURNS * 2 * np.pi:
             raise InputError(
                 f"the arc runs from {first:g} to {last:g} rad: give angles at most {MOST_TURNS} turns apart"

@@ -178,13 +178,13 @@ class Path:
         )
         object.__setattr__(self, "closed", require_flag(closed, "closed"))
         if not self.segments:
-            raise InputError("a path needs at least one segment")
+            raise InputError("the path has no segment: give at least one segment")
         following = self.segments[1:] + (self.segments[:1] if closed else ())
         for segment, after in zip(self.segments, following, strict=False):
             gap = dist(after.start.tolist(), segment.end.tolist())
             if not gap <= JOIN:
                 raise InputError(
-                    "the path has a gap of {gap} at {end}: the ends must meet",
+                    "the path has a gap of {gap} at {end}: let its segments meet there",
                     gap=Length(gap),
                     end=place(segment.end),
                 )

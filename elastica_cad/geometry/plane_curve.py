@@ -204,7 +204,9 @@ class PlaneCurve(NurbsCurve):
         s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
         if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
-            raise InputError("arc length outside the curve: use 0 to {length:g}", length=Length(self.length))
+            raise InputError(
+                "an arc length is outside the curve: use 0 to {length:g}", length=Length(self.length)
+            )
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
         return self._pieces.arc_length.parameter_at(inside).reshape(s.shape)
 
@@ -270,8 +272,9 @@ class PlaneCurve(NurbsCurve):
             Parameters at which the function is not smooth, each with a flag that is True if it is continuous.
         """
         if not callable(function) or not (is_number(size) and size > 0):
-            raise InputError(f"zeros of {quoted(function)}, whose size is {quoted(size)}, cannot be found: give a "
-"callable and a positive size")  # fmt: skip
+            raise InputError(
+                f"zeros cannot be found: the function is {quoted(function)} and the size {quoted(size)}. "
+                "Give a callable and a positive size")  # fmt: skip
         low, high = self.domain
         places = dict(
             zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)

@@ -103,7 +103,7 @@ class Profile:
             The function has a break that is not in `breaks`, or noise above the tolerance.
         """
         if not (is_number(length) and length > 0):
-            raise InputError(f"a profile needs a positive length, not {length!r} mm")
+            raise InputError(f"the length of a profile is {length!r} mm: give a number above 0")
         spline_knots, coefficients = adaptive_spline(
             function,
             (0.0, float(length)),
@@ -120,7 +120,9 @@ class Profile:
         """Return the cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
         s, values = finite("arc lengths", s), finite("values", values)
         if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
-            raise InputError("a profile needs two or more increasing arc lengths, with one value each")
+            raise InputError(
+                "the profile cannot be read: give two or more increasing arc lengths, each with a value"
+            )
         through = spline_through(s, values, min(3, s.size - 1))
         knots, coefficients = through.knots, through.coefficients
         while knots.size < 8:

@@ -68,7 +68,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
             apart = float(np.linalg.norm(handles[i] - handles[j]))
             if apart > 0:
                 raise InputError(
-                    "{name}: handles {i} and {j} are {apart} apart, but others are {size} apart: move the "
+                    "{name}: handles {i} and {j} are only {apart} apart, but all four extend over {size}: move the "
                     "distant handles closer",
                     name=name,
                     i=i + 1,
@@ -87,7 +87,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
                 f"{name}: handles {numbers} are on one line, through {place(handles[three[0]])} and "
-                f"{place(handles[three[2]])}: move one off it"
+                f"{place(handles[three[2]])}: move one off this line"
             )
     shares = np.linalg.solve(rows[:3].T, rows[3])
     back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])

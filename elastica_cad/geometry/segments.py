@@ -154,7 +154,9 @@ class Arc:
         require_number(bulge, "the bulge of an arc")
         (x0, y0), (x1, y1) = start.tolist(), end.tolist()
         if not bulge or (x0, y0) == (x1, y1):
-            raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
+            raise InputError(
+                f"the arc from {place(start)} has equal ends or a bulge of 0: give different ends and another bulge"
+            )
         square = bulge * bulge
         off = (1 - square) / (4 * bulge)
         x, y = (x0 + x1) / 2 - (y1 - y0) * off, (y0 + y1) / 2 + (x1 - x0) * off

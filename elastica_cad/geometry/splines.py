@@ -336,7 +336,9 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
     right = values.reshape(spans.count, -1)
     *_, solution, info = lapack().dgbsv(spans.degree, spans.degree, bands, right, overwrite_ab=True)
     if info:
-        raise NotConvergedError("No spline has these values, because its places are too close together.")
+        raise NotConvergedError(
+            "No spline has these values, because its places are too close together. Give fewer places."
+        )
     return np.ascontiguousarray(solution).reshape(values.shape)
 
 
@@ -549,7 +551,9 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
             right[:, column] += np.bincount(first + a, rows[:, a] * targets[:, column], spans.count)
     _, solution, info = lapack().dpbsv(band, right, lower=1)
     if info:
-        raise NotConvergedError("No spline follows the function, because its places are too close together.")
+        raise NotConvergedError(
+            "No spline follows the function, because its places are too close together. Set a larger tolerance."
+        )
     return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
 
 

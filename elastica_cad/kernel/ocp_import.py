@@ -95,7 +95,9 @@ def library_trouble(library: str, error: ImportError) -> str:
     """Return what to install if a library that uses OpenCASCADE cannot be imported."""
     if error.name == library:
         return how_to_install(library)
-    return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)
+    return kernel_trouble() or note(
+        "the library cannot be loaded ({error}); install the package named there", error=error
+    )
 
 
 def _loading_error(error: Exception) -> MissingDependencyError:

@@ -75,7 +75,7 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
         larger.SetScaleFactor(scale)
         shape = k.BRepBuilderAPI_Transform(shape, larger, True).Shape()
     if not sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
-        raise InputError("It has no faces to cut. Export a solid, a shell or a face.")
+        raise InputError("The shape has no faces to cut. Export a solid, a shell or a face.")
     box = k.Bnd_Box()
     k.BRepBndLib.AddOptimal_s(shape, box, False, False)
     low, high = (

@@ -181,7 +181,7 @@ def _require_tabs(ends: Any) -> None:
     lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
     if lengths:
         raise InputError(
-            f"ends hold the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
+            f"`ends` contains the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
         )
 
 

@@ -159,7 +159,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"bend needs a Rod, such as optimal_rod or Rod.straight returns, not {type(rod).__name__}"
+            f"bend was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or Rod.straight returns"
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
@@ -172,7 +172,7 @@ def bend(
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
         raise InputError(f'gravity is {gravity!r}: give a Gravity record, None or "keep"')
     if not is_one_of(side, (None, 1, -1)):
-        raise InputError(f"side is {side!r}: use +1 or -1")
+        raise InputError(f"side is {side!r}: give +1 to bend the rod to the left first, -1 to the right")
     whole_number(mode, "mode", 1)
     keeps = isinstance(between, str) and between == "keep"
     elements = mounted(rod, None if keeps else require_elements(between))
@@ -205,7 +205,7 @@ def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState,
     snapped = relax(reached.state)
     if snapped is None:
         raise NotConvergedError(
-            "no rest shape was found after {fraction:.1%} of the path from the present shape. Move the ends "
+            "no equilibrium was found beyond {fraction:.1%} of the path from the present shape. Move the ends "
             "in smaller steps, or give a guess closer to the result",
             fraction=reached.fraction,
         )
@@ -224,7 +224,9 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
     masses = weight is not None and bool(weight.masses)
     B = rod.bending_stiffness
     if (masses or forces) and B is None:
-        raise InputError("Loads are in newtons. Use a rod with its least bending stiffness (N mm2).")
+        raise InputError(
+            "Loads in newtons need a rod with its stiffness in N mm2. Set bending_stiffness of the rod."
+        )
     curve = rod.curve
     weight = None if weight is None else with_placed_masses(weight, curve)
     placed = tuple(PlacedElement.on(load, curve, curve) for load in forces)
@@ -580,8 +582,8 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         )
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
         raise InputError(
-            f"the path of end positions has the shape {points.shape} or is not finite: give finite rows "
-            "(k, 2)"
+            f"the path of end positions has the shape {points.shape} or is not finite: give an array "
+            "(k, 2) of finite numbers, in mm"
         )
     return [{"end": point} for point in points]
 

@@ -195,7 +195,7 @@ def _bent_by_loads(
 ) -> Rod:
     load = np.zeros(2) if force is None else _plane_point(force)
     if load is None:
-        raise InputError(f"force is {force!r}: give two numbers, in 1/mm2")
+        raise InputError(f"force is {force!r}: give two numbers, each a force / bending stiffness in 1/mm2")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_fractions(float(np.hypot(*load)) * rod.length**2):

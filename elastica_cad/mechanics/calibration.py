@@ -113,10 +113,12 @@ class Calibration:
         length, off = self.elasto_gravity_length, Length(self.uncertainty)
         lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
         if len(self.readings) > 1:
-            lines.append(note("readings {readings:.2f}", readings=Listed(map(Length, self.readings))))
+            lines.append(
+                note("separate readings: {readings:.2f}", readings=Listed(map(Length, self.readings)))
+            )
         if self.youngs_modulus is not None and self.youngs_modulus_uncertainty is not None:
             modulus, apart = self.youngs_modulus, self.youngs_modulus_uncertainty
-            lines.append(note("E {modulus:.0f} +- {off:.0f} MPa", modulus=modulus, off=apart))
+            lines.append(note("Young's modulus {modulus:.0f} +- {off:.0f} MPa", modulus=modulus, off=apart))
         return sentences(lines, "\n")
 
 
@@ -179,10 +181,14 @@ def calibrate_cantilever(
     (96.0, True)
     """
     lengths, drops = _readings(overhang, droop)
-    errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
-    for name, value in errors.items():
+    errors = (
+        ("reading", reading_error, "mm"),
+        ("thickness", thickness_error, "mm"),
+        ("density", density_error, "kg/m3"),
+    )
+    for name, value, unit in errors:
         if not (is_number(value) and value >= 0):
-            raise InputError(f"{name} error is {value!r}: give 0 or more")
+            raise InputError(f"{name}_error is {value!r}: give a standard error of 0 {unit} or more")
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)

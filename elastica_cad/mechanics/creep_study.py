@@ -114,7 +114,7 @@ class Creep:
                 [
                     summary,
                     note(
-                        "The strip is then close to snapping (stability margin {margin:.3g}).",
+                        "The strip is then close to snapping (stability margin {margin:.3g}; at least 5 is safe).",
                         margin=after.margin,
                     ),
                 ],
@@ -154,7 +154,9 @@ def creep(rod: Rod, factor: float) -> Creep:
     (True, 0.556)
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"creep needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}")
+        raise InputError(
+            f"creep was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or bend returns"
+        )
     phi = require_creep(factor)
     require_free_between(rod, "A creep study")
     first = later = rod

@@ -251,7 +251,7 @@ class PlacedElement:
         size = float(np.hypot(*chord))
         if size <= AT_END_SHARE * curve.length:
             raise InputError(
-                "The tie from {start} to {end} has no length. Move one of its ends.",
+                "The tie from {start} to {end} along the strip has no length. Move one of its ends.",
                 start=Length(s[0]), end=Length(s[1]),
             )  # fmt: skip
         return cls(element, s, np.array([[chord, -chord]]) / size)
@@ -283,7 +283,7 @@ def place_elements(
         fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in placed_element.s]
         if all(fixed):
             raise InputError(
-                "The {element} at {places} acts on an end that is held in place, so this {element} has no "
+                "The {element} {places} from the start acts on an end that is held in place, so it has no "
                 "effect. Move the {element} between the ends.",
                 element=noun_of(placed_element.element), places=Length(placed_element.s[0]),
             )  # fmt: skip
@@ -313,7 +313,8 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
     near = AT_END_SHARE * curve.length
     if not -near <= at <= curve.length + near:
         raise InputError(
-            "The {element} at {at:.6g} is not on the curve. Give a place from 0 to {length:.6g}.",
+            "The {element} {at:.6g} from the start is not on the curve. Give a place from 0 to "
+            "{length:.6g} along the curve.",
             element=noun_of(element), at=Length(at), length=Length(curve.length),
         )  # fmt: skip
     if at <= near:

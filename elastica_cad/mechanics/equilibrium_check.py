@@ -392,7 +392,7 @@ def _refuse_extreme_ratio(
 
 def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
     small = (
-        note(" (at most {allowed:.2g} is corrected automatically)", allowed=Length(allowed))
+        note(" (distances up to {allowed:.2g} are corrected automatically)", allowed=Length(allowed))
         if allowed
         else ""
     )

@@ -257,8 +257,8 @@ class LaminatedSection:
         if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
             i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
             raise InputError(
-                "backing width at station {i} is {flat:.6g}: give a width from 0 to the width of the base, "
-                "{flat_2:.6g}",
+                "the backing width at station {i} (from 0) is {flat:.6g}: give a width from 0 to the width of the "
+                "base, {flat_2:.6g}",
                 i=i,
                 flat=Length(w2.flat[i]),
                 flat_2=Length(w1.flat[i]),
@@ -345,7 +345,9 @@ def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
     if bad.any():
         i = int(np.argmax(bad))
-        raise InputError(f"station {i} needs E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
+        raise InputError(
+            f"station {i} (from 0) needs a bending stiffness of {bending_stiffness.flat[i]:.4g} N mm2, {text}"
+        )
 
 
 PIECES = 8

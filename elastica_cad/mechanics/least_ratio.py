@@ -348,7 +348,7 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
     if request.between or request.point_forces:
         raise InputError(
-            "A section law (varying thickness or diameter) cannot be combined with rails, pins, ties or "
+            "A varying thickness or diameter (section law) cannot be combined with rails, pins, ties or "
             "point forces yet. Leave out the section law, or these elements."
         )
     if isinstance(section, LeavesLaw):
@@ -540,7 +540,7 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
     force = left_of(balance.force.nodal.reshape(-1, 2))
     return tuple(
         note(
-            "The {element} at {places} carries less than {share:g} % of the largest force, so it may "
+            "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
             "become slack or come off the strip. Move or remove the {element}.",
             element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
             share=100 * SLACK_SHARE, severity="warning",

@@ -203,7 +203,8 @@ class Weight:
         """
         if self.own:
             raise InputError(
-                "the strip's own weight is unknown before optimal_rod computes it: give beta in N/mm"
+                "the strip's own weight is unknown before optimal_rod computes it: give the weight per length as "
+                "`beta`, in N/mm"
             )
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)

@@ -373,7 +373,9 @@ def least_variation(
         active[out] = meets[turns[0]]
         x = x - values[active[out]] / rates[active[out]] * step
         normals[out] = planes[active[out]]
-    raise NotConvergedError("the linear program that smooths the stiffness did not converge")
+    raise NotConvergedError(
+        "the linear program that smooths the stiffness did not converge: draw a smoother curve"
+    )
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:
@@ -386,5 +388,7 @@ def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_ro
     limit = np.repeat([-1.0, largest, 0.0], [len(rows), len(rows), len(side_rows)])
     result = linprog(-cost / np.abs(cost).max(), matrix, limit, bounds=(None, None), method="highs")
     if result.status != 0:
-        raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
+        raise NotConvergedError(
+            f"the linear program for the bending stiffness stopped ({result.message}): draw a smoother curve"
+        )
     return np.asarray(basis @ result.x, dtype=float)

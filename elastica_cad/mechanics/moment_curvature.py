@@ -83,8 +83,8 @@ class MaterialLaw(ABC):
         reached = float(self.effective_curvature(top))
         if largest > reached * (1 + _ROUNDING_SHARE):
             raise InputError(
-                f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
-                "material law reaches: draw a gentler curve, or use a thinner sheet"
+                f"a moment needs an effective curvature of {largest:.4g} 1/mm, but the material law reaches "
+                f"only {reached:.4g} 1/mm: draw a gentler curve, or use a thinner sheet"
             )
         low, high = np.zeros(m.shape), np.full(m.shape, top)
         for _ in range(100):
@@ -299,7 +299,7 @@ class TabulatedLaw(MaterialLaw):
             object.__setattr__(self, name, array)
         if self.curvatures.shape != self.moments.shape:
             raise InputError(
-                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give "
+                f"the material law has {self.curvatures.size} curvatures and {self.moments.size} moments: give "
                 "as many moments as curvatures"
             )
         if np.any(np.diff(self.curvatures) <= 0):
@@ -340,8 +340,8 @@ class TabulatedLaw(MaterialLaw):
         """Also refuse a curvature beyond the last of `curvatures`; see `MaterialLaw.require_injective`."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
-                f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
-                f"{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve"
+                f"the material law ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but the curve has "
+                f"{largest_curvature:.4g} 1/mm: measure larger curvatures, or draw a gentler curve"
             )
         super().require_injective(largest_curvature)
 

@@ -821,8 +821,8 @@ class Rod:
             self.s.size,
         ):
             raise InputError(
-                f"stiffness has {np.size(stiffness)} values, but the rod has {self.s.size} nodes: give one "
-                "a node, or a Profile"
+                f"stiffness has {np.size(stiffness)} values, but the rod has {self.s.size} nodes: give a "
+                "value for each node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)

@@ -230,8 +230,8 @@ class ScaleRange:
         """Largest scale that can be built within the outer width (paper, section 8.1)."""
         if not self.feasible:
             raise InputError(
-                f"no bending stiffness (for K = 1) suits all stations: station {self.lowest_at} needs at "
-                f"least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N "
+                f"no bending stiffness (for K = 1) suits all stations (from 0): station {self.lowest_at} needs "
+                f"at least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N "
                 f"mm2. Widen the strip at station {self.highest_at}, narrow the strip at station "
                 f"{self.lowest_at}, or lower the stiffness ratio"
             )
@@ -245,7 +245,7 @@ def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
     except ValueError:
         sizes = " and ".join(str(row.size) for row in rows)
         raise InputError(
-            f"there are {sizes} finite values: give a value for each station, or one value for all stations"
+            f"the arrays have {sizes} values: give each a value for each station, or one for all stations"
         ) from None
 
 
@@ -255,5 +255,5 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
     good = np.isfinite(array) & (array > 0)
     if not good.all():
         i = int(np.argmin(good))
-        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: give a number above 0")
+        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i} (from 0): give a number above 0")
     return array

@@ -392,10 +392,13 @@ class PerforatedSection(PlainSection):
     def __post_init__(self) -> None:
         if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
             raise InputError(
-                f"a perforated strip has {self.ligaments!r} ligaments: give a whole number from 1"
+                f"a perforated strip has {self.ligaments!r} ligaments (material between holes): give a whole "
+                "number, 1 or more"
             )
         if not (is_number(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(f"least ligament is {self.least_ligament!r}: give 0 or more, in mm")
+            raise InputError(
+                f"the least width of a ligament is {self.least_ligament!r}: give 0 or more, in mm"
+            )
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
         """Return the scales c for which the ligaments fit into the outer width (n,), mm, and are wide enough.

@@ -320,7 +320,7 @@ def _read_table(path: str | Path) -> object:
         ) from error
     except UnicodeDecodeError as error:
         raise InputError(
-            f"{path} is not a TOML file, because it is not UTF-8 text: save it as text in UTF-8"
+            f"{path} cannot be read as TOML, because the file is not UTF-8 text: save the file as UTF-8"
         ) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
@@ -629,8 +629,8 @@ class Sheet:
             return cls.named(given)
         if not isinstance(given, Sheet):
             raise InputError(
-                "give a Sheet or the name of a sheet, such as 'birch-plywood-0.8', not "
-                f"{type(given).__name__}: `sheet_names()` lists the names"
+                f"the sheet is a {type(given).__name__}: give a Sheet, or a name such as 'birch-plywood-0.8'; "
+                "`sheet_names()` lists the names"
             )
         return given
 
@@ -647,7 +647,7 @@ class Sheet:
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
-                f"give the name of a sheet, such as 'birch-plywood-0.8', not {type(name).__name__}: "
+                f"the name of a sheet is a {type(name).__name__}: give a text such as 'birch-plywood-0.8'; "
                 "`sheet_names()` lists the names"
             )
         figures = built_in_figures()
@@ -854,7 +854,11 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
         for name, sheet in loaded.items():
             if name in built_in_figures() or name in by_name:
                 problems.append(
-                    note("{file}: the name {name!r} is already used: rename this sheet", file=file, name=name)
+                    note(
+                        "{file}: another sheet already has the name {name!r}: rename this sheet",
+                        file=file,
+                        name=name,
+                    )
                 )
             else:
                 by_name[name] = sheet
@@ -892,7 +896,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         else note("there are {count} sheets", count=len(sheets))
     )
     choices = " or ".join(f"{path.name}:{key}" for key in sheets)
-    raise InputError(f"{path}: {several}: name {choices}")
+    raise InputError(f"{path}: {several}: use the name {choices}")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:

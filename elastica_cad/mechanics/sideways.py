@@ -192,7 +192,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
         )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
-        raise InputError(f"shear_ratio is {shear_ratio}: give a positive G / E")
+        raise InputError(f"shear_ratio is {shear_ratio}: give the ratio G / E, a number above 0")
     return ratio
 
 
@@ -371,7 +371,9 @@ def sideways_stability(
     'ample'
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"sideways stability needs a Rod, such as bend returns, not {type(rod).__name__}")
+        raise InputError(
+            f"sideways_stability was called with a {type(rod).__name__}: give a Rod, such as bend returns"
+        )
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
         np.interp(s, rod.s, rod.flat_stiffness),

@@ -371,10 +371,12 @@ def stability(rod: Rod) -> Stability:
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"stability needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}"
+            f"stability was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or bend returns"
         )
     if rod.residual > OUT_OF_BALANCE:
-        raise InputError(f"the rod is not in equilibrium (residual {rod.residual:.2g}): bend the rod first")
+        raise InputError(
+            f"the rod is not in equilibrium (residual {rod.residual:.2g}): pass the result of `bend`"
+        )
     discrete = rod.discrete
     negative, margin = discrete.unstable_modes, discrete.margin
     scale = float(np.abs(discrete.hessian[0]).max()) * discrete.angles.size * rod.length

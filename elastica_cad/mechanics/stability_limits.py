@@ -120,7 +120,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     margin = state.discrete.margin
     if margin.value <= 0:
         raise InputError(
-            f"the rod is unstable at the start of the path (margin {margin.value:.3g}): start from "
+            f"the rod is unstable at the start of the path (margin {margin.value:.3g}, not above 0): start from "
             "a stable shape"
         )
     visited = [(t, margin.value)]

@@ -53,7 +53,9 @@ class _PowerLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(f"a Sheet is needed for the material of the section, not {self.sheet!r}")
+            raise InputError(
+                f'the sheet of the section is {self.sheet!r}: give a Sheet, such as Sheet.named("pom-1")'
+            )
         low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
         if not 0 < low <= high:
             raise InputError(
@@ -223,9 +225,11 @@ class LeavesLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(f"a Sheet is needed for the plies, not {self.sheet!r}")
+            raise InputError(
+                f'the sheet of the plies is {self.sheet!r}: give a Sheet, such as Sheet.named("pom-1")'
+            )
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
-            raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
+            raise InputError(f"leaves is {self.leaves!r}: give the number of plies, 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
             raise InputError(f"fewest is {self.fewest!r}: give a whole number of plies, 1 to {self.leaves}")
         _ = self.relaxed  # the property refuses an invalid width

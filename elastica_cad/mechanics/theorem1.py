@@ -115,11 +115,11 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "Undecided: the points fit curves with different numbers of inflections. Set {smooth} to smooth them, "
-            "give more points, or more decimals."
+            "The points leave the number of inflections open. Set {smooth} to smooth the points, or give "
+            "more points or decimals."
             if self.fit.realizable == self.other.realizable else
-            "Undecided: the points fit both a curve that can be bent and one that cannot. Set {smooth} to smooth "
-            "them, give more points, or more decimals.",
+            "The points leave open whether a strip can take the curve. Set {smooth} to smooth the points, or give "
+            "more points or decimals.",
             smooth=FieldName("smooth"), severity="warning",
         )  # fmt: skip
 
@@ -377,13 +377,13 @@ class PairCheck:
 
     def _verdict(self) -> str:
         if not self.realizable:
-            return note("No strip can rest in both curves of {length}.", length=Length(self.length))
+            return note("No strip can rest in both curves, each {length} long.", length=Length(self.length))
         if self.any_stiffness:
             return note(
                 "Both curves have the same shape: a strip of that shape rests in them without being bent."
             )
         return note(
-            "One strip can rest in both curves of {length}, {held}; {alike}.",
+            "One strip can rest in both curves, each {length} long, {held}; {alike}.",
             length=Length(self.length),
             held=note("in the same clamps" if self.bistable else "each in its own clamps"),
             alike=note(
@@ -527,10 +527,10 @@ def _seam_message(curve: PlaneCurve) -> str:
 
 def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
-        "undecided at this precision: at {shown}, {places} from its start, the curve turns by {angle:.2g} "
-        "degrees. The handle of this node is only {handle} long, so the rounding of numbers in the file can "
-        "turn it by {bound:.2g} degrees. Save the drawing with more decimals, or lengthen the handles of "
-        "this node",
+        "the file leaves open whether the curve has a corner at {shown}, {places} from its start, where it "
+        "turns by {angle:.2g} degrees. The handle of this node is only {handle} long, so the rounding of "
+        "numbers in the file can turn it by {bound:.2g} degrees. Save the drawing with more decimals, or "
+        "lengthen the handles of this node",
         angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
         handle=Length(turn.handle), bound=np.degrees(turn.bound),
     )  # fmt: skip
@@ -584,10 +584,10 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     [[0.0, 10.0]]
     """
     if not curve.is_closed:
-        raise InputError("the curve is open: only a closed curve can begin at another place")
+        raise InputError("the curve is open, so its start cannot be moved along it: give a closed curve")
     if not 0 <= s <= curve.length:
         raise InputError(
-            "the curve cannot begin at {s:g}, because it is {length:.4g} long: give a place along the curve",
+            "the curve cannot begin at {s:g}, because it is {length:.4g} long: give a place from 0 to this length",
             s=Length(s),
             length=Length(curve.length),
         )
@@ -751,8 +751,8 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
         return excess, ()
     place = flattest_place(curve)
     message = note(
-        "The closed curve is not bent at its drawn start, so the strip begins {s} farther along the curve, "
-        "at {shown}. Positions along the strip are measured from there.",
+        "The ends of a closed strip can meet only where the curve is bent. The drawn start is not bent, so the "
+        "strip starts {s} farther along the curve, at {shown}; positions are measured from there.",
         shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
     )  # fmt: skip
     return replace(excess, curve=begin_at(curve, place)), (message,)

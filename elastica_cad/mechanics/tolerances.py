@@ -120,7 +120,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
-            "a loss of {loss:g} is more than the narrowest width of {least:.4g}: use a larger max_width",
+            "a loss of width of {loss:g} is more than the least width, {least:.4g}: use a larger max_width",
             loss=Length(loss),
             least=Length(least),
         )
@@ -396,7 +396,7 @@ def tolerance_study(
         raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
     require_executor(executor, "map")
     if not (is_whole(seed) and seed >= 0):
-        raise InputError(f"seed is {seed!r}: give a whole number from 0")
+        raise InputError(f"seed is {seed!r}: give a whole number, 0 or more")
     varied = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
     if max_width is None:
         varied = replace(varied, width_loss=(0.0, 0.0))

@@ -256,7 +256,7 @@ def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
     if not support.angle:
         return note("hold at {place}", place=place)
     angle = float(rising_angles(member.strip)[k])
-    return note("hold at {place}, {angle:.1f} degrees from the line", place=place, angle=angle)
+    return note("hold at {place}, {angle:.1f} degrees to the line between the ends", place=place, angle=angle)
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:

@@ -173,10 +173,11 @@ class BattenSpec:
             raise InputError(f"the batten's length is {self.length:g}: give a number above 0, in mm")
         if not 0 < self.camber <= LARGEST_CAMBER:
             raise InputError(
-                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * LARGEST_CAMBER:g}"
+                f"the camber (height of the bulge) is {100 * self.camber:g} % of the chord: give 1 to "
+                f"{100 * LARGEST_CAMBER:g} %"
             )
         if not 0 < self.place < 1:
-            raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
+            raise InputError(f"the largest camber is at {100 * self.place:g} % of the chord: give 1 to 99 %")
         if not 0 <= self.full <= LARGEST_FULL_FRACTION:
             raise InputError(
                 "The batten has its full size over {percent:g} % of its length. Set {field} to 0 to {most:g} %.",
@@ -185,7 +186,7 @@ class BattenSpec:
                 most=100 * LARGEST_FULL_FRACTION,
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
-            raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
+            raise InputError(f"the stock of the batten is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
         if self.lying not in (None, "up", "down"):
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 

@@ -388,7 +388,9 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):
-        raise InputError(f"feet are {size!r} mm: make them {Mm(LEAST_GLUED_MM):g} or larger")
+        raise InputError(
+            f"the size of the feet is {size!r} mm: make the feet {Mm(LEAST_GLUED_MM):g} or larger"
+        )
     glued = tuple(replace(plate, glued=True) for plate in plates)
     return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
 

@@ -205,7 +205,7 @@ def _require_count(count: int, of: int) -> None:
     require_declared(repeat, {"count": count}, "pattern")
     if count * of > MOST_STRIPS:
         raise InputError(
-            f"a pattern of {of} strips, {quoted(count)} times, is too large: make at most {MOST_STRIPS} strips"
+            f"{of} strips repeated {quoted(count)} times are too many: make at most {MOST_STRIPS} strips"
         )
 
 

@@ -595,7 +595,7 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """
     if not tabs:
         raise InputError(
-            "{name}: these strips have no tab that can be held: give placed strips with tabs", name=name
+            "{name}: these strips have no tab that a plate can hold: add tabs to the strips", name=name
         )
     points = np.array([tab.frame.origin for tab in tabs])
     outs = np.array([tab.frame.x_axis for tab in tabs])

@@ -571,7 +571,7 @@ class Flexure:
         "hole1" to "hole4" at the holes from start to end, with x along the part.
         """
         if not is_one_of(state, (None, *STATES)):
-            raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
+            raise InputError(f'The state is {state!r}. Use "first", "second", or None for the unloaded part.')
         line = self.centre if state is None else self.states[STATES.index(state)]
         corners = self.outline_along(line)
         middle, ends = Frame((0.0, 0.0, self.sheet.thickness / 2)), (0.0, self.pair.length)

@@ -391,8 +391,12 @@ class _Chain:
                         break
                 damping = max(damping * DAMPING_STEP, FIRST_DAMPING)
                 if damping > 1e6:
-                    raise NotConvergedError("the pushed rod has no rest shape: push it at another place")
-        raise NotConvergedError("the pushed rod has no rest shape: push it less far, or at another place")
+                    raise NotConvergedError(
+                        "the pushed rod has no shape in equilibrium: push it at another place"
+                    )
+        raise NotConvergedError(
+            "the pushed rod has no shape in equilibrium: push it less far, or at another place"
+        )
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
         share = self.s / self.s[-1]

@@ -549,7 +549,7 @@ def enforce_constraints(
         places = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
             f"the moved curve has {after.size} inflections (at {places} mm) instead of {before.size}: keep "
-            "less (ends, tangents, length), or use nearest_rod"
+            "fewer of ends, tangents and length, or use nearest_rod"
         )
     return EnforcedCurve(moved, residuals, largest_move(curve, moved))
 

@@ -565,7 +565,7 @@ class StripAsMade:
         if self.crowded:
             notes.append(
                 note(
-                    "The slots at {first} and {second} are closer together than they are deep. Their "
+                    "The slots {first} and {second} from the start are closer together than they are deep. Their "
                     "combined effect is not computed",
                     first=Length(self.crowded[0]),
                     second=Length(self.crowded[1]),

@@ -362,8 +362,8 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                "the radius of the curve at {s:.4g} is {given:.4g}. The surface of the strip is {reach:g} "
-                "from the curve and would fold there. Use a thinner sheet or a gentler curve",
+                "the radius of the curve {s:.4g} from its start is {given:.4g}. The surface of the strip "
+                "is {reach:g} from the curve and would fold there. Use a thinner sheet or a gentler curve",
                 s=Length(s[i]),
                 given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
@@ -428,8 +428,8 @@ def _fit_spline(
         if edges.size > MOST_SPANS:
             at = float(edges[:-1][bad][0])
             raise NotConvergedError(
-                "the bent strip cannot follow its curve near {at:.6g}, because the curve changes too fast "
-                "there: smooth the curve",
+                "the bent strip cannot follow its curve {at:.6g} from the start, because the curvature "
+                "changes too fast there: smooth the curve",
                 at=Length(at),
             )
         # the error is proportional to the length of the span to the power of degree + 1
@@ -558,7 +558,7 @@ class BoundaryMaker:
             a, b = self.vertices[low.start], self.vertices[low.end]
             return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
         if isinstance(shape, BentMap):
-            raise TypeError("only lines across stay plane on a bent strip")
+            raise TypeError("an edge of a bent strip is plane but not straight across: use only lines across")
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
             return CylinderSurface(base, segment.radius)

@@ -79,25 +79,25 @@ def coupon_drawing(
         require_positive(value, f"coupon {name}")
     if free < 2 * TICK_MM:
         raise InputError(
-            "a coupon of {free:g} overhang is too short for its scale: use {tick_mm:g} or more",
+            "a coupon with an overhang of {free:g} is too short for its engraved scale: use {tick_mm:g} or more",
             free=Length(free),
             tick_mm=Length(2 * TICK_MM),
         )
     if free > MOST_OVERHANG_MM:
         raise InputError(
-            "a coupon of {free:g} overhang is longer than any board: use {most_overhang_mm:g} or less",
+            "a coupon with an overhang of {free:g} is longer than any board: use {most_overhang_mm:g} or less",
             free=Length(free),
             most_overhang_mm=Length(MOST_OVERHANG_MM),
         )
     if width < 8.0:
         raise InputError(
-            "a coupon of {width:g} width is too narrow for its engraving: use 8 mm or more",
+            "a coupon {width:g} wide is too narrow for its engraving: use 8 mm or more",
             width=Length(width),
         )
     if width > free:
         raise InputError(
             (
-                "a coupon of {width:g} width and {free:g} overhang bends as a plate: make it narrower than its "
+                "a coupon {width:g} wide with an overhang of {free:g} bends as a plate: make it narrower than its "
                 "overhang"
             ),
             width=Length(width),
@@ -129,7 +129,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     figure, height = f"{length:g} mm", 0.4 * width
     if text_width(figure, height) > 0.9 * length:
         raise InputError(
-            "a reference bar of {length:g} by {width:g} is too short for its figures: make it longer",
+            "a reference bar of {length:g} by {width:g} is too short for its numbers: make the bar longer",
             length=length,
             width=Length(width),
         )

@@ -120,15 +120,15 @@ def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
         low, high = cut.span
         if low <= -ends[0].length or high >= rod.length + ends[1].length:
             raise InputError(
-                "The hole or notch for the {element} at {at} extends beyond the end of the strip. Move the "
-                "hole or notch, or give the strip a longer tab there.",
+                "The hole or notch for the {element} {at} from the start extends beyond the end of the "
+                "strip. Move the hole or notch, or give the strip a longer tab there.",
                 element=cut.noun, at=Length(cut.at), where={"field": "between"},
             )  # fmt: skip
     for first, second in combinations(cuts, 2):
         if first.span[0] < second.span[1] and second.span[0] < first.span[1]:
             raise InputError(
-                "The holes or notches at {first} and {second} overlap. Move one of these elements, or leave out "
-                "its hole or notch.",
+                "The holes or notches {first} and {second} from the start overlap. Move one of these "
+                "elements, or leave out its hole or notch.",
                 first=Length(first.at), second=Length(second.at), where={"field": "between"},
             )  # fmt: skip
     return tuple(Path.circle((cut.at, 0.0), cut.hole / 2) for cut in cuts if cut.hole)
@@ -171,7 +171,7 @@ def _require_narrower_cut(cut: ElementCut, width: float) -> None:
     needed = max(cut.hole, 2 * cut.notch)
     if needed >= width:
         raise InputError(
-            "The hole or notches for the {element} at {at} are {needed:g} wide in total, but the strip "
+            "The hole or notches for the {element} {at} from the start are {needed:g} wide in total, but the strip "
             "there is only {wide:.4g} wide. Make the hole or notches smaller, or the strip wider.",
             element=cut.noun, at=Length(cut.at), needed=Length(needed), wide=Length(width),
             where={"field": "between"},

@@ -128,8 +128,8 @@ class Laminated:
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
             raise InputError(
-                "the base is {w1:g} wide at {s:.1f}, narrower than the least backing of {least:g}: widen it "
-                "there",
+                "the base is {w1:g} wide {s:.1f} from the start, less than the least backing of {least:g}: "
+                "widen it there",
                 w1=Length(narrow),
                 s=Length(s[i]),
                 least=Length(needed),
@@ -155,7 +155,7 @@ class Laminated:
         if scale > fits.highest * (1 + SLACK):
             shown, limit = distinct_digits(scale, fits.highest, ".4g")
             raise InputError(
-                "the strip needs a bending stiffness of {scale:g} N mm2, but at {high:.1f} the widest "
+                "the strip needs a bending stiffness of {scale:g} N mm2, but {high:.1f} from the start the widest "
                 "backing gives {highest:g} N mm2: use thicker or stiffer sheets, or widen the base",
                 scale=shown,
                 high=Length(high),
@@ -164,8 +164,9 @@ class Laminated:
         if scale < fits.lowest * (1 - SLACK):
             shown, limit = distinct_digits(scale, fits.lowest, ".4g")
             raise InputError(
-                "the strip needs a bending stiffness of {scale:g} N mm2, but at {low:.1f} even the narrowest "
-                "backing of {least:g} gives {lowest:g} N mm2: use thinner sheets, or narrow the base",
+                "the strip needs a bending stiffness of {scale:g} N mm2, but {low:.1f} from the start even "
+                "the narrowest backing of {least:g} gives {lowest:g} N mm2: use thinner sheets, or narrow "
+                "the base",
                 scale=shown,
                 least=Length(least),
                 low=Length(low),
@@ -190,8 +191,8 @@ def _infeasible(
         )]  # fmt: skip
     ways[1:1] = [note("narrow the base at {s}", s=Length(s[i])), note("widen it at {s}", s=Length(s[j]))]
     return note(
-        "the laminate cannot be as soft as needed at {soft} (base {soft_width} wide, stiffness K "
-        "{soft_stiffness:.3g}) and as stiff as needed at {stiff} (base {stiff_width} wide, K "
+        "the laminate cannot be as soft as needed {soft} from the start (base {soft_width} wide, stiffness K "
+        "{soft_stiffness:.3g}) and as stiff as needed {stiff} from the start (base {stiff_width} wide, K "
         "{stiff_stiffness:.3g}): {ways}",
         soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
         stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),

@@ -270,21 +270,21 @@ class Splice:
         if len(self.strip.layers) > 1:
             joints = zip(self.layer_pieces, (self.plates.joints, self.plates.backing_joints), strict=True)
             pieces = Listed(
-                note("{pieces} at {places}", pieces=name, places=Listed(map(Mm, at)))
+                note("{pieces}, joined {places} from the start", pieces=name, places=Listed(map(Mm, at)))
                 for name, at in joints
                 if at
             )
             return note(
-                "Cut in pieces: {pieces}, joined by plates {lap:g} long on the free face of each layer. The "
-                "plates stiffen the strip and move its shape by {far:.2g}.",
+                "Cut in pieces: {pieces}. The plates that join the pieces are {lap:g} long, on the free "
+                "face of each layer; they stiffen the strip and move its shape by {far:.2g}.",
                 pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         text = (
-            "Cut in {count} pieces at {places}, joined by plates {lap:g} long. The plates stiffen the "
-            "strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
+            "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates stiffen "
+            "the strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
             if (lost := len(self.strip.holes) - len(self._holes))
-            else "Cut in {count} pieces at {places}, joined by plates {lap:g} long. The plates stiffen the "
-            "strip and move its shape by {far:.2g}."
+            else "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates "
+            "stiffen the strip and move its shape by {far:.2g}."
         )
         places = Listed(map(Mm, self.plates.joints))
         return note(
@@ -398,8 +398,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     name = strip.label or "strip"
     if strip.layout.size is not None:
         raise InputError(
-            "{name}: a strip with a section law cannot be cut in pieces, because the plates that join the "
-            "pieces would have to taper too. Use a larger stock, or a strip of one sheet",
+            "{name}: a strip of varying thickness or diameter cannot be cut in pieces, because the plates "
+            "that join the pieces would have to taper too. Use a larger stock, or a strip of one sheet",
             name=name,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
@@ -431,8 +431,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
         )
         if joints is None:
             raise InputError(
-                "{name}: {count} joints {lap:g} long do not fit between the slots: use a shorter lap or a "
-                "larger stock",
+                "{name}: the pieces of the strip need {count} joints, each {lap:g} long, which do not fit "
+                "between the slots: set a shorter lap, or a larger stock",
                 name=name,
                 count=count,
                 lap=Mm(lap),

@@ -225,7 +225,7 @@ class Measuring:
             *self._verdict(
                 measured, {name: float(np.hypot(self.uncertain[name], errors[name])) for name in names}
             ),
-            Row("Readings", f"Assumed right to {reading_error:g} mm and {angle_error:g} {degrees}."),
+            Row("Readings", f"Assumed to be exact to {reading_error:g} mm and {angle_error:g} {degrees}."),
             *([] if set(ANGLES) & set(names) else [Row("Angles", NO_ANGLES)]),
             *(self._row(name, measured[name]) for name in names),
         )

@@ -113,8 +113,8 @@ class DiamondPattern:
     def __post_init__(self) -> None:
         if self.side_length <= self.bridge:
             raise InputError(
-                f"{self.rows} rows are {Mm(self.row_length)} long each: diamonds with bridges of "
-                f"{Mm(self.bridge):g} between their tips need more than {Mm(4 * self.bridge):g}; use "
+                f"each of {self.rows} rows of holes is {Mm(self.row_length)} long, but bridges of "
+                f"{Mm(self.bridge):g} between the holes need more than {Mm(4 * self.bridge):g}: use "
                 "fewer rows"
             )
 
@@ -417,16 +417,18 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             warnings.append(note(
-                ("the ligaments (material between holes) at {s} are inclined by {angle:.0f} degrees, too "
-                 "much for an exact stiffness: use fewer holes along the strip, each at least {long} long"),
+                (
+                    "the ligaments (material between holes) {s} from the start are inclined by "
+                    "{angle:.0f} degrees, too much for an exact stiffness: use fewer holes along the "
+                    "strip, each at least {long} long"),
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
         if missing[i] > TIP_FRACTION:
             warnings.append(note(
-                "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
-                "use {least:.2g} or less to stay within {allowed:.0f} %",
+                "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips of the "
+                "holes {s} from the start: use {least:.2g} or less to stay within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
                 least=Mm(self.corner_radius * TIP_FRACTION / missing[i]), allowed=100 * TIP_FRACTION,
             ))  # fmt: skip
@@ -461,9 +463,9 @@ class _Fit:
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
-                "the outline is {w:.4g} wide at {s:.1f}, but {ligaments} ligaments (material between holes) of "
-                "{least_ligament:g} and {columns} columns of holes need more than {holes:.4g}. Widen the outline "
-                "or use fewer columns",
+                "the outline is {w:.4g} wide {s:.1f} from the start, but {ligaments} ligaments (material "
+                "between holes) of {least_ligament:g} and {columns} columns of holes need more than "
+                "{holes:.4g}. Widen the outline or use fewer columns",
                 w=Mm(self.w[i]),
                 s=Mm(self.s[i]),
                 ligaments=style.ligaments,
@@ -560,7 +562,7 @@ class _Fit:
                 now=self.rod.ratio, most=rounded_down(ratio, 3),
             ))  # fmt: skip
         return note(
-            "if holes must also fit at {s}, {too_little}: {ways}",
+            "if holes must also fit {s} from the start, {too_little}: {ways}",
             too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
         )  # fmt: skip
 
@@ -591,13 +593,13 @@ class _Fit:
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
             percent, most = distinct_digits(100 * share, 100 * self.style.hole_ratio, ".3g")
             return note(
-                "holes would take {percent:g} % of the width at {s}, more than {most:g} %",
+                "holes would take {percent:g} % of the width {s} from the start, more than {most:g} %",
                 percent=percent, s=Mm(self.s[i]), most=most,
             )  # fmt: skip
         i = self.by_ligaments.lowest_at
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
         shown, least = distinct_digits(each, self.style.least_ligament, ".3g")
         return note(
-            "ligaments (material between holes) would be {each:g} wide at {s}, below {least:g}",
+            "ligaments (material between holes) would be {each:g} wide {s} from the start, below {least:g}",
             each=Mm(shown), s=Mm(self.s[i]), least=Mm(least),
         )  # fmt: skip

@@ -262,7 +262,9 @@ class Piece:
     def __post_init__(self) -> None:
         require_record(self.drawing, Drawing, "the drawing of a piece", "a Drawing")
         if not (is_whole(self.count) and self.count >= 1):
-            raise InputError(f"{self.name}: the count is {self.count!r}; give 1 or more")
+            raise InputError(
+                f"{self.name}: the number of copies is {self.count!r}; give a whole number, 1 or more"
+            )
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
             raise InputError(f"{self.name}: there is no closed outer cut; close the outline of the part")
 

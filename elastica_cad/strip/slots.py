@@ -101,7 +101,9 @@ class Slot:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
         if abs(self.lean) >= QUARTER_TURN_DEG:
-            raise InputError(f"{here}: lean is {self.lean:g} rad; give less than a quarter turn")
+            raise InputError(
+                f"{here}: lean (the angle of the slot) is {self.lean:g} rad; give less than pi / 2"
+            )
         if (self.path is None) != (self.widths is None):
             raise InputError(f"{here}: path or widths are missing; give both")
         if self.path is not None:
@@ -128,8 +130,8 @@ class Slot:
         """Raise InputError for an inclination of 90 degrees or more, which was probably given in degrees."""
         if abs(self.lean) >= np.pi / 2:
             raise InputError(
-                "The lean of the slot at {at} is {lean:g} rad, a quarter turn or more. Pass radians, such as "
-                "numpy.radians({lean:g}).",
+                "The lean of the slot {at} from the start is {lean:g} rad, a quarter turn or more. Pass "
+                "radians, such as numpy.radians({lean:g}).",
                 at=Length(self.at),
                 lean=self.lean,
             )
@@ -303,8 +305,8 @@ class _Edge:
             low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
             if not low < slot.at < high:
                 raise InputError(
-                    "{name}: the slot at {at:.6g} is not on the strip, which extends from {low:.4g} to "
-                    "{high:.4g} with its tabs: move the slot",
+                    "{name}: the slot {at:.6g} from the start is not on the strip, which extends with its "
+                    "tabs from {low:.4g} to {high:.4g}: move the slot",
                     name=name,
                     at=Length(slot.at),
                     low=low,
@@ -377,7 +379,7 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
             at = polylines_cross(cuts[i], np.concatenate([loop, loop[:1]]))
             if at is not None:
                 raise InputError(
-                    "{name}: the slot at {at:.6g} meets a hole at {at_2}: move one of them",
+                    "{name}: the slot {at:.6g} from the start meets a hole at {at_2}: move one of them",
                     name=name,
                     at=Length(opening.slot.at),
                     at_2=place(at),
@@ -386,7 +388,8 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
 
 def _meeting(name: str, a: Slot, b: Slot) -> str:
     return note(
-        "{strip}: the slots at {one} and {other} touch: move them apart, or make them narrower or shallower",
+        "{strip}: the slots {one} and {other} from the start touch: move them apart, or make them narrower or "
+        "shallower",
         strip=name, one=Length(a.at), other=Length(b.at),
     )  # fmt: skip
 

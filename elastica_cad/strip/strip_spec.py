@@ -131,7 +131,8 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
         )
     if seam_position is not None and not curve.is_closed:
         raise InputError(
-            "{field} is {seam:g}, but only a closed curve has a joint: leave out {field}, or close the curve",
+            "the curve is open and has no joint, but {field} puts a joint {seam:g} from its start: leave "
+            "out {field}, or close the curve",
             field=FieldName("seam_position"),
             seam=Length(seam_position),
             where={"field": "seam_position"},
@@ -230,8 +231,8 @@ def _limits_with_sheet_and_widths(
     for name, width in (("max_width", max_width), ("min_width", min_width)):
         if width is not None and not low <= width <= high:
             raise InputError(
-                "{name} is {width:g}, outside the limits {low:g} to {high:g} of the width: change one of "
-                "them, or leave out the limits",
+                "{name} is {width:g}, outside the limits of the width, {low:g} to {high:g}: change this "
+                "width or the limits, or leave out the limits",
                 name=FieldName(name),
                 width=Length(width),
                 low=low,

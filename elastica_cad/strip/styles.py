@@ -362,8 +362,8 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         if not np.isclose(width.length, length, rtol=1e-6):
             raise InputError(
                 (
-                    "{name} covers a length of {length:.6g}, but the strip is {length_2:.6g} long: give it along "
-                    "the whole strip"
+                    "{name} covers a length of {length:.6g}, but the strip is {length_2:.6g} long: give a width "
+                    "along the whole strip"
                 ),
                 name=name,
                 length=Length(width.length),

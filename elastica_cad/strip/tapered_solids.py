@@ -92,7 +92,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
     if tight.max() >= 1:
         at = float(strip.rod.s[int(tight.argmax())])
         raise InputError(
-            "at {at:.4g} the strip bends to a radius below half its thickness: draw a gentler "
+            "{at:.4g} from its start the strip bends to a radius below half its thickness: draw a gentler "
             "curve, or allow less thickness",
             at=Length(at),
         )

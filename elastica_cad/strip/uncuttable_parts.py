@@ -568,7 +568,7 @@ def _thin_strip(
     for place in tabs[:1]:
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         what = note(
-            "only {wide:g} wide {at} ({sheet} needs {needed:g})",
+            "only {wide:g} wide {at}, but {sheet} needs at least {needed:g}",
             wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
         )  # fmt: skip
         yield Fault(name, what, note("Make the tab wider"))
@@ -633,7 +633,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
         what = note(
-            "only {wide:g} of material between a hole and the edge {at} ({sheet} needs {needed:g})",
+            "only {wide:g} of material between a hole and the edge {at}, but {sheet} needs at least {needed:g}",
             wide=wide, at=at, needed=needed, sheet=sheet.name,
         )  # fmt: skip
         return Fault(
@@ -642,7 +642,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
             note("Move the hole {shift} away from the edge, or make the hole smaller", shift=shift),
         )
     what = note(
-        "only {wide:g} of material between two holes {at} ({sheet} needs {needed:g})",
+        "only {wide:g} of material between two holes {at}, but {sheet} needs at least {needed:g}",
         wide=wide, at=at, needed=needed, sheet=sheet.name,
     )  # fmt: skip
     return Fault(
@@ -683,8 +683,8 @@ def _faults_at(
             else both_names(loops[one], loops[other])
         )
         what = note(
-            "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
-            "only {wide:g} wide {at}{more} ({sheet} needs {needed:g})",
+            "only {wide:g} between {loops} {at}{more}, but {sheet} needs at least {needed:g}" if loops else
+            "only {wide:g} wide {at}{more}, but {sheet} needs at least {needed:g}",
             wide=wide, loops=between, at=at, more=more if rest else "", needed=needed, sheet=sheet.name,
         )  # fmt: skip
         yield Fault(name, what, cure)

@@ -82,7 +82,9 @@ class Family:
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
         """Return the name and plane of each cut through an object with bounding box `box`."""
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
-            raise InputError("choose the kind of planes, an axis (X, Y or Z) and at least 1 plane")
+            raise InputError(
+                "the cutting planes are not defined: choose their kind, an axis (X, Y or Z) and at least 1 plane"
+            )
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
         if self.kind == "parallel":
             low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))
@@ -101,7 +103,9 @@ class Family:
             frames = radial_planes(point, axis, np.radians(turns), zero=zero)
             return [(f"{v:.4g}°", frame) for v, frame in zip(turns, frames, strict=True)]
         if self.path is None:
-            raise InputError("choose a path: a sketch or a wire that is perpendicular to the planes")
+            raise InputError(
+                "the path is missing: choose a sketch or a wire that is perpendicular to the planes"
+            )
         along = np.abs(self.path[-1] - self.path[0])
         up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
         frames = planes_along(self.path, self.count, up=up)
@@ -116,7 +120,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
     """Return the objects with faces or triangles, except datum planes."""
     bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not bodies:
-        raise InputError("select a body, a surface or a mesh to cut")
+        raise InputError("nothing to cut is selected: select a body, a surface or a mesh")
     return bodies
 
 

@@ -83,7 +83,9 @@ def read_line(link: Any, geometry: list[Any] | None = None) -> str:
     source, edges = link
     whole = is_sketch(source) and not edges
     curves = drawn_in(source, geometry) if whole else _edges(source, edges)
-    return note("Read: {report}.", report=str(report_on_edges(curves, gap_of(*source.InList))))
+    return note(
+        "Curves in the drawing: {report}.", report=str(report_on_edges(curves, gap_of(*source.InList)))
+    )
 
 
 def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
@@ -94,7 +96,7 @@ def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
     ]
     if not curves:
         raise InputError(
-            "{sketch} {why}: draw a spline in it", sketch=sketch.Label, why=note(_why_empty(sketch))
+            "{sketch} {why}: draw a spline in this sketch", sketch=sketch.Label, why=note(_why_empty(sketch))
         )
     return curves
 

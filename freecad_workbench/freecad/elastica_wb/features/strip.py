@@ -332,15 +332,15 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
     fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
     verdict = "" if faults else note(
-        "A pre-bent strip takes this curve." if bent else "A flat strip takes this curve."
+        "A pre-bent strip can be bent into this curve." if bent else "A flat strip can be bent into this curve."
     )  # fmt: skip
     if not faults and rod.check is not None and rod.check.undecided is not None:
         verdict = rod.check.verdict
     if changed is not None:
         verdict = note(
-            "A pre-bent strip cannot take this curve, but it can take a curve that differs by at most {far}."
+            "A pre-bent strip cannot take this curve, but it can take a curve at most {far} from it."
             if bent else
-            "A flat strip cannot take this curve, but it can take a curve that differs by at most {far}.",
+            "A flat strip cannot take this curve, but it can take a curve at most {far} from it.",
             far=Length(changed),
         )  # fmt: skip
     if refused:

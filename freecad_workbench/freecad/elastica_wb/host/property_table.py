@@ -121,7 +121,8 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         value = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD raises errors of many classes
         raise InputError(
-            "The formula of {name} cannot be computed ({formula}). Correct or remove the formula.",
+            "FreeCAD cannot compute the formula of the property {name} ({formula}). Correct or remove this "
+            "formula.",
             name=name,
             formula=formula,
         ) from error

@@ -354,7 +354,9 @@ class Session:
         if near.met:
             self.near = near
             self.overlay.show_nearest(near.rod.position)
-            message = note("The nearest curve is {far} away.", far=Length(near.deviation))
+            message = note(
+                "The nearest possible curve is {far} from the drawn curve.", far=Length(near.deviation)
+            )
             self.card.offer(translate("Elastica", "Use the nearest curve"))
         self._show_answer(
             replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n"))

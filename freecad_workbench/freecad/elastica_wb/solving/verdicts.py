@@ -171,10 +171,10 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """Return the result of a check, a strip or an error as a sentence for the status bar."""
     if isinstance(answer, Strip):
         return note(
-            "A pre-bent strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
-            "of the sheet's limit." if is_bent_beforehand(answer) else
-            "A flat strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % of "
-            "the sheet's limit.",
+            "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, "
+            "strain {used} % of the sheet's limit." if is_bent_beforehand(answer) else
+            "A flat strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "
+            "{used} % of the sheet's limit.",
             width=Span.of(*answer.width.extremes), ratio=answer.rod.ratio, used=answer.strain_verdict.percent,
         )  # fmt: skip
     if isinstance(answer, NotRealizable):
