@@ -102,7 +102,7 @@ REFUSED = {
     "too tight": (
         lambda: [circle(0.35, 0, 2)],
         {"max_width": 0.2, "ignore_limits": True},
-        r"radius of the curve at .* is 0\.35 mm.*gentler curve",
+        r"radius of the curve .* from its start is 0\.35 mm.*gentler curve",
     ),
     "slots that meet": (
         lambda: [circle(50, 0, 2)],

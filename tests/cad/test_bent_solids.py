@@ -209,7 +209,9 @@ def test_joints_stand_on_the_strip(arch_strip, tilted):
 class TestBadInput:
     def test_radius_below_half_the_thickness(self, card):
         strip = Strip(optimal_rod(PlaneCurve.arc((0, 0), 0.35, 0, 2)), card, max_width=3)
-        with pytest.raises(InputError, match=r"radius of the curve at .* mm is 0\.35 mm.*thinner sheet"):
+        with pytest.raises(
+            InputError, match=r"radius of the curve .* mm from its start is 0\.35 mm.*thinner sheet"
+        ):
             BentSolid.of(strip)
 
     def test_hole_that_leaves_the_strip(self, arch_strip):

@@ -68,7 +68,7 @@ def test_another_state_keeps_the_place_of_the_first_pad(part):
 def test_state_is_asked_for_by_name(part):
     from elastica_cad.cadquery import flexure_solid
 
-    with pytest.raises(InputError, match="Use first, second, or None"):
+    with pytest.raises(InputError, match='Use "first", "second", or None'):
         flexure_solid(part, "up")
     with pytest.raises(InputError, match="a Flexure"):
         flexure_solid(part.pair)

@@ -69,7 +69,7 @@ def test_files_without_a_surface(tmp_path):
     )
     (tmp_path / "bad.step").write_text("nonsense")
     for name, sentence in (
-        ("e.step", "It has no faces to cut"),
+        ("e.step", "The shape has no faces to cut"),
         ("bad.step", "OpenCASCADE cannot read this file as STEP"),
     ):
         result = run("sections", tmp_path / name, "--radial", 3, code=2)

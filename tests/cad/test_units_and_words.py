@@ -40,7 +40,9 @@ def test_a_lean_in_radians_is_reported(make):
 
 
 def test_a_lean_in_degrees_is_refused_in_python():
-    with pytest.raises(InputError, match=r"lean of the slot at 60 mm is 20 rad.*numpy\.radians\(20\)"):
+    with pytest.raises(
+        InputError, match=r"lean of the slot 60 mm from the start is 20 rad.*numpy\.radians\(20\)"
+    ):
         Strip(optimal_rod(CURVE), "pom-0.5", slots=Slot(60, width=1.2, lean=20), **GIVEN)
 
 

@@ -31,14 +31,14 @@ def bent(document, sketch):
 
 
 def test_a_strip_tells_its_blank_first(document, bent):
-    assert bent.Verdict == "A pre-bent strip takes this curve. There are remarks."
+    assert bent.Verdict == "A pre-bent strip can be bent into this curve. There are remarks."
     assert bent.Reasons[0] == EVEN
     change(bent, Thickness=4)
     assert bent.Verdict.startswith("A pre-bent strip would break on this curve.")
     change(bent, Thickness=0.8, Follow="Nearest", RatioLimit=1.2)
-    assert re.match(".* it can take a curve that differs by at most .* mm", bent.Verdict), bent.Verdict
+    assert re.match(".* it can take a curve at most .* mm from it", bent.Verdict), bent.Verdict
     change(bent, NaturalCurvature=0.0, Follow="Exactly")
-    assert [bent.Verdict, bent.Reasons] == ["A flat strip takes this curve.", []]
+    assert [bent.Verdict, bent.Reasons] == ["A flat strip can be bent into this curve.", []]
 
 
 def test_a_curve_that_such_a_strip_cannot_take(document, drawn):

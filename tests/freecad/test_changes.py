@@ -105,7 +105,7 @@ def test_changes_by_mouse(tmp_path):
     poles, verdict, offered, hidden = found["applied"]
     moved = np.linalg.norm(np.subtract(poles, found["drawn"]), axis=1)
     assert np.flatnonzero(moved > 1e-6).tolist() == [3]
-    assert verdict.startswith("A flat strip takes this curve.")
+    assert verdict.startswith("A flat strip can be bent into this curve.")
     assert (offered, hidden) == ([], True)
     assert found["undone"][0] == found["drawn"]
     assert "cannot" in found["undone"][1]

@@ -63,5 +63,5 @@ def test_page_of_the_workbench(document, sketch, capsys):
     )
     names = {}
     exec(compile(code, "freecad.md", "exec"), names)
-    assert "takes this curve" in capsys.readouterr().out
+    assert "can be bent into this curve" in capsys.readouterr().out
     assert names["strip"].MaxWidth.Value == 40

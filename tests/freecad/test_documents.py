@@ -425,7 +425,7 @@ def test_nearest_follows_when_asked(document, drawn):
     assert feature.Ratio <= 3.5 * (1 + 1e-6)
     assert feature.Shape.isValid()
     change(feature, Sheet="card-200gsm", StrainLimit=0, Anyway=False)
-    assert "a curve that differs by" in feature.Verdict
+    assert "but it can take a curve at most" in feature.Verdict
     assert feature.StrainUse <= 100
 
 

@@ -143,7 +143,9 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
     made.setExpression("Style", "Cells.A1")
     assert told(made) == ""
     document.removeObject(cells.Name)
-    with pytest.raises(InputError, match=r"The formula of Style cannot be computed \(Cells.A1\). Correct or"):
+    with pytest.raises(
+        InputError, match=r"FreeCAD cannot compute the formula of the property Style \(Cells.A1\). Correct or"
+    ):
         strip.strip_of(made)
     assert strip.is_stale(made, {made.Name})
 

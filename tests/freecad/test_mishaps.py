@@ -22,7 +22,7 @@ def test_what_goes_wrong_is_in_sight_and_is_undone(tmp_path):
     assert found["marked"] == [[]] * 6
     assert found["in containers"] == [found["before"]] * 6, "the sketch is outside, and so nothing moves"
     assert found["filled"] == "Face"
-    assert found["strip on it"].startswith("A flat strip takes this curve.")
+    assert found["strip on it"].startswith("A flat strip can be bent into this curve.")
     assert "B-spline through their ends" in found["lines"][0]
     assert found["lines"][1] == 0
     assert "polyline of 3 straight pieces" in found["polygon"]
@@ -62,11 +62,13 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     assert found["export"] == lost
     seen, reasons, volume = found["numbers there"]
     (told,) = found["numbers lost, told"]
-    assert told.startswith("Strip, Strip flat, Nest, Fixtures: The formula of MaxWidth cannot be computed (")
+    assert told.startswith(
+        "Strip, Strip flat, Nest, Fixtures: FreeCAD cannot compute the formula of the property MaxWidth ("
+    )
     sentence = told.partition("Fixtures: ")[2]
     assert sentence.endswith("). Correct or remove the formula.")
-    assert found["numbers lost"] == [dict.fromkeys(seen, False), [f"T{sentence[1:]}"], volume]
-    assert found["panel of the formula"] == f"There is no strip.\nT{sentence[1:]}"
+    assert found["numbers lost"] == [dict.fromkeys(seen, False), [sentence], volume]
+    assert found["panel of the formula"] == f"There is no strip.\n{sentence}"
     assert found["export of the formula"] == sentence
     assert found["numbers found"] == [seen, reasons, volume]
     assert all(seen.values())

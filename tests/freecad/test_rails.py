@@ -148,7 +148,7 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     assert found["offered"] == "Rest the strip on a rail at 197 mm."
     (between, _, state), verdict, offered = found["held"]
     assert (between, state, verdict, offered) == (
-        ["at = 197.0"], ["Up-to-date"], "A flat strip takes this curve.", False,
+        ["at = 197.0"], ["Up-to-date"], "A flat strip can be bent into this curve.", False,
     )  # fmt: skip
     assert "rail at 197 mm pushes" in found["numbers"]
     assert found["listed"] == ["Rail at 197 mm"]
@@ -164,7 +164,9 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     rows, (_, loads, state), verdict = found["force"]
     assert loads[0].endswith("force = [0.0, -0.2]")
     assert state == ["Up-to-date"]
-    assert verdict.startswith("A flat strip takes this curve."), "perhaps with a remark on the cord"
+    assert verdict.startswith("A flat strip can be bent into this curve."), (
+        "perhaps with a remark on the cord"
+    )
     assert "pulls" in found["numbers with all"]
     rows, keeps, (between, *_) = found["pin"]
     assert (keeps, rows[2][:3]) == (True, "Pin")

@@ -190,7 +190,7 @@ def test_a_model_by_its_names(tmp_path):
     named = {"Strip": first, "Strip001": second, "Flat": f"{first} flat", "Flat001": f"{second} flat"}
     assert found["labels"] == found["undone"] == named
     assert found["renamed"] == named | {"Strip001": "Right rib strip", "Flat001": "Right rib strip flat"}
-    assert found["told together"] == f"{first}, {second}: A flat strip takes this curve."
+    assert found["told together"] == f"{first}, {second}: A flat strip can be bent into this curve."
     assert found["edited"] == [[14, 14], [17, 17], [10, 10], [15, 15]], "of both, and Cancel takes back both"
     refused, sentence, made, moved = found["held"]
     assert refused == 0, "no block is made before the plate is refused"
@@ -402,7 +402,7 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
     found = launching.run_window("faults.py", tmp_path)
     assert [found["periodic"], found["periodic card"]] == [[True], "can"]
     state, headline, length, drawn = found["oval"]
-    assert [state, headline[:30]] == [["Up-to-date"], "A flat strip takes this curve."]
+    assert [state, headline[:41]] == [["Up-to-date"], "A flat strip can be bent into this curve."]
     assert length == pytest.approx(drawn, abs=0.1)
     message, numbers, margin = found["one"]
     fails = "The strip fails: snaps into another shape; tips over sideways."
@@ -414,7 +414,7 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
     first, *others, last = found["several"].splitlines()
     assert first.startswith(f"Strip, Strip001: {fails}")
     assert all(one.startswith("Strip, Strip001: ") for one in others)
-    assert last == "Strip002: A flat strip takes this curve."
+    assert last == "Strip002: A flat strip can be bent into this curve."
     heading, verdict, words = found["card"]
     assert [heading, verdict] == ["snaps into another shape; tips over sideways", "breaks"]
     assert words.startswith("the strip snaps into another shape")

@@ -17,7 +17,7 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of "
     verdict, reason, *_ = found["blank"].splitlines()
-    assert verdict == "A pre-bent strip takes this curve. There are remarks."
+    assert verdict == "A pre-bent strip can be bent into this curve. There are remarks."
     assert reason.startswith(bend)
     assert found["blank, flat part"].startswith(f"Strip: {bend}")
     assert f"Strip: {bend}" in found["blank, export"]
@@ -37,8 +37,8 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     several = "Body has several sketches (Drawn, Profile). Select the sketch for the strip."
     assert found["body with two sketches"] == several
     assert found["body and its sketch"] == [["Drawn", []]]
-    assert found["body"] == ["Drawn", "A flat strip takes this curve.", ["Up-to-date"]]
-    takes = "A flat strip takes this curve."
+    assert found["body"] == ["Drawn", "A flat strip can be bent into this curve.", ["Up-to-date"]]
+    takes = "A flat strip can be bent into this curve."
     assert found["pasted with its sketch"] == ["Behind", takes, [], True, 0]
     missing = "The curve is missing: choose a sketch or an edge in the property Curve"
     assert found["pasted alone"] == [None, "There is no strip.", [missing], False, 0]

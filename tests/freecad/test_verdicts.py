@@ -108,7 +108,9 @@ def test_headline_card_and_numbers_agree_on_what_fails(document, drawn, points, 
     assert feature.State == ["Up-to-date"], feature.Reasons
     card = strip_answer(strip.strip_of(feature))
     assert (card.verdict is Verdict.CAN) == (not failing)
-    assert feature.Verdict.startswith("The strip fails: " if failing else "A flat strip takes this curve.")
+    assert feature.Verdict.startswith(
+        "The strip fails: " if failing else "A flat strip can be bent into this curve."
+    )
     assert feature.Fails == list(failing)
     for words in failing.values():
         assert words in feature.Verdict

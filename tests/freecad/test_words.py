@@ -321,7 +321,7 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
     try:
         first, second = again.getObject(made.Name), again.getObject(broken.Name)
         english = [first.Verdict, *first.Reasons, first.Sideways]
-        assert english[0] == "A pre-bent strip takes this curve. There are remarks."
+        assert english[0] == "A pre-bent strip can be bent into this curve. There are remarks."
         assert second.Verdict == broken.Verdict
         for obj in (first, second):
             obj.touch()

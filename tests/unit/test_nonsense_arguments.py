@@ -22,7 +22,7 @@ RIB = Rib("rib-1", ec.Sheet.named("mdf-3"), ec.Frame(), SQUARE, Text((0.0, 0.0),
     ("call", "sentence"),
     [
         (lambda: ARCH.at(np.zeros((0, 2))), "arc lengths are an array of 2 dimensions"),
-        (lambda: ARCH.zeros_along(None, 1.0), "give a callable"),
+        (lambda: ARCH.zeros_along(None, 1.0), "Give a callable"),
         (lambda: ARCH.zeros_along(ec.ElasticaError, 1.0), "values of a function cannot be .*: give numbers"),
         (lambda: ARCH.zeros_along(len, 1.0), "a value for each"),
         (lambda: bend_path("x", np.zeros((0, 2))), "what is bent is a str. Pass a Rod"),

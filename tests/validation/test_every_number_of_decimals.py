@@ -168,7 +168,7 @@ def answer(one, sound):
     try:
         said = verdict(one.curve)
     except InputError as problem:
-        return str(problem), "undecided at this precision" in str(problem)
+        return str(problem), "leaves open whether" in str(problem)
     return said, said != sound and one.curve.provenance.rounding > 0.1
 
 
@@ -203,7 +203,7 @@ def test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door(tmp_path):
     """A handle of 0.7 mm is none in whole millimetres, which a node without tangent would be refused for."""
     drawn = {"short": CURVES["one short handle"]}
     for decimals, words in (
-        (0, "undecided at this precision: at "),
+        (0, "the file leaves open whether the curve has a corner at "),
         (3, "can take this"),
     ):
         written(tmp_path / "drawn.svg", decimals, "mm", relative=True, curves=drawn)

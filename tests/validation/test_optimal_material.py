@@ -119,7 +119,7 @@ test_laws_that_are_not_injective_are_refused = refusal_test(
         ),
         (
             lambda: optimal_rod(arch(), law=TabulatedLaw([0.01, 0.02], [1.0, 1.9])),
-            "table ends at a curvature of",
+            "ends at a curvature of",
         ),
     ]
 )

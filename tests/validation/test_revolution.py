@@ -330,7 +330,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: meridian(1, (0, 0), (0, 0), 1, 10), "start x = 0 "),
+        (lambda: meridian(1, (0, 0), (0, 0), 1, 10), "starts at x = 0 "),
         (
             lambda: meridian_through([(60, 0), (80, 40), (-5, 70), (50, 90)]),
             r"point 3 at \[-5.0, 70.0\] is on",

@@ -266,7 +266,7 @@ def test_a_study_asks_for_thickness_and_kerf_where_a_strip_bends_as_a_plate():
     beam = replace(made.rod, section=None)
     assert tolerance_study(beam, ranges=ranges, samples=2)["thickness"].worst == 0.0
     narrow = float(made.width(made.rod.s).min())
-    with pytest.raises(InputError, match=f"narrowest width of {narrow:.4g} mm"):
+    with pytest.raises(InputError, match=f"the least width, {narrow:.4g} mm"):
         perturb_rod(made.rod, Imperfection(width_loss=39.9), max_width=40.0)
 
 

@@ -412,7 +412,7 @@ def test_an_option_is_explained_like_a_key(tmp_path):
         ),
         (
             "--nearest --set limits.width=[10,15] --max-width 20",
-            "outside the limits 10 to 15 mm of the width: change one of them, or leave out the limits "
+            "outside the limits of the width, 10 to 15 mm: change this width or the limits, or leave out the limits "
             "(--set limits.width)",
         ),
     ],
@@ -467,7 +467,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
 
 
 @pytest.mark.parametrize(("noise", "first", "smoothed"), [
-    (0.4, "Undecided: the points", "No strip can take this curve as drawn, but a strip can"),
+    (0.4, "The points leave", "No strip can take this curve as drawn, but a strip can"),
     (0.0, "A flat strip can take this curve", ""),
     (8.0, "No strip can take this curve, even if", "No strip can take this curve, even if it is smoothed within"),
 ])  # fmt: skip

@@ -433,7 +433,7 @@ def test_sections_of_a_mesh_become_strips(dome, read):
     ("wrong", "message"),
     [
         ('sections = { mesh = "none.obj", radial = {} }', "the file"),
-        ('sections = { mesh = "dome.obj" }', "Add one of radial, parallel or along"),
+        ('sections = { mesh = "dome.obj" }', "Add one of the keys 'radial', 'parallel' and 'along'"),
         (DOME + "radial = { axis = [0, 0, 0] } }", r"sections: axis"),
         (DOME + "parallel = { normal = [0, 0, 1], offsets = [] } }", "none is given"),
         (DOME + "radial = { count = 3, angles = [0, 1] } }", "count and angles exclude each other"),

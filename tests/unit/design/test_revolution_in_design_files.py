@@ -140,13 +140,13 @@ def test_the_axis_that_is_assumed_is_told(read, tmp_path):
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("strips = 20", "Add one of points, curve, or a, b"),
-        (f"{POINTS}\na = 3", "Add one of points"),
+        ("strips = 20", "Add one of the keys 'points', curve, or a, b"),
+        (f"{POINTS}\na = 3", "Add one of the keys 'points'"),
         ("a = 3", r"revolution: b is missing"),
         ("points = 3", "points is not a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: the meridian cannot be read: give at least three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
-        (f"{POINTS}\naxis_x = 5", "axis and axis_x need a profile"),
+        (f"{POINTS}\naxis_x = 5", "'axis' and 'axis_x' need a profile"),
         (f"{POINTS}\nring = 500", "revolution: the radius `ring` is 500"),
         (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),
         (f"{POINTS}\nstrip = 3", "did you mean strips"),

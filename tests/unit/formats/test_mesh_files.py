@@ -72,7 +72,7 @@ def test_metres_are_asked_for(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "words"),
     [
-        ("a.off", TENT, "not a supported mesh"),
+        ("a.off", TENT, "but mesh files end in"),
         ("a.obj", "v 0 0 0\nv 1 0 0\n", "a.obj"),
         ("a.stl", "nonsense", "a.stl"),
         ("a.ply", "ply\nnonsense", "a.ply"),

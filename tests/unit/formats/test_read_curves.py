@@ -90,7 +90,7 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
 @pytest.mark.parametrize(
     ("name", "text", "told"),
     [
-        ("one.csv", "3,4\n", "needs at least two different points: draw it again, or leave it out"),
+        ("one.csv", "3,4\n", "has fewer than two different points: draw the curve again, or leave it out"),
         ("null.json", "null", "has no record.*: give a file that elastica wrote"),
         ("other.json", "{}", "reports of strips: give such a file"),
         (

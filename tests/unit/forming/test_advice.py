@@ -111,7 +111,10 @@ def test_limits_that_exclude_each_other_are_named():
 def test_nothing_is_advised_where_nothing_binds():
     near = nearest_rod(PlaneCurve.line((0, 0), (100, 20)), Limits(ratio=2.0, margin=5.0))
     assert near.advice == ()
-    assert str(near) == f"{Status.MET.value} The nearest curve is at most 0 mm from the drawn curve."
+    assert (
+        str(near)
+        == f"{Status.MET.value} The strip follows the nearest possible curve, at most 0 mm from the drawn curve."
+    )
 
 
 def test_records_travel_with_what_was_asked():

@@ -46,7 +46,7 @@ def test_handles_far_from_the_origin():
         (
             SQUARE,
             [*SQUARE[:2], (1e12, 1e12), SQUARE[3]],
-            r"handles 1 and 2 are 100 mm apart, but others are 1e\+12",
+            r"handles 1 and 2 are only 100 mm apart, but all four extend over 1e\+12",
         ),
         ([(0, 0), (50, 50), (100, 100), (0, 100)], SQUARE, "before: handles 1, 2, 3 are on one line"),
         (SQUARE, "abcd", "after cannot be read: give numbers"),

@@ -55,8 +55,8 @@ def test_a_support_is_a_name_or_an_end(end):
     [
         (lambda: optimal_rod(STRIP), "the curve is a Rod: give a PlaneCurve"),
         (lambda: check_equilibrium(STRIP), "the curve is a Rod: give a PlaneCurve"),
-        (lambda: bend(ARCH), "bend needs a Rod"),
-        (lambda: stability(ARCH), "stability needs a Rod"),
+        (lambda: bend(ARCH), "bend was called with a PlaneCurve"),
+        (lambda: stability(ARCH), "stability was called with a PlaneCurve"),
         (lambda: check_equilibrium(ARCH, tolerance=-1.0), "tolerance is -1.0"),
         (lambda: optimal_rod(ARCH, tolerance=np.nan), "tolerance is nan"),
         (lambda: optimal_rod(ARCH, natural_curvature=np.zeros(5)), "natural_curvature is array"),

@@ -259,7 +259,7 @@ def test_bad_paths():
 
 def test_no_rest_shape_says_so():
     """A slack of 1e-9 of the length drowns in rounding: no shape is made up."""
-    with pytest.raises(NotConvergedError, match="no rest shape was found"):
+    with pytest.raises(NotConvergedError, match="no equilibrium was found"):
         bend(Rod.straight(1.0, samples=201), end=(1 - 1e-9, 0.0))
 
 

@@ -126,7 +126,7 @@ def test_loads_replace_those_of_the_rod():
     hung = ec.bend(rod, gravity=ec.Gravity(1e5, (0, -1)), loads=ec.PointMass(100.0, 10 / 9.80665))
     assert hung.position[-1, 1] == pytest.approx(pushed.position[-1, 1], rel=1e-3)
     assert ec.bend(pushed, loads=()).position[-1, 1] == pytest.approx(0.0, abs=1e-9)
-    with pytest.raises(InputError, match="Loads are in newtons"):
+    with pytest.raises(InputError, match="Loads in newtons"):
         ec.bend(ec.Rod.straight(100.0), loads=ec.PointForce(50.0, (0, -1)))
 
 

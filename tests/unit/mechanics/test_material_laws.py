@@ -99,7 +99,7 @@ def test_table_that_falls_is_refused_only_where_it_falls():
     law.require_injective(0.02)
     with pytest.raises(InputError, match=r"increases only up to a curvature of 0\.02"):
         law.require_injective(0.025)
-    with pytest.raises(InputError, match=r"table ends at a curvature of 0\.03"):
+    with pytest.raises(InputError, match=r"ends at a curvature of 0\.03"):
         law.require_injective(0.04)
     rising = TabulatedLaw([0.01, 0.02], [1.0, 1.5])
     beyond = rising.effective_curvature(0.03) - rising.effective_curvature(0.02)

@@ -14,7 +14,7 @@ from elastica_cad.geometry.measured_points import MeasuredPoints
 
 pytestmark = pytest.mark.core
 
-UNDECIDED = "Undecided: the points fit both a curve that can be bent and one that cannot"
+UNDECIDED = "The points leave open whether a strip can take the curve"
 
 
 def drawn(rng):

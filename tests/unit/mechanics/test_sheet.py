@@ -302,7 +302,7 @@ def test_the_library_of_a_user(tmp_path, monkeypatch):
     assert Sheet.named("oak") == Sheet("oak", **PLY)
     assert Sheet.named("pom-1").youngs_modulus > 1000
     problems = library_sheets()[1]
-    assert any("the name 'pom-1' is already used" in text for text in problems)
+    assert any("another sheet already has the name 'pom-1'" in text for text in problems)
     assert any("b.toml: sheet 'ash': unknown key 'thickness'" in text for text in problems)
     with pytest.raises(InputError, match=r"unknown sheet 'ash'.*b.toml"):
         Sheet.named("ash")
@@ -329,7 +329,9 @@ def test_a_sheet_of_a_file(tmp_path):
     assert Sheet.named(str(path)) == Sheet.named("sheets.toml", folder=tmp_path) == Sheet("mine", **PLY)
     written(tmp_path, f"[sheets.mine]\n{ENTRY}[sheets.other]\n{ENTRY}")
     assert Sheet.named(f"{path}:other").name == "other"
-    with pytest.raises(InputError, match=r"there are 2 sheets: name sheets.toml:mine or sheets.toml:other"):
+    with pytest.raises(
+        InputError, match=r"there are 2 sheets: use the name sheets.toml:mine or sheets.toml:other"
+    ):
         Sheet.named(str(path))
     with pytest.raises(InputError, match="there is no sheet 'third'"):
         Sheet.named(f"{path}:third")
@@ -340,7 +342,7 @@ def test_a_sheets_file_of_a_windows_editor_is_read(tmp_path):
     path.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
     assert load_sheets(path)["mine"].thickness == 0.8
     path.write_bytes(text.encode("utf-16"))
-    with pytest.raises(InputError, match="save it as text in UTF-8"):
+    with pytest.raises(InputError, match="save the file as UTF-8"):
         load_sheets(path)
 
 

@@ -106,7 +106,7 @@ def test_pinned_ends_have_no_conjugate_point_to_speak_of():
 
 def test_unbent_rods_are_refused():
     rod = bend(Rod.straight(1.0, samples=101), end=(0.7, 0.0)).with_stiffness(np.linspace(1, 5, 101))
-    with pytest.raises(InputError, match="bend the rod first"):
+    with pytest.raises(InputError, match="pass the result of `bend`"):
         stability(rod)
 
 

@@ -100,7 +100,10 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="up")
     base = model.base_plate(ec.Sheet.named("mdf-3"))
     (step,) = list_assembly_steps(model, [base])
-    assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0), 65.2 degrees from the line")
+    assert step.ends == (
+        "slot UP:1 of base",
+        "hold at (220.0, 0.0, 50.0), 65.2 degrees to the line between the ends",
+    )
     spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
     kit = kit_contents(model, spec, effects=True)
     assert kit.held == {}

@@ -74,7 +74,7 @@ test_refused = refusal_test(
         ),
         (
             lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], 3.0),
-            r"strip 1: its width at 0 mm would be",
+            r"strip 1: its width 0 mm from the start would be",
         ),
         (lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], np.nan), "gap"),
     ]

@@ -185,7 +185,7 @@ def test_where_it_is_joined():
         asked.changed(seam_position=1000.0)
     free = asked.changed(seam_position=100.0, limits=Limits(ratio=9.0)).make()
     assert free.rod.position[0] == pytest.approx(there.rod.position[0], abs=1e-6)
-    with pytest.raises(InputError, match="seam_position is 100 mm, but only a closed curve has a joint"):
+    with pytest.raises(InputError, match="seam_position puts a joint 100 mm from its start"):
         asked.changed(seam_position=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
 
 

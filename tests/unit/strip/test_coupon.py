@@ -70,7 +70,7 @@ def test_figures_do_not_run_into_each_other():
         ({"overhang": 0.0}, r"overhang is 0\.0"),
         ({"width": -1.0}, r"width is -1\.0"),
         ({"clamp": float("nan")}, "clamp is nan"),
-        ({"overhang": 15.0}, "too short for its scale"),
+        ({"overhang": 15.0}, "too short for its engraved scale"),
         ({"overhang": 1e6}, "longer than any board"),
         ({"width": 5.0}, "too narrow for its engraving"),
         ({"overhang": 30.0, "width": 40.0}, "bends as a plate"),

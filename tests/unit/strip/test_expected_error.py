@@ -124,5 +124,5 @@ def test_slots_beside_each_other_are_left_open(strip):
     beside = replace(strip, slots=(Slot(198.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
     apart = replace(strip, slots=(Slot(150.0, width=1.0), Slot(204.0, width=1.0, side="lower"))).held()
     assert beside.open > beside.parts["slots"]
-    assert "The slots at 198 mm and 204 mm are closer together than they are deep" in str(beside)
+    assert "The slots 198 mm and 204 mm from the start are closer together than they are deep" in str(beside)
     assert apart.open < 0.3 * apart.parts["slots"]

@@ -64,7 +64,7 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     (fault,) = find_strip_faults(strip((40, 1, 40), max_width=20.4, label="A1"))
     assert fault.part == "A1"
     assert "only 0.513 mm wide at" in fault.what
-    assert "birch-plywood-0.8 needs 3 mm" in fault.what
+    assert "birch-plywood-0.8 needs at least 3 mm" in fault.what
     assert "Make the strip 120 mm wide or wider (max_width)" in fault.cure
     assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
 
@@ -173,7 +173,7 @@ def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():
     """ "Only 3 mm wide; birch needs 3 mm" would help nobody."""
     fault, *_ = find_strip_faults(strip((1, 2, 1), max_width=5.996))
     assert "only 2.998 mm wide at" in fault.what
-    assert "needs 3 mm" in fault.what
+    assert "needs at least 3 mm" in fault.what
     (fault,) = find_strip_faults(strip(length=3030.4, max_width=30))
     assert "3050.4 x 30 mm is larger than the stock of 3050 x 1525 mm" in fault.what
 

@@ -126,7 +126,7 @@ def test_impossible_sheets_are_refused(bad):
 test_pieces_need_something_to_cut_out = refusal_test(
     [
         (lambda: Piece("empty", Drawing("empty", []), MDF), "empty: there is no closed outer cut"),
-        (lambda: plate("a", 1, 1, count=0), "the count is 0; give 1"),
+        (lambda: plate("a", 1, 1, count=0), "the number of copies is 0; give a"),
     ]
 )
 

@@ -283,7 +283,7 @@ def test_a_radius_that_leaves_too_much_at_the_tips_is_told_with_the_share_that_i
     strip = ec.Strip(rod, CARD, max_width=14.0, style=style, ends=(ec.Tab(12.0),) * 2)
     (told,) = [text for text in strip.warnings if "too much material" in text]
     share = float(re.search(r"leaves ([\d.]+) %", told)[1]) / 100
-    place = float(re.search(r"tips at ([\d.]+) mm", told)[1])
+    place = float(re.search(r"tips of the holes ([\d.]+) mm", told)[1])
     s = np.linspace(place - 6, place + 6, 2401)
     there = ligament_sum(strip, s) / strip.layout.material(s) - 1
     assert there.max() == pytest.approx(share, rel=0.15)

@@ -111,10 +111,10 @@ def test_turned_over():
     ("slots", "message"),
     [
         ((Slot(40, 1, 25),), "A: the slot at 40 mm cuts through to another edge"),
-        ((Slot(40, 1, 4), Slot(40.5, 1, 4)), "slots at 40"),
-        ((Slot(40, 1, 12), Slot(40.3, 1, 12, side="lower")), "slots at 40"),
-        ((Slot(40, 30, 4), Slot(40, 1, 4)), "slots at 40 mm and 40 mm touch"),
-        ((Slot(400, 1, 4),), "A: the slot at 400 mm is not on the strip, which extends from"),
+        ((Slot(40, 1, 4), Slot(40.5, 1, 4)), "slots 40"),
+        ((Slot(40, 1, 12), Slot(40.3, 1, 12, side="lower")), "slots 40"),
+        ((Slot(40, 30, 4), Slot(40, 1, 4)), "slots 40 mm and 40 mm from the start touch"),
+        ((Slot(400, 1, 4),), "A: the slot 400 mm from the start is not on the strip, which extends"),
     ],
 )
 def test_refused(slots, message):
@@ -124,7 +124,7 @@ def test_refused(slots, message):
 
 def test_a_slot_that_meets_a_hole_is_refused():
     ends = (Tab(12, holes=(Hole(6, 3),)), Tab(10))
-    with pytest.raises(InputError, match="the slot at -6 mm meets a hole at"):
+    with pytest.raises(InputError, match="the slot -6 mm from the start meets a hole at"):
         _ = straight(Slot(-6, 1, 9.5), ends=ends).outline
 
 

@@ -60,7 +60,7 @@ def test_what_the_plates_do_is_bent_forward(arch):
     (at,) = joined.plates.joints
     lost = 7 / 8 * np.ptp(np.interp([at - 40, at + 40], arch.rod.s, arch.rod.angle))
     assert 0.02 * lost * 1000 < joined.deviation < lost * 2000  # rad on arms of about a metre, both ends held
-    assert "Cut in 2 pieces at" in str(joined)
+    assert "Cut in 2 pieces, joined" in str(joined)
     assert f"move its shape by {joined.deviation:.2g} mm" in str(joined)
 
 

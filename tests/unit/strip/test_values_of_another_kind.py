@@ -111,7 +111,7 @@ SLIPS = {
     "the tolerance of a fit is None mm": lambda: PlaneCurve.fit(POINTS, tolerance=None),
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
-    "give the name of a sheet, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
+    "the name of a sheet is a list": lambda: Sheet.named(["mdf-3"]),
     "the kerf is 'a': give a finite number, in mm": lambda: nest_pieces(PIECES, kerf="a"),
     "margin is '2': give a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
     "sheet_size is '600x400': give 2 numbers above 0, in mm": lambda: nest_pieces(
@@ -148,7 +148,7 @@ SLIPS = {
     "pattern count is 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
     "the step of a pattern is 5: give three": lambda: Model([Placed(STRIP)]).repeated(2, 5),
     "pattern count is 1001": lambda: Model([Placed(STRIP)]).rotated(1001),
-    "a pattern of 101 strips, 1000 times, is too large": lambda: Model([Placed(STRIP)] * 101).repeated(
+    "101 strips repeated 1000 times are too many": lambda: Model([Placed(STRIP)] * 101).repeated(
         1000, (0, 0, 5)
     ),
     "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
@@ -163,7 +163,7 @@ SLIPS = {
     "masses hold 3: give PointMass": lambda: Weight(1.0, masses=[3]),
     "the correction is a float. Pass a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
     "^ends hold 5: give Tab records": lambda: StripSpec(ROD.curve, SHEET, law=RoundLaw(SHEET, 1, 2), ends=5),
-    "the count is '2'": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
+    "the number of copies is '2'": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
     "rod stiffness cannot be 'x': give numbers": lambda: replace(ROD, stiffness="x"),
     "the center is .*: give two numbers": lambda: PlaneCurve.ellipse((0, 0, 0), (3, 2)),
     "give angles at most 100 turns apart": lambda: PlaneCurve.arc((0, 0), 3, 0, 1e300),

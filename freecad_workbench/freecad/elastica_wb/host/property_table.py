@@ -121,7 +121,7 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         value = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD raises errors of many classes
         raise InputError(
-            "FreeCAD cannot compute the formula of the property {name} ({formula}). Correct or remove this "
+            "FreeCAD cannot compute the formula of the property {name} ({formula}). Correct or remove the "
             "formula.",
             name=name,
             formula=formula,

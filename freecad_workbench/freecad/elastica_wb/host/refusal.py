@@ -156,7 +156,7 @@ def why_not_computed(obj: Any) -> str:
         return ""
     reason = " ".join(match[1].split())
     return worded(note(
-        "FreeCAD cannot compute the formula of the property {property} ({reason}). Correct or remove this formula.",
+        "FreeCAD cannot compute the formula of the property {property} ({reason}). Correct or remove the formula.",
         property=match[2], reason=reason,
     ))  # fmt: skip
 
