@@ -108,7 +108,9 @@ def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keys `between` and `loads` of a design file for the given options."""
     cuts = {name: chosen[name] for name in CUTS if chosen.get(name) is not None}
     if cuts and not (chosen.get("pin") or chosen.get("tie")):
-        raise InputError("{option} needs --pin or --tie.", option=option_name(next(iter(cuts))))
+        raise InputError(
+            "{option} needs a pin or a tie. Add --pin or --tie.", option=option_name(next(iter(cuts)))
+        )
     table: dict[str, Any] = {}
     for key, names in (("between", ELEMENTS), ("loads", LOADS)):
         rows = [

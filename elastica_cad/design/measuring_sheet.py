@@ -147,7 +147,9 @@ def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str
             toml_slip=toml_slip(text, error),
         ) from error
     except (OSError, ValueError, RecursionError) as error:
-        raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
+        raise InputError(
+            "{path} cannot be read: {error}; name a readable file", path=path, error=error
+        ) from error
     errors = {name: table.pop(name) for name in ERRORS if name in table}
     strips = {name: values for name, values in table.items() if isinstance(values, dict)}
     alone = {name: value for name, value in table.items() if name not in strips}

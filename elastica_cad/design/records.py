@@ -216,7 +216,7 @@ class Reader:
                 require_bounds(entry, values[entry.name], table.place(entry.name))
             elif entry.default is REQUIRED:
                 raise InputError(
-                    "{place} is missing: {help}",
+                    "{place} is missing. Add this key: {help}",
                     place=table.place(entry.name),
                     help=entry.help.rstrip(".").lower(),
                 )

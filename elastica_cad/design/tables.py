@@ -173,7 +173,7 @@ def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> Non
                 )
         case ast.Name():
             if node.id in FUNCTIONS:
-                raise _refusal(node, formula, f"{node.id} is a function and needs its arguments in brackets")
+                raise _refusal(node, formula, f"{node.id} is a function; write its arguments in brackets")
         case ast.UnaryOp(op=ast.USub() | ast.UAdd()):
             _require_arithmetic(node.operand, formula, depth + 1)
         case ast.BinOp():

@@ -159,7 +159,7 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
     for layer, choice in (choices or {}).items():
         if layer not in styles:
             raise InputError(
-                "there is no layer {layer!r} to rename: drawings have {layers}",
+                "there is no layer {layer!r} to rename: use one of {layers}",
                 layer=layer,
                 layers=", ".join(LAYERS),
             )

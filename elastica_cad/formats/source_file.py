@@ -175,7 +175,7 @@ def check_places(points: FloatArray) -> FloatArray:
     if bad.any():
         value = points[bad].flat[0]
         raise InputError(
-            "a coordinate is {given}, but coordinates must be finite and at most {farthest:g}: check the "
+            "a coordinate is {given}, not finite or above the limit of {farthest:g}: check the "
             "unit, or export the file again",
             given=Length(value),
             farthest=Length(FARTHEST),

@@ -61,7 +61,7 @@ def nearest_rods(
     [True, True]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
+        raise InputError(f"nearest_rods was called with a {type(curves).__name__}: give a list of curves")
     require_executor(executor, "submit")
     if not (progress is None or callable(progress)):
         raise InputError(
@@ -126,7 +126,9 @@ def stream_nearest_rods(
     [(0, True), (1, True), (2, True)]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"stream_nearest_rods takes an iterable of curves, not a {type(curves).__name__}")
+        raise InputError(
+            f"stream_nearest_rods was called with a {type(curves).__name__}: give an iterable of curves"
+        )
     require_executor(executor, "submit")
     _require_options("stream_nearest_rods", options)
     whole_number(ahead, "ahead", 1)

@@ -562,7 +562,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(shape, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            "every meridian is at least {most} from point {given}: {hopeless}",
+            "every meridian is at least {most} from point number {given}: {hopeless}",
             most=Length(gaps.max()),
             given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,

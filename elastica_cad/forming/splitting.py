@@ -53,19 +53,16 @@ class Splitting:
 
     def __str__(self) -> str:
         count, ratios = len(self.supports), Listed(map(float, self.ratios))
-        if not count:
-            text = "The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios:.3g}."
-        elif count == 1:
-            text = (
-                "1 support, at {places}, splits the curve into 2 strips that can be made, with stiffness ratios of "
-                "{ratios:.3g}."
-            )
-        else:
-            text = (
-                "{count} supports, at {places}, split the curve into {strips} strips that can be made, with "
-                "stiffness ratios of {ratios:.3g}."
-            )
-        return note(text, count=count, places=lengths(self.supports), strips=count + 1, ratios=ratios)
+        return note(
+            "The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios:.3g}."
+            if not count
+            else "1 support, {places} from the start, splits the curve into 2 strips that can be made, with "
+            "stiffness ratios of {ratios:.3g}."
+            if count == 1
+            else "{count} supports, {places} from the start, split the curve into {strips} strips that can be "
+            "made, with stiffness ratios of {ratios:.3g}.",
+            count=count, places=lengths(self.supports), strips=count + 1, ratios=ratios,
+        )  # fmt: skip
 
 
 def split(

@@ -112,16 +112,13 @@ class MeasuredPoints:
         if rough.max() <= OUTLIER_TIMES * max(without[at], self.least):
             return ()
         distance, rest = _off_nearest(self.points)[at], _off_nearest(remaining_points[at]).max()
-        message = (
+        return (note(
             "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
             "neighbours; the other points are within {rest:.2g}. Measure it again, and also the end point "
             "beside it, which has only one neighbour."
             if at in (1, count - 2) else
             "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
-            "neighbours; the other points are within {rest:.2g}. Measure it again."
-        )  # fmt: skip
-        return (note(
-            message,
+            "neighbours; the other points are within {rest:.2g}. Measure it again.",
             place=Point(self.points[at]), number=at + 1, count=count, far=Length(distance), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip

@@ -44,7 +44,7 @@ def optimal_rods(
     ['Rod', 'NotRealizable']
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"optimal_rods takes a list of curves, not a {type(curves).__name__}")
+        raise InputError(f"optimal_rods was called with a {type(curves).__name__}: give a list of curves")
     require_executor(executor, "map")
     attempt = partial(_attempted, options=options)
     curves = list(curves)

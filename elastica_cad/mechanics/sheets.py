@@ -328,9 +328,7 @@ def _read_table(path: str | Path) -> object:
         if key not in ("schema", "sheets"):
             raise InputError(f"{path}: unknown entry {key!r}; write sheets as tables [sheets.NAME]")
     if data.get("schema", SCHEMA) != SCHEMA:
-        raise InputError(
-            f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
-        )
+        raise InputError(f"{path}: schema {quoted(data['schema'])} is not known; write schema = {SCHEMA}")
     return data.get("sheets", {})
 
 

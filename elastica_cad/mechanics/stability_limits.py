@@ -314,7 +314,9 @@ def _entry_as_keywords(step: Any) -> dict[str, Any]:
 def _present_values(rod: Rod, names: set[str]) -> dict[str, Any]:
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
-        raise InputError("a path of load factors needs a load on the rod: a weight, a dead force or a moment")
+        raise InputError(
+            "the rod has no load for a path of load factors: add a weight, a dead force or a moment"
+        )
     present: dict[str, Any] = {
         "start": system.start, "end": system.end, "gravity": rod.gravity, "force": system.force,
         "angles": system.held_angles,

@@ -843,8 +843,8 @@ def _pinned_end_reasons(
         kappa = float(curve.curvature_at(np.array(t)))
         natural = float(excess.rest_at(np.array(t)))
         yield note(
-            "The {end} (at {s}) is free to turn, so its curvature of {curvature:.3g} 1/mm must equal the "
-            "natural curvature of {natural:.3g} 1/mm. Let the curvature change to the natural curvature "
+            "The {end} (at {s}) is free to turn, so its curvature must be that of the pre-bent strip, "
+            "{natural:.3g} 1/mm, but it is {curvature:.3g} 1/mm. Let the curvature change to {natural:.3g} 1/mm "
             "there. Only a clamped end may have another curvature." if natural else
             "The {end} (at {s}) is free to turn, so the curvature there must be 0, but it is {curvature:.3g} "
             "1/mm. Let the curvature decrease to 0 there. Only a clamped end may be bent.",
@@ -864,9 +864,9 @@ def _straight_part_reasons(
             for support, t in zip(supports.ends, curve.domain, strict=True)
         ):
             yield note(
-                "The piece from {start} to {end} has exactly the natural curvature and an end that is free to "
-                "turn, so it carries no moment. The program computes no strip with such a piece, even with "
-                "a tie or support at {places}. Clamp this end, or let the curve end at {places}."
+                "The piece from {start} to {end} is bent exactly as the pre-bent strip and has an end that "
+                "is free to turn, so it carries no moment. The program computes no strip with such a piece, "
+                "even with a tie or support at {places}. Clamp this end, or let the curve end at {places}."
                 if excess.is_bent_beforehand else
                 "The piece from {start} to {end} is straight and has an end that is free to turn, so it carries "
                 "no moment. Let this end be free, with a tie, pin or rail at {places}, or let the curve end at "
@@ -875,8 +875,8 @@ def _straight_part_reasons(
             )  # fmt: skip
             continue
         opening = note(
-            "The piece from {start} to {end} has exactly the natural curvature, but the adjacent piece is "
-            "bent, so the stiffness at the joint would have to be 0" if excess.is_bent_beforehand else
+            "The piece from {start} to {end} is bent exactly as the pre-bent strip, but the adjacent piece is "
+            "not, so the stiffness at the joint would have to be 0" if excess.is_bent_beforehand else
             "The piece from {start} to {end} is straight, but the adjacent piece is bent, so the stiffness "
             "at the joint would have to be 0",
             start=Length(round(flat.s, 6)), end=Length(flat.s_end),

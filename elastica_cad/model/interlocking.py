@@ -248,7 +248,9 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
         if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
-            raise InputError(f"pair {pair!r}: give the numbers of two different strips, 0 to {count - 1}")
+            raise InputError(
+                f"the pair of strips is {pair!r}: give the numbers of two different strips, 0 to {count - 1}"
+            )
         checked.append((min(pair), max(pair)))
     return sorted(set(checked))
 
@@ -436,9 +438,7 @@ def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
     both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
     text = note("assembly: {order}; push each strip onto the strips before it", order=", ".join(names))
     if both:
-        last = note(
-            "{strips} must be threaded in, because slots enter from both edges", strips=", ".join(both)
-        )
+        last = note("thread in {strips}, because slots enter from both edges", strips=", ".join(both))
         return sentences([text, last])
     return text
 

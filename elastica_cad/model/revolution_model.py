@@ -281,7 +281,7 @@ def revolve(
         if works is None:
             raise
         message = f"{problem}".rstrip(".")
-        raise InputError(f"{message}; ring={works} is the smallest possible ring, in whole mm") from problem
+        raise InputError(f"{message}; use ring={works} or more (in mm)") from problem
     return Model(placed, name=name, plates=plates, reports=reports)
 
 

@@ -38,13 +38,16 @@ def _names(part: Flexure) -> dict[str, Any]:
 
 
 def _size(part: Flexure) -> Row:
-    text = note(
-        "{length:.1f} between its end pads, {thickness} wide in the drawing, {depth} thick",
-        length=Length(part.pair.length),
-        thickness=Span.of(*part.thickness_range),
-        depth=Length(part.sheet.thickness),
+    return Row(
+        note("Size"),
+        note(
+            "{length:.1f} between its end pads, {thickness} wide in the drawing, {depth} thick",
+            length=Length(part.pair.length),
+            thickness=Span.of(*part.thickness_range),
+            depth=Length(part.sheet.thickness),
+        ),
+        (note("The stiffness ratio is {ratio:.4g}.", ratio=part.pair.ratio),),
     )
-    return Row(note("Size"), text, (note("The stiffness ratio is {ratio:.4g}.", ratio=part.pair.ratio),))
 
 
 def _strain(part: Flexure, *, quick: bool) -> Row:

@@ -143,8 +143,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "the backing must be at least {least:g} wide at {low:.1f} from the start. At {high:.1f} "
-                "from the start, this would make the backing wider than {field} ({most:g}). Raise {field}",
+                "a backing {least:g} wide is needed {low:.1f} from the start, but it would become wider "
+                "than {field} ({most:g}) {high:.1f} from the start. Raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),

@@ -50,7 +50,8 @@ class Text:
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(
-                f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
+                f"the text {self.text!r} cannot be placed: give a finite position and angle, and a height "
+                "above 0, in mm"
             )
         object.__setattr__(self, "position", tuple(map(float, place)))
         require_engravable(self.text)

@@ -279,16 +279,14 @@ class Splice:
                 "face of each layer; they stiffen the strip and move its shape by {far:.2g}.",
                 pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
-        text = (
-            "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates stiffen "
-            "the strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
-            if (lost := len(self.strip.holes) - len(self._holes))
-            else "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates "
-            "stiffen the strip and move its shape by {far:.2g}."
-        )
+        lost = len(self.strip.holes) - len(self._holes)
         places = Listed(map(Mm, self.plates.joints))
         return note(
-            text,
+            "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates stiffen "
+            "the strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
+            if lost
+            else "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates "
+            "stiffen the strip and move its shape by {far:.2g}.",
             count=len(self.plates.joints) + 1,
             places=places,
             lap=Mm(self.plates.lap),

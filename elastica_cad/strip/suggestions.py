@@ -110,7 +110,7 @@ class Suggestion:
             case _:
                 return effect
         return note(
-            "{effect}; you build the support ({element}) at {places} from the start of the curve",
+            "{effect}; build the support ({element}) {places} from the start of the curve",
             effect=effect, element=noun_of(element), places=Listed(map(Length, places)),
         )  # fmt: skip
 

@@ -91,17 +91,15 @@ def size_row(strip: Strip) -> Row:
     """Return the row on length, width and mass of a strip."""
     tabs = sum(tab.length for tab in strip.ends)
     length = strip.rod.length
-    text = (
-        "{length:.1f} long ({whole:.1f} with tabs), {breadth}, {mass}"
-        if tabs
-        else "{length:.1f} long, {breadth}, {mass}"
-    )
     ratio = note("The stiffness ratio is {ratio:.4g}.", ratio=strip.rod.ratio)
     backing = [strip.backing_side] if strip.backing_side else []
     return Row(
         note("Size"),
         note(
-            text, length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
+            "{length:.1f} long ({whole:.1f} with tabs), {breadth}, {mass}"
+            if tabs
+            else "{length:.1f} long, {breadth}, {mass}",
+            length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
             mass=strip.mass_text,
         ),
         (ratio, *backing),
@@ -112,8 +110,12 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
     if near is None:
         return
     far = near.deviation > FAR_SHARE * strip.rod.length
-    text = note("at most {far} from the drawn curve", far=Length(near.deviation))
-    yield Row(note("Curve"), text, (note(near.status.value),), "warning" if far else "note")
+    yield Row(
+        note("Curve"),
+        note("at most {far} from the drawn curve", far=Length(near.deviation)),
+        (note(near.status.value),),
+        "warning" if far else "note",
+    )
     if advice := near.advice:
         yield Row(note("Change"), advice[0], advice[1:])
 
@@ -207,12 +209,12 @@ def hold_row(strip: Strip) -> Row:
             (forces.start_force, forces.start_moment), (forces.end_force, forces.end_moment),
         )
     )  # fmt: skip
-    loads = (
+    load: str = note(
         "{apart}; {load} at each end"
         if start == end
-        else "{apart}; {start_load} at the start, {end_load} at the end"
-    )
-    load: str = note(loads, apart=apart, load=start, start_load=start, end_load=end)
+        else "{apart}; {start_load} at the start, {end_load} at the end",
+        apart=apart, load=start, start_load=start, end_load=end,
+    )  # fmt: skip
     details, shorter = [_distance_details(ends)], strip.compressed_length
     if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
         advice = note(

@@ -202,7 +202,10 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
         says = r"^Numbers cannot be made \(.*\). Correct this object first.$"
     else:
         document.removeObject(cells.Name)
-        says = r"^FreeCAD cannot compute the formula of the property MaxWidth \(.*Numbers.*\). Correct or remove the formula.$"
+        says = (
+            r"^FreeCAD cannot compute the formula of the property MaxWidth \(.*Numbers.*\). "
+            r"Correct or remove the formula.$"
+        )
     document.recompute()
     with pytest.raises(InputError, match=says):
         cuts_of([feature])

@@ -36,7 +36,7 @@ def test_a_record_is_read_from_a_table_of_its_declared_fields():
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("", "radius is missing: radius of the ring"),
+        ("", "radius is missing. Add this key: radius of the ring"),
         ("radius = true", "radius is True. Write a number or a formula"),
         ("radius = 1, sied = 'upper'", "unknown key 'sied'; did you mean side"),
         ("radius = 1, side = 'left'", "side is 'left'. Use one of upper, lower"),

@@ -267,7 +267,7 @@ class TestZeros:
         rest = RestCurvature.linear([0, 80, 120, 200], [0.0, 0.01, 0.01, 0.0])
         found = ExcessCurvature(ARC, rest).zeros
         assert [(z.kind, round(z.s, 6), round(z.s_end, 6)) for z in found] == [("flat", 80.0, 120.0)]
-        assert "has exactly the natural curvature" in str(check_equilibrium(ARC, natural_curvature=rest))
+        assert "is bent exactly as the pre-bent strip" in str(check_equilibrium(ARC, natural_curvature=rest))
 
     def test_the_curve_itself_as_blank_is_not_bent(self):
         check = check_equilibrium(ARCH, natural_curvature=RestCurvature.of(ARCH))

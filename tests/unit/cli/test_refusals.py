@@ -412,8 +412,8 @@ def test_an_option_is_explained_like_a_key(tmp_path):
         ),
         (
             "--nearest --set limits.width=[10,15] --max-width 20",
-            "outside the limits of the width, 10 to 15 mm: change this width or the limits, or leave out the limits "
-            "(--set limits.width)",
+            "outside the limits of the width, 10 to 15 mm: change this width or the limits, or leave out "
+            "the limits (--set limits.width)",
         ),
     ],
 )

@@ -389,7 +389,7 @@ def test_a_pen_curve_between_pins(tmp_path):
         ),
         (
             ("--set", "limits.width=[10,15]"),
-            "--max-width is 20 mm, outside the limits of the width, 10 to 15 mm: .* limits \\(--set limits.width\\)",
+            "outside the limits of the width, 10 to 15 mm: .* limits \\(--set limits.width\\)",
         ),
     ],
 )

@@ -335,7 +335,7 @@ BAD = {
     HEAD + "[[strips]]\nlabel = 'A7'\ncurve = 'none.dxf'": r"\(A7\): curve: the file .*none\.dxf",
     HEAD + "[[strips]]\ncurve = { x = 't', y = 't * radius', t = [0, 1] }": "unknown name 'radius' at character 5",
     HEAD + "[[strips]]\ncurve = { x = 't', y = 'open(t)', t = [0, 1] }": "unknown function 'open' at character 1",
-    HEAD + "[[strips]]\ncurve = { x = 't', t = [0, 1] }": "curve: y is missing: formula in t",
+    HEAD + "[[strips]]\ncurve = { x = 't', t = [0, 1] }": "curve: y is missing. Add this key: formula in t",
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0', t = [1, 0] }": "is not a range",
     HEAD + "[[strips]]\ncurve = {}": "needs exactly one of file, x",
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 3 }": "Choose a height between -2 and 2",

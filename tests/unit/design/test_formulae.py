@@ -59,7 +59,7 @@ def test_thirty_levels_are_not_too_deep(nested):
         ("1j", "is not a number"),
         ("x ^ 2", r"write \*\* for powers"),
         ("x // 2", "this operator is not known"),
-        ("sin", "sin is a function and needs its arguments"),
+        ("sin", "sin is a function; write its arguments"),
         ("sin(1, 2)", "sin takes 1 argument"),
         ("where(x, 1)", "where takes 3 arguments"),
         ("sin(x=1)", "only numbers"),

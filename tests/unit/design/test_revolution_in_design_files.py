@@ -140,7 +140,7 @@ def test_the_axis_that_is_assumed_is_told(read, tmp_path):
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("strips = 20", "Add one of the keys 'points', curve, or a, b"),
+        ("strips = 20", "Add one of the keys 'points' and 'curve', or the keys a, b"),
         (f"{POINTS}\na = 3", "Add one of the keys 'points'"),
         ("a = 3", r"revolution: b is missing"),
         ("points = 3", "points is not a list of points"),

@@ -141,7 +141,7 @@ def test_bad_input():
             split(touching, ratio=ratio)
     with pytest.raises(InputError, match="arc length"):
         split(touching, places=[1000.0])
-    with pytest.raises(NotRealizable, match="Supports do not help .* from the start"):
+    with pytest.raises(NotRealizable, match=r"Supports do not help .* from the start"):
         split(touching)
 
 

@@ -28,7 +28,7 @@ def test_a_curve_that_no_rod_takes_does_not_lose_the_others(threads):
 
 
 REFUSED = [
-    (lambda: optimal_rods(ARCH), "takes a list of curves"),
+    (lambda: optimal_rods(ARCH), "give a list of curves"),
     (lambda: optimal_rods([ARCH], executor=2), "give a concurrent.futures.Executor"),
 ]
 

@@ -196,7 +196,7 @@ class TestLimits:
     def test_bad_paths(self):
         arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
         for path, message in (
-            ([2.0], "needs a load on the rod"),
+            ([2.0], "the rod has no load"),
             ([(1.0, 2.0, 3.0)], "shape"),
             ([{"supports": Supports()}], "supports cannot change"),
             ([-1.0], "give finite numbers, 0 or more"),

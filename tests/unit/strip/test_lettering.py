@@ -72,8 +72,8 @@ def test_width_adds_up():
     [
         (((0, 0), "Größe", 5.0), "alphabet has no 'ß', 'ö'"),
         (((0, 0), "a\nb", 5.0), "alphabet has no"),
-        (((0, 0), "a", 0.0), "positive height"),
-        (((0, 0), "a", np.nan), "positive height"),
+        (((0, 0), "a", 0.0), "a height above 0"),
+        (((0, 0), "a", np.nan), "a height above 0"),
         (((0, np.inf), "a", 1.0), "finite position"),
     ],
 )

@@ -158,7 +158,7 @@ SLIPS = {
     "the law's curvatures cannot be 'ab': give numbers": lambda: TabulatedLaw("ab", [1, 2]),
     r"paths hold Path.*: give LayeredPath": lambda: Drawing("plate", [Path.circle((0, 0), 2)]),
     "text to engrave is 3: give a text": lambda: Text((0, 0), 3, 5.0),
-    "needs a finite position": lambda: Text((0, 0), "A", "5"),
+    "give a finite position": lambda: Text((0, 0), "A", "5"),
     "holding tabs: least is '2'": lambda: HoldingTabs(least="2"),
     "masses hold 3: give PointMass": lambda: Weight(1.0, masses=[3]),
     "the correction is a float. Pass a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
