@@ -87,7 +87,7 @@ def test_the_rows_on_a_rail_that_is_moved(desk, strip):
     own = ec.bend(strip.rod_to_bend, between=(ec.Rail((x, y + 2)), ec.Tie(40, 310)))
     far = np.hypot(*(own.position - strip.rod.position).T).max()
     moved = re.search(
-        r"Moved +the strip moves by at most ([\d.]+) mm from its design: the point (\d+) mm along", printed
+        r"Movement +the strip moves by at most ([\d.]+) mm from its design: the point (\d+) mm along", printed
     )
     assert float(moved[1]) == pytest.approx(far, abs=0.06)
     nearest = np.abs(strip.rod.s - float(moved[2])).argmin()
@@ -139,7 +139,7 @@ def test_a_slat_that_is_stretched_between_fixed_ends_names_the_sliding_end(tmp_p
 def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
     printed = run("bend out/wave.json --release --point-mass 250 0.02kg --side left --force", cwd=desk).stdout
     assert re.search(r"Load +20 g at 250 mm \(0.196 N\)", printed)
-    moved = r"Moved +without rails, pins and ties, the strip moves by at most [\d.]+ mm from its design"
+    moved = r"Movement +without rails, pins and ties, the strip moves by at most [\d.]+ mm from its design"
     assert re.search(rf"{moved}: the point \d+ mm along the strip, (up|down)ward", printed)
     refused = run("bend out/wave.json --point-mass 250 8lb", cwd=desk, code=2)
     assert "'8lb' is not a mass. Give grams, or a mass with its unit such as 8kg." in refused.stderr

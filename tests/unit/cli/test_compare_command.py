@@ -79,7 +79,7 @@ def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path)
     readings.write_text("reading_error = 0.1\nangle_error = 0.5\n" + text)
     output = run("compare", report, readings).output
     assert output.startswith("! Verdict")
-    assert "Readings    Assumed right to 0.1 mm and 0.5 degrees." in output
+    assert "Readings    Assumed to be exact to 0.1 mm and 0.5 degrees." in output
     output = run("compare", report, readings, "--reading-error", "2mm").output
     assert output.startswith("Verdict     All differences are within")
     assert "Readings    Assumed to be exact to 2 mm and 0.5 degrees." in output

@@ -231,7 +231,7 @@ def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     )
     told = run("check", path, code=2).stderr.splitlines()
     assert len(told) <= 10
-    assert told[-1].startswith("30 of 30 curves are not open and smooth; the first 7 are listed")
+    assert told[-1].startswith("30 of 30 curves have faults and cannot be checked; the first 7 are listed")
     assert len(run("check", path, "-v", code=2).stderr.splitlines()) > 30
 
 
