@@ -301,7 +301,7 @@ def _constraints(task: NearestTask) -> list[Constraint]:
             raise InputError(
                 (
                     "the drawn curve is {size:.6g} long, so it has no point at {s:.6g} for `keep.points`: "
-                    "give a place on the curve"
+                    "give arc lengths within this length"
                 ),
                 s=Length(s),
                 size=Length(target.size),

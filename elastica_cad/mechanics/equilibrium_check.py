@@ -282,9 +282,9 @@ def _check_line(
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
-            "With these supports the curve must bend to one side only, because the ends cannot push or pull "
-            "each other. The curve bends to the other side after {places}. Hold both ends along x, or both along "
-            "y.",
+            "With these supports the curve must bend to one side only, because the ends cannot push or "
+            "pull each other. The curve bends to the other side {places} from its start. Hold both ends "
+            "along x, or both along y.",
             places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)
@@ -302,9 +302,9 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         return _refuse_extreme_ratio(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
-        "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to "
-        "the curve at the inflection. The stiffness would have to be 0 or negative there. Let the curve "
-        "turn less, or support the strip between these places.",
+        "Every line through the inflection {s} from the start meets the curve again (near {places}), or is "
+        "tangent to the curve at the inflection. The stiffness would have to be 0 or negative there. Let "
+        "the curve turn less, or support the strip between these places.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
     return _refused(replace(checked, crossings=near), reason)
@@ -382,7 +382,7 @@ def _refuse_extreme_ratio(
     if at is None:
         return check
     reason = note(
-        "A strip can hardly take the curve: near {s} it would have to be more than {ratio:.0f} times as "
+        "A strip can hardly take the curve: {s} from its start it would have to be more than {ratio:.0f} times as "
         "stiff as at other places. Move the curve away from the line through its inflections, or bend it "
         "more there.",
         s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
@@ -397,8 +397,8 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
         else ""
     )
     return note(
-        "The inflections are not on {one_line}: the inflections at {places} are {off} away from the nearest "
-        "line{small}. Move them onto one line, or support the strip between them.",
+        "The inflections are not on {one_line}: the inflections {places} from the start are {off} away "
+        "from the nearest line{small}. Move them onto one line, or support the strip between them.",
         one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
         off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
     )  # fmt: skip

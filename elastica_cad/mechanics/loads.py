@@ -488,7 +488,8 @@ class RestCurvature(EqualByValue):
             raise InputError(f"the pre-bent strip is {blank!r}: give a PlaneCurve, its shape before assembly")
         if blank.tangent_breaks:
             raise InputError(
-                "the pre-bent strip has a corner at {s:.4g}, but a strip bends without kinks: round the corner",
+                "the pre-bent strip has a corner {s:.4g} from its start, but a strip bends without kinks: "
+                "round the corner",
                 s=Length(blank.tangent_breaks[0].s),
             )
         size = max(float(np.abs(blank.sample(_CURVATURE_SAMPLES).curvature).max()), 1 / blank.length)

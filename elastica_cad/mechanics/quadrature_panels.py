@@ -478,7 +478,8 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
     for mass in weight.masses:
         if not (np.isfinite(mass.mass) and 0 <= mass.s <= length):
             raise InputError(
-                "the point mass of {mass:.6g} g at {at:g} is not on the curve: give a place from 0 to {length}",
+                "the point mass of {mass:.6g} g at {at:g} from the start is not on the curve: give a place "
+                "from 0 to {length}",
                 mass=mass.mass,
                 at=Length(mass.s),
                 length=Length(length),

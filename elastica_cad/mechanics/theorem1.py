@@ -387,7 +387,7 @@ class PairCheck:
             length=Length(self.length),
             held=note("in the same clamps" if self.bistable else "each in its own clamps"),
             alike=note(
-                "their curvatures are equal at {places}"
+                "their curvatures are equal {places} from the start"
                 if self.zeros
                 else "their curvatures are equal nowhere",
                 places=lengths(z.s for z in self.zeros),
@@ -503,10 +503,10 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
     coordinates = None if provenance is None else provenance.shown(curve.evaluate(np.array(corners[0].t)))
     return note(
-        "the curve has a corner at {places}, of {angle:.3g} degrees, but a strip bends without kinks. Round "
-        "the corner, or draw two curves{smooth}" if coordinates is None else
-        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees, but a strip bends without "
-        "kinks. Round the corner, or draw two curves{smooth}",
+        "the curve has a corner {places} from its start, of {angle:.3g} degrees, but a strip bends "
+        "without kinks. Round the corner, or draw two curves{smooth}" if coordinates is None else
+        "the curve has a corner {places} from its start, at {shown}, of {angle:.3g} degrees, but a strip "
+        "bends without kinks. Round the corner, or draw two curves{smooth}",
         places=lengths(c.s for c in corners), shown=coordinates, angle=sharpest, smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
@@ -910,9 +910,9 @@ def _faulty_joints(
         if abs(kappa) > PINNED_SHARE * largest:
             bent.append(
                 note(
-                    "The strip carries no moment at {s}, where its straight free end begins, so the curvature "
-                    "must decrease to 0 there, but it jumps to {curvature:.3g} 1/mm. Draw the curve with less "
-                    "and less bend towards {s}.",
+                    "The strip carries no moment {s} from its start, where its straight free end begins, "
+                    "so the curvature must decrease to 0 there, but it jumps to {curvature:.3g} 1/mm. Draw "
+                    "the curve with less and less bend towards {s}.",
                     s=Length(round(joint.s, 6)), curvature=kappa,
                 )
             )  # fmt: skip
@@ -931,9 +931,9 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
 def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     if jumps:
         yield note(
-            "The curvature jumps from one sign to the other at {places}, where the stiffness would have to "
-            "be 0. Support the strip there, or set {field} to {within:g} to let the curvature pass smoothly "
-            "through 0.",
+            "The curvature jumps from one sign to the other {places} from the start, where the stiffness "
+            "would have to be 0. Support the strip there, or set {field} to {within:g} to let the "
+            "curvature pass smoothly through 0.",
             places=lengths(jumps),
             field=SMOOTH,
             within=SMOOTH_WITHIN,
@@ -943,9 +943,9 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
 def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     if touches:
         yield note(
-            "The curvature becomes 0 at {places}, but the curve does not clearly bend to the other side "
-            "there. The stiffness would have to be infinite or 0, even with a support. Bend the curve a "
-            "little more there, or clearly to the other side.",
+            "The curvature becomes 0 at {places} from the start, but the curve does not clearly bend to the "
+            "other side there. The stiffness would have to be infinite or 0, even with a support. Bend the "
+            "curve a little more there, or clearly to the other side.",
             places=lengths(touches),
         )
 
@@ -1011,7 +1011,8 @@ def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
     both = Listed(Listed(map(Length, pair)) for pair in pairs)
     return (
         note(
-            "The curve crosses itself (at {places}): two parts of the strip must pass side by side there.",
+            "The curve crosses itself ({places} from its start): two parts of the strip must pass side by "
+            "side there.",
             places=both, severity="warning",
         ),
     )  # fmt: skip

@@ -274,8 +274,8 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
         beside = width(action.s).min() - 2 * action.element.notch if action.element.notch else 0.0
         if beside <= widest:
             yield note(
-                "The cord from {start} to {end} crosses the strip at {places}. Use two cords beside its edges, "
-                "more than {apart} apart.",
+                "The cord from {start} to {end} crosses the strip {places} from its start. Use two cords "
+                "beside its edges, more than {apart} apart.",
                 start=Length(action.s[0]), end=Length(action.s[1]), places=Listed(map(Length, crossings)),
                 apart=Length(rounded_up(widest, 3)), severity="warning",
             )  # fmt: skip

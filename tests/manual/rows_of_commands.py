@@ -350,7 +350,7 @@ PROVOKED = {
         "check",
         "wave.svg",
     ),
-    "a corner at ... mm": (r"a corner at [\d.]+ mm", "check", "corner.svg"),
+    "a corner ... mm from its start": (r"a corner [\d.]+ mm from its start", "check", "corner.svg"),
     "The strain is ... %; ... allows ... %": (
         r"The strain is .*; .* allows .* %",
         "strip",

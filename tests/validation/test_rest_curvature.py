@@ -252,14 +252,14 @@ class TestZeros:
         (zero,) = self.of(lambda s: 0.01 + 1e-6 * (s - 90) ** 2)
         assert (zero.kind, round(zero.s, 2)) == ("touch", 90.0)
         profile = Profile.fit(lambda s: 0.01 + 1e-6 * (s - 90) ** 2, ARC.length, tolerance=1e-15)
-        with pytest.raises(NotRealizable, match="becomes 0 at 90 mm"):
+        with pytest.raises(NotRealizable, match="becomes 0 at 90 mm from the start"):
             optimal_rod(ARC, natural_curvature=RestCurvature(profile))
 
     def test_a_jump_through_zero_is_refused(self):
         rest = RestCurvature.linear([0, 80, 80, 200], [0.005, 0.005, 0.015, 0.015])
         (zero,) = ExcessCurvature(ARC, rest).zeros
         assert (zero.kind, zero.s) == ("jump", pytest.approx(80))
-        assert "jumps from one sign to the other at 80 mm" in str(
+        assert "jumps from one sign to the other 80 mm from the start" in str(
             check_equilibrium(ARC, natural_curvature=rest)
         )
 

@@ -110,7 +110,7 @@ class TestRealizable:
         check = check_equilibrium(loop)
         assert check.realizable
         ((first, second),) = loop.self_intersections()
-        assert f"crosses itself (at {first:.3g} and {second:.3g} mm)" in str(check)
+        assert f"crosses itself ({first:.3g} and {second:.3g} mm from its start)" in str(check)
 
     def test_report_is_plain_json(self):
         for curve in (ARC, ONE, chain((100, 1), (-60, 1))):
@@ -225,7 +225,7 @@ class TestNotRealizable:
         check = check_equilibrium(chain((100, 1.0), (-60, 1.0)))
         assert not check.realizable
         assert check.jumps == (pytest.approx(100.0),)
-        assert "curvature jumps from one sign to the other at 100 mm" in str(check)
+        assert "curvature jumps from one sign to the other 100 mm from the start" in str(check)
         assert "Support" in str(check)
 
     def test_curvature_touching_zero(self):
@@ -339,7 +339,7 @@ class TestBadCurves:
             check_equilibrium(drop)
 
     def test_corner(self):
-        with pytest.raises(InputError, match=r"corner at 30 mm"):
+        with pytest.raises(InputError, match=r"corner 30 mm from its start"):
             check_equilibrium(bezier((0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (35, 20), (50, 30)))
 
 

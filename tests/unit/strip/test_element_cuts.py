@@ -89,7 +89,7 @@ def test_a_brittle_sheet_may_crack_beside_a_hole_at_a_sharp_bend():
 
 def test_a_cord_that_crosses_the_strip_is_reported():
     (warning,) = strip_of(ec.Rail(200), ec.Tie(40, 310)).warnings
-    assert "from 40 mm to 310 mm crosses the strip at 107 mm. Use two cords" in warning
+    assert "from 40 mm to 310 mm crosses the strip 107 mm from its start. Use two cords" in warning
     chord = WAVE.at([40.0, 310.0]).position
     crossing = WAVE.at([107.0]).position[0] - chord[0]
     along = np.diff(chord, axis=0)[0]
