@@ -294,8 +294,8 @@ class SidewaysStability:
 
     def __str__(self) -> str:
         return note(
-            "sideways {word} (margin {margin:.3g}): {meaning}" if self.needs_guiding else "sideways {word}: "
-            "{meaning}",
+            "sideways {word} (stability margin {margin:.3g}): {meaning}" if self.needs_guiding else
+            "sideways {word}: {meaning}",
             word=note(self.rating), margin=self.margin, meaning=note(self.meaning),
         )  # fmt: skip
 

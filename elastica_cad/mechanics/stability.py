@@ -314,7 +314,7 @@ class Stability:
 
     def __str__(self) -> str:
         return note(
-            "{word} (margin {margin:.3g}): {meaning}",
+            "{word} (stability margin {margin:.3g}): {meaning}",
             word=note(self.rating), margin=self.margin, meaning=note(self.meaning),
         )  # fmt: skip
 

@@ -128,7 +128,7 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
         yield Row(
             note("Strain"),
             note(
-                "{strain:.2f} % at {at:.0f}; {sheet} allows {limit:.2f} %",
+                "{strain:.2f} % at {at:.0f} from the start; {sheet} allows {limit:.2f} %",
                 strain=100 * strip.max_strain,
                 at=Length(strip.max_strain_at),
                 sheet=strip.most_strained.name,

@@ -344,8 +344,12 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
             far=Length(changed),
         )  # fmt: skip
     if refused:
-        breaks = "A pre-bent strip would break on this curve."
-        fails, verdict = note(breaks if bent else "A flat strip would break on this curve."), fails
+        breaks = note(
+            "A pre-bent strip would break on this curve."
+            if bent
+            else "A flat strip would break on this curve."
+        )
+        fails, verdict = breaks, fails
     put(
         obj,
         Verdict=sentences([fails, verdict, note("There are remarks.") if notes else ""], " "),
