@@ -339,7 +339,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
             lambda: meridian_through([(60, 0), (80, 40), (50, 70), (-9, 90)]),
             r"point 4 at \[-9.0, 90.0\] is on",
         ),
-        (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "length = -10 mm: give positive"),
+        (lambda: meridian(1, (0, 0), (5, 0), 1, -10), "is -10 mm long: give positive"),
         (lambda: meridian(1, (0, np.nan), (5, 0), 1, 10), "finite"),
         (lambda: meridian(1, (0, 0, 0), (5, 0), 1, 10), "two finite numbers"),
         (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "`ring` is 7"),

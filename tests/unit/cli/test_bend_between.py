@@ -164,7 +164,10 @@ def test_a_strip_without_its_elements_snaps(desk):
             "The cord from 40 mm to 310 mm is 254 mm long, so it cannot be shortened by 500 mm.",
         ),
         ("--release --shorten 5", "--shorten needs a cord. Add --tie START END."),
-        ("--rail 900", "The rail at 900 mm is not on the curve. Give a place from 0 to 394.424 mm."),
+        (
+            "--rail 900",
+            "The rail 900 mm from the start is not on the curve. Give a place from 0 to 394.424 mm along the curve.",
+        ),
         ("--rail 10,10,10", "'10,10,10' is not a length"),
     ],
 )

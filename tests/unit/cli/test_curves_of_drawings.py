@@ -131,7 +131,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
     done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
-    assert "curve 1 (A) of 2: a curve needs at least two different points" in done.stderr
+    assert "curve 1 (A) of 2: a curve has fewer than two different points" in done.stderr
     assert "1 of 2 curves cannot be made with these options" in done.stderr
     assert "nan" not in done.stderr
     assert (tmp_path / "out" / "lines-B.dxf").exists()

@@ -132,7 +132,7 @@ def test_published_spline(reference_data):
 
 
 @pytest.mark.parametrize(("content", "words"), [
-    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0', .*put measured points into a \.csv file"),
+    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0' instead of .*put measured points into a \.csv file"),
     ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
     ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
     ("1 2\n0 0\n1 1\n", "use a whole number, 2 or more"),

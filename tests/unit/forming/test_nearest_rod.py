@@ -407,7 +407,7 @@ def test_a_straight_wish():
         (lambda: Limits(margin=np.nan), "margin"),
         (lambda: Limits(curvature=-1), "above 0"),
         (lambda: Limits(strain=0.01), "set `sheet`"),
-        (lambda: Limits(width=(20, 10)), "give the least first"),
+        (lambda: Limits(width=(20, 10)), "give the smaller number first"),
         (lambda: Limits(length=(0, 10)), "above 0"),
         (lambda: Limits(keep_out=(3,)), "keep_out"),
         (lambda: HalfPlane((0, 0), (0, 0)), "zero"),

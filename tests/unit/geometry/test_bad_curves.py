@@ -32,7 +32,7 @@ KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
         (KNOTS, GOOD, None, None, "use 2 or more"),
         (KNOTS, [(0, 0), (1, 2), (3,)], 3, None, "give numbers"),
         (KNOTS, GOOD, 3, [1, 1, 1], "give a weight for each point"),
-        (KNOTS, GOOD, 3, [1, 1, 0, 1], "weight 2 is 0: give positive weights"),
+        (KNOTS, GOOD, 3, [1, 1, 0, 1], r"weight of control point 2 \(from 0\) is 0: give positive weights"),
         (
             KNOTS,
             GOOD,

@@ -217,7 +217,7 @@ BAD = {
     "which moment": (STRAIGHT, {"moment": 1.0, "supports": Supports("pinned", "pinned")}, "give both moments"),
     "moment shape": (STRAIGHT, {"moment": (1.0, 2.0, 3.0)}, "one number or two"),
     "gravity": (STRAIGHT, {"gravity": 9.81}, "Gravity record"),
-    "side": (STRAIGHT, {"side": 2}, "side is 2: use"),
+    "side": (STRAIGHT, {"side": 2}, "side is 2: give"),
     "mode": (STRAIGHT, {"mode": 0}, "mode is .*: give a whole number"),
     "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "guess has the shape"),
     "samples": (STRAIGHT, {"samples": 2}, "samples is 2: give a whole number, 4 or more"),

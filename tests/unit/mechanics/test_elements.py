@@ -35,12 +35,18 @@ def test_wrong_records_are_refused(record, message):
         ({"between": ec.PointForce(10, (0, 1))}, "give Rail, Pin or Tie records"),
         ({"loads": ec.Rail(10)}, "give PointMass or PointForce records"),
         ({"loads": ec.PointMass(10, 5)}, "no gravity for its direction"),
-        ({"between": ec.Rail(1e4)}, "The rail at 10000 mm is not on the curve. Give a place from 0 to 484"),
+        (
+            {"between": ec.Rail(1e4)},
+            "The rail 10000 mm from the start is not on the curve. Give a place from 0 to 484",
+        ),
         ({"between": ec.Pin((0, 60))}, r"The pin at \(0, 60\) mm is 40 mm off the curve"),
-        ({"between": ec.Pin(0)}, "The pin at 0 mm acts on an end that is held in place"),
-        ({"between": ec.Tie(0, ARCH.length)}, "The tie at 0 mm acts on an end that is held in place"),
+        ({"between": ec.Pin(0)}, "The pin 0 mm from the start acts on an end that is held in place"),
+        (
+            {"between": ec.Tie(0, ARCH.length)},
+            "The tie 0 mm from the start acts on an end that is held in place",
+        ),
         ({"between": ec.Tie(90, 200, length=80)}, "The tie from 90 mm to 200 mm has a length"),
-        ({"between": ec.Tie(90, 90)}, "The tie from 90 mm to 90 mm has no length"),
+        ({"between": ec.Tie(90, 90)}, "The tie from 90 mm to 90 mm along the strip has no length"),
         ({"supports": ec.Supports("free", "free")}, "the rod is free to move along x"),
     ],
 )

@@ -251,7 +251,7 @@ def test_sheets_file_that_cannot_be_read(tmp_path):
     with pytest.raises(InputError, match=r"none\.toml cannot be read: No such file"):
         load_sheets(tmp_path / "none.toml")
     (tmp_path / "b.toml").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(InputError, match="not a TOML file"):
+    with pytest.raises(InputError, match="cannot be read as TOML"):
         load_sheets(tmp_path / "b.toml")
 
 

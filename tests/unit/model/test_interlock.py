@@ -375,7 +375,7 @@ def test_shallow_angles_are_told():
         ([flat(label="A"), turned(1.0, label="B")], {"fit": "loose"}, "fit is"),
         ([flat(label="A"), turned(1.0, label="B")], {"pairs": [(0, 2)]}, "pair"),
         ([flat(label="A"), turned(1.0, label="B")], {"above": (0, 0, 0)}, "above"),
-        ([flat(label="A"), turned(1.4, label="B"), turned(1.7, label="C")], {}, "A: the slots at 50 mm"),
+        ([flat(label="A"), turned(1.4, label="B"), turned(1.7, label="C")], {}, "A: the slots 50 mm"),
         ([flat(), turned(1.4), turned(1.7)], {}, "strip 1: "),
     ],
 )

@@ -55,7 +55,10 @@ def test_a_hole_bends_as_in_plate_elements(share, poisson, plate):
     [
         ((ec.Pin(200, hole=70),), "are 70 mm wide in total"),
         ((ec.Tie(40, 310, notch=20),), "are 40 mm wide in total"),
-        ((ec.Rail(200), ec.Tie(40, 90, hole=4), ec.Pin(93, hole=4)), "at 90 mm and 93 mm overlap"),
+        (
+            (ec.Rail(200), ec.Tie(40, 90, hole=4), ec.Pin(93, hole=4)),
+            "90 mm and 93 mm from the start overlap",
+        ),
         ((ec.Pin(200, hole=12),), "between a hole and the edge"),
     ],
 )

@@ -118,7 +118,7 @@ SLIPS = {
         PIECES, sheet_size="600x400"
     ),
     "sheet_size is 600": lambda: nest_pieces(PIECES, sheet_size=600),
-    "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
+    "nearest_rods was called with a str: give a list of curves": lambda: nearest_rods("arch.dxf", Limits()),
     "strips are 3: give a list of Placed": lambda: touching_widths(3),
     "strips are 'ab'": lambda: touching_widths("ab"),
     "3 is not the name of a file or folder": lambda: write_drawing(STRIP.drawing(), 3),
