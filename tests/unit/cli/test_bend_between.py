@@ -166,7 +166,7 @@ def test_a_strip_without_its_elements_snaps(desk):
         ("--release --shorten 5", "--shorten needs a cord. Add --tie START END."),
         (
             "--rail 900",
-            "The rail 900 mm from the start is not on the curve. Give a place from 0 to 394.424 mm along the curve.",
+            "The rail 900 mm from the start is not on the curve. Give a place from 0 to 394.424 mm along",
         ),
         ("--rail 10,10,10", "'10,10,10' is not a length"),
     ],
