@@ -201,7 +201,8 @@ class Wording(Formatter):
         text = float.__format__(float(value), spec)
         text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:
-            text = format(Decimal(text), "f") if 1e-12 < abs(value) < 1e9 else text
+            whole = "+f" if spec.startswith("+") else "f"
+            text = format(Decimal(text), whole) if 1e-12 < abs(value) < 1e9 else text
             text = "0" if abs(value) <= 1e-12 else text
         return text if self.point == "." else text.replace(".", self.point)
 
@@ -232,6 +233,18 @@ def _are_lengths(items: Iterable[Any]) -> bool:
 
 
 ENGLISH = Wording()
+
+
+def number_text(value: float, spec: str = ".3g") -> str:
+    """Return a number for an English text, formatted as in a message: without exponent for usual sizes.
+
+    Examples
+    --------
+    >>> number_text(101, ".2g"), number_text(23456.7, ".4g")
+    ('100', '23460')
+    """
+    return ENGLISH.format_field(float(value), spec)
+
 
 _MOST_LISTED = 6
 

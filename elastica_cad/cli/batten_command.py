@@ -26,7 +26,7 @@ from elastica_cad.formats.write_files import File, write_files, write_json, writ
 from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
@@ -140,13 +140,10 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     written = _write(strip, None, report, chosen)
     answer({"batten": report})
     plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
-    say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {strip.mass:.4g} g"))
+    say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {number_text(strip.mass, '.4g')} g"))
     camber = _camber_text(depth, place, float(np.hypot(*(rod.position[-1] - rod.position[0]))))
-    say_row(
-        Row(
-            "Camber", f"{camber}; the glued plies are at most {glued.deviation:.2g} mm from the planed batten"
-        )
-    )
+    far = number_text(glued.deviation, ".2g")
+    say_row(Row("Camber", f"{camber}; the glued plies are at most {far} mm from the planed batten"))
     if not glued.settled:
         text = (
             "the search for the ends of the plies stopped early; other ends may come nearer to the "
@@ -249,7 +246,9 @@ def _report_batten(result: Batten, table: dict[str, FloatArray]) -> None:
     quantity, lying = result.spec.stock.quantity, result.spec.lying
     level = "" if lying is None else f", level under its own weight and bulging {lying}"
     ends = f"ends {result.chord:.1f} mm apart"
-    say_row(Row("Size", f"{result.spec.length:.1f} mm long, {ends}, {result.strip.mass:.4g} g"))
+    say_row(
+        Row("Size", f"{result.spec.length:.1f} mm long, {ends}, {number_text(result.strip.mass, '.4g')} g")
+    )
     say_row(Row("Camber", f"{_camber_text(depth, place, result.chord)}{level}"))
     _print_load(result.strip, result.end_force)
     s, s_inch, _, _, size, inch, strain, safety = table.values()
@@ -280,7 +279,7 @@ def _print_load(strip: Strip, end_force: float) -> None:
     warnings = [warning_row(text) for text in strip.warnings]
     for row in (
         *warnings,
-        Row("Force", f"{end_force:.3g} N at each end, pushed towards the other end"),
+        Row("Force", f"{number_text(end_force)} N at each end, pushed towards the other end"),
         Row("Strain", strain),
     ):
         say_row(row)

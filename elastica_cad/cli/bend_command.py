@@ -51,8 +51,8 @@ from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import ENGLISH, Point, note
 from elastica_cad.refusals import Length as MmLength
+from elastica_cad.refusals import Point, note, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, bar_direction, between_rows, direction_in_drawing
@@ -297,7 +297,7 @@ def _solve(spec: RodSpec) -> Rod | NearestRod:
         say(text)
     result = solve_rod(spec)
     if isinstance(result, NearestRod):
-        say(f"the strip is {result.deviation:.2g} mm off the drawn curve at most")
+        say(f"the strip is {number_text(result.deviation, '.2g')} mm off the drawn curve at most")
     return result
 
 
@@ -409,8 +409,8 @@ def _print_shapes(
         for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
             say_row(row)
         worst = int(np.argmin(moved.safety))
-        limit = f"safety {_rounded(moved.safety[worst])}"
-        say_row(Row("Strain", f"at most {_rounded(100 * moved.strain[worst])} %, {limit}"))
+        limit = f"safety {number_text(moved.safety[worst])}"
+        say_row(Row("Strain", f"at most {number_text(100 * moved.strain[worst])} %, {limit}"))
     say_row(_stability_row(states, shapes, moved, change))
     side_warnings = (
         text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
@@ -421,11 +421,11 @@ def _print_shapes(
     if moved is None:
         return
     size, turns = np.hypot(*moved.end_force.T).max(), np.abs([moved.start_moment, moved.end_moment]).max()
-    energy = _rounded(moved.energy.max())
+    energy = number_text(moved.energy.max())
     say_row(
         Row(
             "Force",
-            f"at most {_rounded(size)} N and {_rounded(turns)} N mm at an end; the strip stores {energy} mJ",
+            f"at most {number_text(size)} N and {number_text(turns)} N mm at an end; the strip stores {energy} mJ",
         )
     )
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
@@ -472,7 +472,7 @@ def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
         at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
         if isinstance(load, PointMass):
             newtons = load.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-            texts.append(f"{load.mass:g} g at {at} ({newtons:.3g} N)")
+            texts.append(f"{load.mass:g} g at {at} ({number_text(newtons)} N)")
         else:
             x, y = load.force
             texts.append(f"({x:g}, {y:g}) N at {at}")
@@ -487,7 +487,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
         return Row("Movement", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
-    far = ENGLISH.format_field(float(distance), ".2g")
+    far = number_text(distance, ".2g")
     text = f"{strip} moves by at most {far} mm from its design"
     return Row(
         "Movement",
@@ -508,24 +508,20 @@ def _force_columns(moved: Travel) -> dict[str, list[str]]:
     force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
     return {
         f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change applied'}[moved.unit] } {moved.unit}": [
-            f"{x:.4g}" for x in moved.path_length
+            number_text(x, ".4g") for x in moved.path_length
         ],
-        "end force x N": [_rounded(x) for x in force[:, 0]],
-        "end force y N": [_rounded(x) for x in force[:, 1]],
-        "start moment N mm": [_rounded(x) for x in moved.start_moment],
-        "end moment N mm": [_rounded(x) for x in moved.end_moment],
-        "strain %": [_rounded(100 * x) for x in moved.strain],
-        "safety": [_rounded(x) for x in moved.safety],
+        "end force x N": [number_text(x) for x in force[:, 0]],
+        "end force y N": [number_text(x) for x in force[:, 1]],
+        "start moment N mm": [number_text(x) for x in moved.start_moment],
+        "end moment N mm": [number_text(x) for x in moved.end_moment],
+        "strain %": [number_text(100 * x) for x in moved.strain],
+        "safety": [number_text(x) for x in moved.safety],
     }
-
-
-def _rounded(value: float) -> str:
-    return ENGLISH.format_field(float(value), ".3g")
 
 
 def _smallest_radius(shape: Rod) -> str:
     kappa = float(np.abs(shape.curvature).max())
-    return f"{1 / kappa:.4g}" if kappa * shape.length > 1e-6 else "straight"
+    return number_text(1 / kappa, ".4g") if kappa * shape.length > 1e-6 else "straight"
 
 
 def _stability_row(

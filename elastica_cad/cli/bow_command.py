@@ -33,6 +33,7 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of
+from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec
@@ -171,10 +172,11 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     strip, (start, end) = result.strip, np.degrees(result.end_angles)
     rods = {} if in_newtons else known_rods()
     per_rod = [
-        f"{result.pull * rod.youngs_modulus / MPA_PER_GPA:.2g} N as a {name}" for name, rod in rods.items()
+        f"{number_text(result.pull * rod.youngs_modulus / MPA_PER_GPA, '.2g')} N as a {name}"
+        for name, rod in rods.items()
     ]
-    force = f"{result.pull:.3g} N" if in_newtons else (
-        f"{', '.join(per_rod)} ({result.pull:.3g} N per GPa of Young's modulus)"
+    force = f"{number_text(result.pull)} N" if in_newtons else (
+        f"{', '.join(per_rod)} ({number_text(result.pull)} N per GPa of Young's modulus)"
     )  # fmt: skip
     shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees to the cord"
     verdict = stability(strip.rod)
@@ -204,7 +206,7 @@ def _curve_row(result: Bow) -> Row:
         if isclose(result.strip.rod.ratio, 1)
         else ""
     )
-    text = f"the bent {noun} is at most {result.deviation:.3g} mm from the drawn curve{even}"
+    text = f"the bent {noun} is at most {number_text(result.deviation)} mm from the drawn curve{even}"
     if result.deviation <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
@@ -238,7 +240,7 @@ def _print_table(table: dict[str, Any]) -> None:
     }
     say_table(
         {
-            _heading(name): [f"{value:{formats.get(name, '.3g')}}" for value in values]
+            _heading(name): [number_text(value, formats.get(name, ".3g")) for value in values]
             for name, values in table.items()
             if name != "margin"
         }

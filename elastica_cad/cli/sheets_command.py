@@ -13,6 +13,7 @@ from elastica_cad.mechanics.sheets import (
     sheet_names,
     sheets_by_kind,
 )
+from elastica_cad.refusals import number_text
 
 
 @click.command()
@@ -56,18 +57,18 @@ def sheets(name: str | None) -> None:
     answer({"sheets": [sheet]})
     rows = {
         "thickness": f"{sheet.thickness:g} mm",
-        "Young's modulus": f"{sheet.youngs_modulus:g} MPa",
+        "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa",
         "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else " (assumed)"),
-        "shear modulus": f"{sheet.shear_ratio * sheet.youngs_modulus:.4g} MPa"
+        "shear modulus": f"{number_text(sheet.shear_ratio * sheet.youngs_modulus, '.4g')} MPa"
         + ("" if sheet.shear_modulus else " (assumed, as without grain)"),
         "density": f"{sheet.density:g} kg/m3",
         "largest strain": f"{100 * sheet.max_strain:.3g} %",
-        "least radius": f"{sheet.least_radius:.4g} mm",
+        "least radius": f"{number_text(sheet.least_radius, '.4g')} mm",
         **_published_radii(sheet),
         "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
         "grain": sheet.grain if sheet.grain == "none" else f"{sheet.grain} the strip",
-        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm; a strip of this length, held level at one "
-        "end, sags by about 1/8 of it",
+        "elasto-gravity length": f"{number_text(sheet.elasto_gravity_length, '.4g')} mm; a strip of this "
+        "length, held level at one end, sags by about 1/8 of it",
         "source of the values": sheet.source,
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")

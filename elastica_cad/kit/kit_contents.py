@@ -28,7 +28,7 @@ from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_ro
 from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, tips_below
 from elastica_cad.model.rocking import rocking_tabs
-from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
+from elastica_cad.refusals import FieldName, Length, Listed, note, number_text, sentences
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
@@ -382,7 +382,7 @@ def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, 
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [
-        f"{name} {held[name].deviation:.2g} mm"
+        f"{name} {number_text(held[name].deviation, '.2g')} mm"
         for name in names
         if name in locked and name in held and held[name].deviation > CLEARANCE
     ]

@@ -32,7 +32,7 @@ from elastica_cad.model.plates import BasePlate, Ring, RingOptions
 from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
 from elastica_cad.plot.canvas import INK, chinese_font, paint_patches, paint_polygons, text_in, write_pages
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
-from elastica_cad.refusals import Length, Refusal, Wording, note, sentences
+from elastica_cad.refusals import Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
 from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS
@@ -373,7 +373,7 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
             is_tie = len(points) > 1
             noun = note("{name} {noun}", name=element.name, noun=element.noun)
             angle, length = ("", f"{distance:.1f}") if is_tie else (f"{element.tilt:.1f}", "")
-            yield model.single_name_of(i), noun, at, angle, f"{element.force:.2g}", length
+            yield model.single_name_of(i), noun, at, angle, number_text(element.force, ".2g"), length
 
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
@@ -382,7 +382,7 @@ def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
         loaded_ends = (loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment)
         sizes = [(float(np.hypot(*force)), abs(moment)) for force, moment in loaded_ends]
         return tuple(
-            f"{float(f'{size:.2g}'):g} {unit}"
+            f"{number_text(size, '.2g')} {unit}"
             for end in sizes
             for size, unit in zip(end, ("N", "N mm"), strict=True)
         )
@@ -670,7 +670,7 @@ def _plate_label(name: str, loop: FloatArray) -> Label:
 
 
 def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
-    text = element.name if tip is None else f"{element.name}, {element.force:.2g} N"
+    text = element.name if tip is None else f"{element.name}, {number_text(element.force, '.2g')} N"
     at = points[0] if tip is None else tip
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
 

@@ -19,6 +19,7 @@ from elastica_cad.plot.strip_pictures import (
     finish_axes,
     paint_comb,
 )
+from elastica_cad.refusals import number_text
 
 POINTS = 601
 """Number of drawn points along the curve."""
@@ -77,7 +78,7 @@ def check(check: EquilibriumCheck) -> Figure:
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)
         for s, point in zip(places, points, strict=True):
             beside = {"xytext": (7, 6), "textcoords": "offset points", "fontsize": 9, "color": color}
-            axes.annotate(f"{s:.4g}", tuple(point), **beside)
+            axes.annotate(number_text(s, ".4g"), tuple(point), **beside)
     reach = 0.06 * extent
     middle, half = box.mean(axis=0), np.array([width, height]) / 2
     if check.line is not None:
@@ -92,7 +93,7 @@ def check(check: EquilibriumCheck) -> Figure:
         "Can be bent" if check.realizable else
         "Cannot be bent"
     )  # fmt: skip
-    finish_axes(axes, f"{verdict}: {check.length:.4g} mm; places in mm along it{dots}")
+    finish_axes(axes, f"{verdict}: {number_text(check.length, '.4g')} mm; places in mm along it{dots}")
     return figure
 
 

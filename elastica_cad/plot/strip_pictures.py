@@ -17,6 +17,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+from elastica_cad.refusals import number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends
@@ -505,13 +506,15 @@ def travel(moved: Travel) -> Figure:
     )  # fmt: skip
     for text, at, color in places:
         if at is not None:
-            below.axvline(at, color=color, linestyle=":", label=f"{text}: {at:.4g} {moved.unit}")
+            below.axvline(
+                at, color=color, linestyle=":", label=f"{text}: {number_text(at, '.4g')} {moved.unit}"
+            )
     if below.get_legend_handles_labels()[0]:
         _paint_legend(below)
     worst = int(np.argmin(moved.safety))
     text = (
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
-        f"safety {moved.safety[worst]:.2g}"
+        f"safety {number_text(moved.safety[worst], '.2g')}"
     )
     _set_title(below, text, pad=22 if below.get_legend() else 6)
     return figure

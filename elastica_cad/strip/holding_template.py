@@ -15,7 +15,7 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Line, Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
-from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.refusals import Length, Refusal, note, number_text
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Hole
@@ -181,13 +181,14 @@ class HeldElement:
     face: FloatArray | None = None
 
     def __str__(self) -> str:
+        force = f"{number_text(self.force, '.2g')} N"
         at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
         if isinstance(self.action.element, Tie):
             length = float(np.hypot(*(self.places[1] - self.places[0])))
-            return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {self.force:.2g} N"
+            return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {force}"
         if self.face is not None:
             at += f", touches the strip at x {self.face[0]:z.1f}, y {self.face[1]:z.1f}"
-        return f"{self.name} {self.noun}: {at}, {self.tilt:.1f} degrees from the line, {self.force:.2g} N"
+        return f"{self.name} {self.noun}: {at}, {self.tilt:.1f} degrees from the line, {force}"
 
     @property
     def noun(self) -> str:

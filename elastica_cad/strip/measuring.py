@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
+from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.holding_template import distance_of_tips, held_ends
@@ -232,9 +233,12 @@ class Measuring:
 
     def _row(self, name: str, measured: float) -> Row:
         expected, uncertain, unit = self.expected[name], self.uncertain[name], UNITS[name]
-        text = f"{measured:.4g} {unit} measured, {expected:.4g} +/- {uncertain:.2g} {unit} expected"
+        range_text = f"{number_text(expected, '.4g')} +/- {number_text(uncertain, '.2g')}"
+        text = f"{number_text(measured, '.4g')} {unit} measured, {range_text} {unit} expected"
         difference = measured - expected
-        outside = f": difference {difference:+.2g} {unit}" if abs(difference) > uncertain else ""
+        outside = (
+            f": difference {number_text(difference, '+.2g')} {unit}" if abs(difference) > uncertain else ""
+        )
         return Row(row_label(name), text + outside)
 
     def _verdict(self, measured: Mapping[str, float], errors: Mapping[str, float]) -> list[Row]:

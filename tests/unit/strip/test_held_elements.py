@@ -1,5 +1,7 @@
 """Rails, pins and ties on the holding template and on the assembly sheet."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -37,6 +39,7 @@ def test_the_template_has_a_bar_on_the_side_from_which_a_rail_pushes():
         f"y {contact[1]:.1f}, {rail.tilt:.1f} degrees from the line, {rail.force:.2g} N" in texts
     )
     assert {"R1", "T1"} <= set(texts)
+    assert str(replace(rail, force=1012.0)).endswith(", 1000 N")
 
 
 def test_loads_are_arrows_with_their_force_on_template_and_sheet():
