@@ -27,17 +27,18 @@ from elastica_cad.model.assembly import (
 from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
+from elastica_cad.model.interlocking import strip_thickness
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring, RingOptions
 from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
 from elastica_cad.plot.canvas import INK, chinese_font, paint_patches, paint_polygons, text_in, write_pages
-from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
+from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, normals_of, rule_strip, screen_of
 from elastica_cad.refusals import Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
 from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
-from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.words import LANGUAGES, Language, Translated
 
 A4 = np.array([595.0, 842.0])  # width and height of a page, points
@@ -508,7 +509,7 @@ class View:
     dimensions : sequence of (line (2, 3), text)
         Overall width (along x) and height of the assembled model, on edges of the box around the picture.
     size : (3,) array
-        Size of the assembled model, mm.
+        Size of the assembled model with the thickness of its sheets, mm.
     """
 
     patches: FloatArray
@@ -532,7 +533,7 @@ class View:
             moved.append(replace(member, origin=member.origin + out))
             outs |= {tab.key: out for tab in place_tabs([member])}
             painted.append(rule_strip(moved[-1]))
-            boxes.append(painted[-1][0].reshape(-1, 3) - out)
+            boxes.append(_faces(member.strip, painted[-1][0] - out))
         names, targets = dict[str, Label](), dict[object, FloatArray]()
         for holder in single_holders(holders):
             shift = _shift_away(holder, APART * extent * (BEHIND if id(holder) in second_plates else 1.0))
@@ -544,7 +545,7 @@ class View:
                 targets[holder.tab.key] = holder.tab.frame.origin + shift
                 continue
             loops = [*_loops(holder)]
-            boxes.append(loops[0][0])
+            boxes += [loops[0][0], loops[0][0] - holder.solid.thickness * holder.solid.frame.z_axis]
             outlines += [(loop + shift, depth + shift, color) for loop, depth, color in loops]
             names.setdefault(holder.name, _plate_label(holder.name, loops[0][0] + shift))
             for slot in () if isinstance(holder, Rib) else holder.slots:
@@ -673,6 +674,13 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
     text = element.name if tip is None else f"{element.name}, {number_text(element.force, '.2g')} N"
     at = points[0] if tip is None else tip
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
+
+
+def _faces(strip: Strip, patches: FloatArray) -> FloatArray:
+    """Return points (n, 3) on both faces of a strip from the patches of its middle surface."""
+    tapered = [float(size.extremes[1]) for size in strip.tapered.values()]
+    half = max([strip_thickness(strip), *tapered]) / 2 * normals_of(patches)[:, None]
+    return np.concatenate([patches - half, patches + half]).reshape(-1, 3)
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:

@@ -344,9 +344,13 @@ def lit(patches: FloatArray) -> FloatArray:
 
     Both sides are equally bright.
     """
+    return np.asarray(0.6 + 0.4 * np.abs(normals_of(patches) @ LIGHT)[:, None], dtype=float)
+
+
+def normals_of(patches: FloatArray) -> FloatArray:
+    """Return the unit normals (n, 3) of patches (n, 3 or 4, 3)."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
-    normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-    return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
+    return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None])
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:

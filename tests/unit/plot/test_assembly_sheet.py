@@ -87,6 +87,14 @@ def test_parts_of_equal_shape_share_a_row(sheet):
     assert page[page.index("B, D and E") + 1] == "3"
 
 
+def test_the_assembled_size_includes_the_thickness_of_the_sheet(sheet):
+    arch = ec.make_strip(ec.PlaneCurve.arc((0, 0), 100, np.pi, 0), "polypropylene-3", max_width=20, label="A")
+    model = ec.Model([ec.Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))])
+    (page,) = sheet(model)
+    assert any("assembled 203 x 20 x " in text for text in page)
+    assert_dimensions(page)
+
+
 def assert_dimensions(page):
     """The dimension lines have the size in the first line."""
     (size,) = [text for text in page if "assembled" in text]
