@@ -11,6 +11,7 @@ from elastica_cad.declared import REQUIRED, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import help_with_unit, paths_of, require_path_of, title, written
 from elastica_cad.errors import InputError, near_names, quoted
+from elastica_cad.refusals import Either
 
 
 def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
@@ -61,6 +62,12 @@ def _explanation(path: str, option: str) -> str:
         if word in options:
             typed = " ".join(filter(None, [f"--{word}", options[word].metavar]))
             return f"{path}\n  {options[word].help}\n  elastica strip: {typed}"
+        if alike := [
+            key for key in paths_of(record) if key.endswith(f".{word}") and not key.startswith("strips.")
+        ]:
+            raise InputError(
+                "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=Either(alike)
+            )
         near = near_names(word, [*paths_of(record), *options])
         if near and near[0] in options:
             raise InputError(

@@ -11,7 +11,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Line, Segment
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.refusals import FieldName, Length, Point, note
 
 PAIR_SUFFIXES = ("-outer", "-lower")
 """Endings of the name of the second plate of a pair."""
@@ -145,11 +145,11 @@ def no_bridge(name: str) -> str:
 
 
 def hole_name(path: Path) -> str:
-    """Return the name of a hole in messages."""
-    arc = path.segments[0]
+    """Return the name of a hole with its centre in the plate, in messages."""
+    arc, center = path.segments[0], Point(path.bounds.mean(axis=0).tolist())
     if isinstance(arc, Arc) and not is_window(path):
-        return note("the hole of {diameter}", diameter=Length(2 * arc.radius))
-    return note("the opening beside the bridge")
+        return note("the hole of {diameter} at {center}", diameter=Length(2 * arc.radius), center=center)
+    return note("the opening beside the bridge at {center}", center=center)
 
 
 def refuse_other_ends(holes: PlateHoles | None, names: list[str]) -> None:

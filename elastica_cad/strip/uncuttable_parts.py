@@ -486,7 +486,8 @@ def find_plate_faults(
             loops,
         ),
         *_faults_at(
-            name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops
+            name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops,
+            of_hole=True,
         ),
         *_too_large(name, float(length), float(width), sheet, stock),
     )  # fmt: skip
@@ -657,8 +658,16 @@ def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
 
 
 def _faults_at(
-    name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
+    name: str,
+    places: Sequence[ThinPlace],
+    least: float,
+    sheet: Sheet,
+    cure: str,
+    loops: Sequence[str] = (),
+    *,
+    of_hole: bool = False,
 ) -> Iterator[Fault]:
+    """Yield a fault for each thin place. `loops` are the names of the loops; those of holes have their position."""
     # list equal gaps once, such as those between the slots around a ring
     alike: dict[object, list[ThinPlace]] = {}
     for k, place in enumerate(places):
@@ -683,6 +692,7 @@ def _faults_at(
             else both_names(loops[one], loops[other])
         )
         what = note(
+            "only {wide:g} between {loops}{more}, but {sheet} needs at least {needed:g}" if of_hole else
             "only {wide:g} between {loops} {at}{more}, but {sheet} needs at least {needed:g}" if loops else
             "only {wide:g} wide {at}{more}, but {sheet} needs at least {needed:g}",
             wide=wide, loops=between, at=at, more=more if rest else "", needed=needed, sheet=sheet.name,

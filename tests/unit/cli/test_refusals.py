@@ -383,6 +383,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
         ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
         ("help rails", "did you mean rail?"),
+        ("help screws", "did you mean revolution.holes.screws, base.holes.screws, or rings.holes.screws?"),
         (
             "pair arch.csv --sheet pom-1 --max-width 20",
             "Did you mean --set pad.width=VALUE? `elastica help pair.pad.width` explains it.\n",
