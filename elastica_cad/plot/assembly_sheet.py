@@ -227,7 +227,7 @@ def _tables(
         ("plate", "middle at (x, y, z)", "from the middle above"),
         placed_plates if len(placed_plates) > 1 else [],
     )
-    loads = ("strip", "start (1): force", "moment", "end (2): force", "moment")
+    loads = ("strip", "force at start (1)", "moment at start (1)", "force at end (2)", "moment at end (2)")
     yield Table("Force and moment at the ends", loads, [*_load_rows(model)])
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
     yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])

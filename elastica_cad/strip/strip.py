@@ -275,7 +275,7 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     )  # fmt: skip
 
 
-def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
+def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends, *, of_rod: bool) -> Iterator[str]:
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -285,6 +285,9 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = distinct_digits(1 / bend[at], 1 / bearable, ".3g")
             yield note(
+                "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
+                "Use a thinner rod, or a radius of at least {least:g} there (now {radius:g})."
+                if of_rod else
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
                 "Use a thinner sheet, or a radius of at least {least:g} there (now {radius:g}).",
                 strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
@@ -632,7 +635,8 @@ class Strip:
     @property
     def strain_warnings(self) -> tuple[str, ...]:
         """Warnings about each layer, tab, and cut for a pin or tie that is strained beyond its limit."""
-        return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
+        strains = _warn_of_strains(self.strains, self._bends, of_rod="diameter" in self.tapered)
+        return (*strains, *map(str, self._shoulders))
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:

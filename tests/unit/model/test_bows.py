@@ -151,3 +151,10 @@ def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
     angle, rest = start.removeprefix("start (1): ").split(maxsplit=1)
     assert float(angle) == pytest.approx(abs(held_ends(rod)[0].tilt), abs=0.05)
     assert rest == "degrees from the line, free to turn"
+
+
+def test_the_strain_warning_of_a_rod_names_the_rod():
+    arc = ec.PlaneCurve.arc((0, 0), 150, 0.8 * np.pi, 0.2 * np.pi)
+    rod = bow(arc, GLASS, law=RoundLaw(GLASS, DIAMETER, DIAMETER)).strip
+    (message,) = rod.strain_warnings
+    assert "Use a thinner rod, or a radius of at least" in message
