@@ -155,10 +155,11 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
                 )
             )
         else:
-            across = 0.0 if shift < NO_PLAY_MM else shift
             messages.append(note(
+                "In the {name}, a tab can tip within a range of {turn:.2g} degrees" if shift < NO_PLAY_MM else
+                "In the {name}, a tab can shift by {across:.2g}" if turn < NO_PLAY_DEGREES else
                 "In the {name}, a tab can shift by {across:.2g} and tip within a range of {turn:.2g} degrees",
-                name=name, across=Length(across), turn=turn,
+                name=name, across=Length(shift), turn=turn,
             ))  # fmt: skip
     for holder in holders:
         lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
