@@ -138,11 +138,12 @@ class ReadReport:
         width, height = self.size
         size = note("{width:.1f} x {height:.1f} mm ({unit})", width=width, height=height, unit=str(self.unit))
         kinds = [counted(count, kind) for kind, count in self.kinds.items()]
+        done = ["small corners at joints rounded" if name == "smoothed" else name for name in self.done]
         if self.distance > EXACT_MM:
             away = note("within {distance:.2g} of the drawing", distance=Length(self.distance))
-            return sentences([size, *kinds, *self.done, away], ", ")
+            return sentences([size, *kinds, *done, away], ", ")
         exact = "curve through all points" if "fitted" in self.done else "read without approximation"
-        return sentences([size, *kinds, *(name for name in self.done if name != "fitted"), exact], ", ")
+        return sentences([size, *kinds, *(name for name in done if name != "fitted"), exact], ", ")
 
     def as_dict(self) -> dict[str, Any]:
         """Return the report as a dict for JSON."""

@@ -5,6 +5,7 @@ import pytest
 
 from elastica_cad import InputError, read_curves
 from elastica_cad.files import read_drawing
+from elastica_cad.formats.drawn_file import ReadReport, ReadUnit
 
 SPLINE = [(0, 0), (40, 80), (140, 80), (180, 0)]
 
@@ -88,3 +89,8 @@ def test_a_fit_that_leaves_the_points_by_far_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"deviates from the drawing by \S+ mm, more than 0\.9 mm"):
         read_curves(file, fit_tolerance=4)
     assert len(read_curves(file)) == 1
+
+
+def test_corners_rounded_at_joints_are_not_called_smoothing():
+    line = str(ReadReport((100.0, 50.0), ReadUnit(), {"spline": 2}, ("smoothed",), 0.03))
+    assert "small corners at joints rounded, within 0.03 mm of the drawing" in line
