@@ -135,15 +135,6 @@ def is_window(path: Path) -> bool:
     return len(path.segments) > 1
 
 
-def no_bridge(name: str) -> str:
-    """Return the message that the bridge of a plate has no effect."""
-    return note(
-        "{name}: the bridge has no effect, because the plate has no opening or its holes fill the opening. "
-        "Leave out {field}, or make the holes smaller.",
-        name=name, field=FieldName("holes.bridge"),
-    )  # fmt: skip
-
-
 def hole_name(path: Path) -> str:
     """Return the name of a hole with its centre in the plate, in messages."""
     arc, center = path.segments[0], Point(path.bounds.mean(axis=0).tolist())

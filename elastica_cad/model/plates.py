@@ -19,7 +19,7 @@ from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet, distinct, lengths_along
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
-from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, no_bridge, refuse_other_ends
+from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
 from elastica_cad.refusals import FieldName, both_names, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
@@ -236,9 +236,8 @@ class BasePlate:
             return ()
         holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
         if holes is not None and (holes.bridge or holes.bulb):
-            return (no_bridge(self.name),) if holes.bridge else ()
-        tabs = [slot.corners for slot in self.slots if slot.tab is not None]
-        bridge = limits_or_default(options.shop).bridge_for(self.sheet)
+            return (self._bridge_note(options, holes),) if holes.bridge else ()
+        tabs, bridge = self._tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
         if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
             return ()
         return (
@@ -249,6 +248,39 @@ class BasePlate:
             ),
         )  # fmt: skip
 
+    def _bridge_note(self, options: PlateOptions, holes: PlateHoles) -> str:
+        """Return the note that a bridge has no effect, with a width that was tried and has an effect."""
+        given = holes.bridge or 0.0
+        widths = (given, *np.arange(np.ceil(given) - 1.0, 0.0, -1.0).tolist())
+        works = (width for width in widths if self._has_bridge(options, replace(holes, bridge=width)))
+        width = next(works, None)
+        return note(
+            "{name}: the bridge has no effect, because the plate has no opening. Leave out {field}."
+            if width is None
+            else "{name}: the bridge has no effect, because the spacers fill the opening. Leave out {field}."
+            if width == given
+            else "{name}: the bridge has no effect, because its hub fills the opening. Use a {field} of {width:g}.",
+            name=self.name, field=FieldName("holes.bridge"), width=Mm(width or 0.0),
+        )  # fmt: skip
+
+    def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
+        """Return True if the plate with these holes and without spacers has openings beside the bridge."""
+        if not (self.is_round and self._tab_loops):
+            return False
+        options = replace(options, holes=holes, ignore_limits=False)
+        slots = tuple(slot for slot in self.slots if slot.tab is not None)
+        plate = replace(self, slots=slots, options=options).resized(
+            *around(self._tab_loops, self._middle, options.border)
+        )
+        try:
+            return plate.opening_radius > 0 and plate.checked(options) is not None
+        except InputError:
+            return False
+
+    @property
+    def _tab_loops(self) -> list[FloatArray]:
+        return [slot.corners for slot in self.slots if slot.tab is not None]
+
     @property
     def is_round(self) -> bool:
         """True if the outline is a circle."""
@@ -257,6 +289,12 @@ class BasePlate:
     @property
     def _middle(self) -> FloatArray:
         return np.asarray(self.outline.bounds.mean(axis=0), dtype=float)
+
+    @property
+    def opening_radius(self) -> float:
+        """Radius, mm, of the opening of a round plate, with or without a bridge, or 0 if the plate is closed."""
+        edges = [path for path in (self.opening, *filter(is_window, self.holes)) if path is not None]
+        return float(np.hypot(*(edges[0].points(FLAT_MM) - self._middle).T).max()) if edges else 0.0
 
     def resized(self, inner: float, outer: float) -> Self:
         """Return the round plate with other radii, mm, of its opening and its rim, without checks."""
@@ -660,6 +698,10 @@ class Ring(BasePlate):
 
     seats: tuple[Path, ...] = ()
     seated: tuple[str, ...] = ()
+
+    @property
+    def _tab_loops(self) -> list[FloatArray]:
+        return super()._tab_loops or [seat.points(FLAT_MM) for seat in self.seats]
 
     @property
     def radii(self) -> tuple[float, float]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Annotated, TypeAlias, TypeVar
+from typing import Annotated, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -16,15 +16,15 @@ from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plates import (
-    LEAST_OPENING_MM,
     PITCH_MM,
     BasePlate,
     PlateOptions,
     TabSlot,
     around,
     dense_points,
+    plate_with,
 )
-from elastica_cad.refusals import FieldName, Length
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.lettering import centred_text
 from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, limits_or_default
@@ -58,6 +58,13 @@ spacer."""
 
 EXCHANGES = 20
 """Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""
+
+DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
+"""Angles, rad, of the directions in which a plate may tilt over its spacers."""
+
+LEAST_SPREAD = 0.25
+"""Least extent of the spacers around the middle of the tabs, as a fraction of the width of a spacer. For more than
+two spacers, it is also a fraction of the extent of the slots. Three spacers at equal angles have about 0.5."""
 
 LABEL_MM = 4.0
 """Height of the engraved word on a spacer, mm, if the spacer is large enough."""
@@ -94,8 +101,8 @@ def add_spacers(
     """Return the plates with slots for spacers, and the spacers between the two plates of each pair.
 
     A spacer is perpendicular to its plates and as high as their gap. Its tongues end at the outer faces of the
-    plates. Spacers are distributed over the plates, clear of strips, tabs, holes and edges. Round plates become
-    as wide as their spacers need: inwards if their openings remain large enough, else outwards.
+    plates. Spacers are spread around the middle of the tabs, clear of strips, tabs, holes and edges. Round plates
+    become as wide as their spacers need: inwards if their openings remain large enough, else outwards.
 
     Parameters
     ----------
@@ -123,13 +130,19 @@ def add_spacers(
     require_declared(add_spacers, {"count": count}, "spacers")
     slotted, spacers = {id(plate): plate for plate in plates}, list[Spacer]()
     for first, second, gap in pairs_of_plates(plates):
-        width, places = _places(placed, (first, second), gap, count)
+        sized, width, places, spread = _places(placed, (first, second), gap, count)
         sheet, options = first.sheet, first.options or PlateOptions()
         size = np.array([width / 2 + 2 * options.play, sheet.thickness + options.clearance])
         slots = tuple(TabSlot(_rectangle(place, size), "spacer", sheet.thickness) for place in places)
         bodies = [_rectangle(place, np.array([width, sheet.thickness])) for place in places]
-        slotted |= {id(plate): _with_slots(plate, slots, bodies) for plate in (first, second)}
+        slotted |= {
+            id(plate): _with_slots(plate, tried, slots, bodies)
+            for plate, tried in zip((first, second), sized, strict=True)
+        }
         spacers += [_spacer((first, second), gap, width, place).checked(options) for place in places]
+        if spread < LEAST_SPREAD:
+            text = _near_a_line(placed, (first, second), gap, count)
+            slotted[id(first)] = replace(slotted[id(first)], warnings=(*slotted[id(first)].warnings, text))
     if not spacers:
         raise InputError(
             "{spacers} needs two plates that hold the same tabs. Set {gap}, the distance between them.",
@@ -138,8 +151,13 @@ def add_spacers(
     return tuple(slotted.values()), tuple(spacers)
 
 
-def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], bodies: Sequence[FloatArray]) -> Plate:
-    """Return the plate with slots for spacers. A round plate is made wide enough for the slots and the bodies."""
+def _with_slots(
+    plate: Plate, tried: BasePlate, slots: tuple[TabSlot, ...], bodies: Sequence[FloatArray]
+) -> Plate:
+    """Return the plate with slots for spacers. A round plate is made wide enough for the slots and the bodies.
+
+    `tried` is the plate in which the places of the spacers are free. The opening is not smaller than there.
+    """
     options = plate.options or PlateOptions()
     if plate.is_round:
         center = plate.outline.bounds.mean(axis=0)
@@ -149,7 +167,7 @@ def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], bodies: Sequence[Float
             around([slot.corners for slot in slots], center, bridge + PITCH_MM / 2),
             around(bodies, center, BESIDE_MM),
         ])  # fmt: skip
-        plate = plate.resized(float(inner.min()), float(outer.max()))
+        plate = plate.resized(max(float(inner.min()), tried.opening_radius), float(outer.max()))
     checked = replace(plate, slots=(*plate.slots, *slots)).checked(options)
     return replace(checked, warnings=tuple(dict.fromkeys((*plate.warnings, *checked.warnings))))
 
@@ -176,31 +194,82 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
     return Spacer(spacer_name(first), first.sheet, frame, Path.polygon(np.array(corners)), label)
 
 
+class _Placement(NamedTuple):
+    """Plates with room for spacers, width of the spacers, mm, and their places (count, 3): x, y and angle.
+
+    `spread` is the extent of the spacers around the middle of the tabs; see `LEAST_SPREAD`.
+    """
+
+    plates: tuple[BasePlate, BasePlate]
+    width: float
+    places: FloatArray
+    spread: float
+
+
 def _places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
-) -> tuple[float, FloatArray]:
-    """Return the largest possible width, mm, of spacers, and their places (count, 3): x, y and angle."""
-    most = 0
+) -> _Placement:
+    """Return the first placement whose spacers are spread around the middle of the tabs, or the most spread one."""
+    most, best, sheet = 0, None, plates[0].sheet
+    bridge = limits_or_default((plates[0].options or PlateOptions()).shop).bridge_for(sheet)
     for tried in _sizes(plates):
-        for width, places in _free_places(placed, tried, gap):
-            if len(places) >= count:
-                return width, _far_apart(places, count)
-            most = max(most, len(places))
-    first, options = plates[0], plates[0].options or PlateOptions()
-    slots = [slot.corners for slot in first.slots], [slot.corners for slot in plates[1].slots]
-    offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
+        for width, places, margin in _free_places(placed, tried, gap):
+            apart = 2 * float(np.hypot(*(np.array([width, sheet.thickness]) / 2 + bridge)))
+            thinned = _thinned(places, margin, apart)
+            most = max(most, len(thinned))
+            if len(thinned) >= count:
+                chosen = _far_apart(places, thinned, count)
+                free = places[margin >= margin[chosen].min() / 2]
+                placement = _Placement(tried, width, *_spread(free, places[chosen], apart, width, plates))
+                if placement.spread >= LEAST_SPREAD:
+                    return placement
+                best = placement if best is None or placement.spread > best.spread else best
+    if best is not None:
+        return best
     raise InputError(
         "{name}: there is room for {most} spacers between the two plates, not for {count}. Use fewer spacers."
-        if first.is_round
+        if plates[0].is_round
         else "{name}: there is room for {most} spacers between the two plates, not for {count}. Use fewer spacers, "
         "or a {border} of more than {wide:.0f}.",
-        name=first.name, most=most, count=count, border=FieldName("border"),
-        wide=Length(max(options.border, _border_with_spacers(first.sheet, options.shop) + np.ceil(offset))),
+        name=plates[0].name, most=most, count=count, border=FieldName("border"),
+        wide=Length(_wide_border(plates)),
+    )  # fmt: skip
+
+
+def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
+    """Return a border, mm, of plates that are not round in which spacers fit beside the slots."""
+    first, options = plates[0], plates[0].options or PlateOptions()
+    slots = [[slot.corners for slot in plate.slots if slot.tab is not None] for plate in plates]
+    offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
+    return max(options.border, _border_with_spacers(first.sheet, options.shop) + float(np.ceil(offset)))
+
+
+def _near_a_line(
+    placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
+) -> str:
+    """Return the note that the plates can tilt, with a border that was tried and prevents this."""
+    name, wide = plates[0].name, _wide_border(plates)
+    first, second = (
+        plate_with(
+            plate.slots, plate.sheet, plate.frame,
+            replace(plate.options or PlateOptions(), border=wide), type(plate),
+        )
+        for plate in plates
+    )  # fmt: skip
+    works = _places(placed, (first, second), gap, count).spread >= LEAST_SPREAD
+    return note(
+        "{name}: the spacers are almost in a line, so the plates can tilt. Use a {border} of {wide:.0f}."
+        if works
+        else "{name}: the spacers are almost in a line, so the plates can tilt.",
+        name=name, border=FieldName("border"), wide=Length(wide),
     )  # fmt: skip
 
 
 def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, BasePlate]]:
-    """Yield the plates as they are and, if round, with room for spacers inside the slots, outside, or both."""
+    """Yield the plates as they are and, if round, with room for spacers inside the slots, outside, or both.
+
+    Sizes that close the openings, or reduce them too much, are the last.
+    """
     yield plates
     first, second = plates
     if not (first.is_round and second.is_round):
@@ -209,10 +278,14 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
     room = _border_with_spacers(first.sheet, options.shop) + GRID_RADIUS_MM - options.border
     inner, outer = float(radii[:, 0].min()) - room, float(radii[:, 1].max()) + room
     inside, outside = np.minimum(radii, [inner, np.inf]), np.maximum(radii, [-np.inf, outer])
-    kept = inner >= max(KEPT_OPENING * float(radii[:, 0].min()), LEAST_OPENING_MM / 2)
-    one_side = (inside, outside) if kept else (outside, inside)
-    for sizes in (*one_side, np.column_stack([inside[:, 0], outside[:, 1]])):
-        yield first.resized(*sizes[0]), second.resized(*sizes[1])
+    narrow = first.resized(*inside[0]), second.resized(*inside[1])
+    wide = first.resized(*outside[0]), second.resized(*outside[1])
+    kept = all(
+        plate.opening_radius >= KEPT_OPENING * given.opening_radius > 0
+        for plate, given in zip(narrow, plates, strict=True)
+    )
+    yield from (narrow, wide) if kept else (wide, narrow)
+    yield first.resized(inside[0, 0], outside[0, 1]), second.resized(inside[1, 0], outside[1, 1])
 
 
 def _radii(plate: BasePlate) -> tuple[float, float]:
@@ -222,8 +295,11 @@ def _radii(plate: BasePlate) -> tuple[float, float]:
 
 def _free_places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float
-) -> Iterator[tuple[float, FloatArray]]:
-    """Yield the widths, mm, of spacers, from wide to narrow, and all free places (n, 3): x, y and angle."""
+) -> Iterator[tuple[float, FloatArray, FloatArray]]:
+    """Yield the widths, mm, of spacers, from wide to narrow, all free places (n, 3), and their margins (n,), mm.
+
+    A place is x, y and angle.
+    """
     first, options = plates[0], plates[0].options or PlateOptions()
     bridge = limits_or_default(options.shop).bridge_for(first.sheet)
     closed, cuts, bodies = _obstacles(placed, plates, gap)
@@ -240,8 +316,7 @@ def _free_places(
             _margins(tried, cuts, np.array([width / 4, body[1]]) + bridge + PITCH_MM / 2),
             _margins(tried, np.concatenate([cuts, bodies]), body + BESIDE_MM),
         )
-        apart = float(np.hypot(*(body + bridge))) * 2
-        yield width, _thinned(tried[margin > 0], margin[margin > 0], apart)
+        yield width, tried[margin > 0], margin[margin > 0]
 
 
 def _border_with_spacers(sheet: Sheet, shop: FabricationLimits | None) -> float:
@@ -327,25 +402,52 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
     return margin
 
 
-def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> FloatArray:
-    """Return places at least `apart` mm from each other. Large margins are preferred, then outer places."""
+def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
+    """Return indices of places `apart` mm from each other. Large margins are preferred, then outer places."""
     radius = np.hypot(*(places[:, :2] - places[:, :2].mean(axis=0)).T) if len(places) else margin
-    places = places[np.lexsort((-radius, -margin.round(1)))]
-    kept = list[FloatArray]()
-    while len(places):
-        kept.append(places[0])
-        places = places[np.hypot(*(places[:, :2] - places[0, :2]).T) >= apart]
-    return np.array(kept)
+    rest = np.lexsort((-radius, -margin.round(1)))
+    kept = list[int]()
+    while len(rest):
+        kept.append(int(rest[0]))
+        rest = rest[np.hypot(*(places[rest] - places[rest[0]])[:, :2].T) >= apart]
+    return kept
 
 
-def _far_apart(places: FloatArray, count: int) -> FloatArray:
-    apart = np.linalg.norm(places[:, None, :2] - places[:, :2], axis=-1)
+def _far_apart(places: FloatArray, thinned: list[int], count: int) -> list[int]:
+    """Return the first of the `thinned` indices, and further indices, each as far as possible from those before."""
+    apart = np.linalg.norm(places[thinned, None, :2] - places[thinned, :2], axis=-1)
     chosen = [int(np.argmax(apart.sum(axis=1)))]
     while len(chosen) < count:
         chosen.append(int(np.argmax(apart[:, chosen].min(axis=1))))
-    for k in [*range(count)] * EXCHANGES:
-        others = chosen[:k] + chosen[k + 1 :]
-        least = apart[:, others].min(axis=1)
-        if least.max() > least[chosen[k]]:
-            chosen[k] = int(np.argmax(least))
-    return places[sorted(chosen)]
+    return [thinned[k] for k in chosen]
+
+
+def _spread(
+    free: FloatArray, chosen: FloatArray, apart: float, width: float, plates: tuple[BasePlate, BasePlate]
+) -> tuple[FloatArray, float]:
+    """Return the chosen places, moved to free places around the middle of the tabs, and their extent around it.
+
+    The extent of points is their least reach from the middle in any direction. It is negative if the middle is not
+    between the points. Two spacers support the plates only by their width, and more spacers by their positions.
+    """
+    slots = [slot.corners for plate in plates for slot in plate.slots if slot.tab is not None]
+    middle, count = np.mean(slots, axis=(0, 1)), len(chosen)
+    towards = np.array([np.cos(DIRECTIONS), np.sin(DIRECTIONS)])
+
+    def reach(places: FloatArray) -> FloatArray:
+        half = width / 2 if count == 2 else 0.0
+        across = half * np.abs(np.cos(places[:, 2:] - DIRECTIONS))
+        return np.asarray((places[:, :2] - middle) @ towards + across, dtype=float)
+
+    reaches = reach(free)
+    for _ in range(EXCHANGES):
+        before, chosen = chosen, chosen.copy()
+        for k in range(count):
+            others = np.delete(chosen, k, axis=0)
+            least = np.linalg.norm(free[:, None, :2] - others[:, :2], axis=-1).min(axis=1)
+            extent = np.maximum(reaches, reach(others).max(axis=0)).min(axis=1)
+            chosen[k] = free[np.argmax(np.where(least >= apart, extent + least, -np.inf))]
+        if np.array_equal(before, chosen):
+            break
+    extent = 0.0 if count == 2 else ((np.concatenate(slots) - middle) @ towards).max(axis=0).min()
+    return chosen, float(reach(chosen).max(axis=0).min() / max(extent, width))

@@ -161,6 +161,52 @@ def test_one_sentence_if_there_is_no_room(lamp, arches):
         add_spacers(arches[:1], plate_pair(arches[:1], "mdf-3", gap=GAP), 50)
 
 
+def angles_between(plate):
+    """Angles, degrees, between the slots of neighbouring spacers, seen from the middle of the tabs."""
+    middles = {
+        held: np.array([slot.corners.mean(axis=0) for slot in plate.slots if (slot.tab is None) != held])
+        for held in (False, True)
+    }
+    x, y = (middles[False] - middles[True].mean(axis=0)).T
+    angles = np.sort(np.degrees(np.arctan2(y, x)))
+    return np.diff([*angles, angles[0] + 360])
+
+
+@pytest.mark.parametrize(
+    ("count", "widest", "holes"),
+    [
+        (2, 200, {"bulb": 10, "bridge": 14}),
+        (3, 140, {"bulb": 10, "bridge": 12}),
+        (3, 140, {"bulb": 40, "bridge": 16, "side": "top"}),
+        (3, 140, {}),
+        (4, 110, {"bulb": 10, "bridge": 8}),
+    ],
+)
+def test_spacers_of_rings_are_around_the_axis_and_keep_the_bridge(count, widest, holes):
+    profile = LAMP if count < 4 else [*LAMP[:-1], (48, 180)]  # rings of unequal sizes
+    given = PlateHoles(**holes) if holes else None
+    options = {"sheet": "polypropylene-0.8", "rings": "mdf-3", "gap": GAP, "holes": given}
+    rings = revolve(meridian_through(profile), 12, spacers=count, **options).plates[:4]
+    for ring in rings:
+        assert angles_between(ring).max() < widest
+        windows = [hole for hole in ring.holes if len(hole.segments) > 1]
+        assert len(windows) == (2 if given and given.is_in(ring.name) else 0)
+        assert ring.opening_radius > 15
+        assert ring.warnings == ()
+
+
+def test_spacers_almost_in_a_line_are_reported_with_a_border_that_spreads_them():
+    curve = ec.PlaneCurve.spline([(0, 0), (20, 70), (150, 100), (200, 0)], degree=3)
+    arch = ec.make_strip(curve, "birch-plywood-0.8", max_width=20, ends=(Tab(26, width=8),) * 2)
+    placed = [ec.Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))]
+    (first, _), _ = add_spacers(placed, plate_pair(placed, "mdf-3", gap=GAP, border=4), 3)
+    (advice,) = [re.search(r"almost in a line, .* border of (\d+) mm\.", text) for text in first.warnings]
+    pair = plate_pair(placed, "mdf-3", gap=GAP, border=float(advice[1]))
+    (wide, _), _ = add_spacers(placed, pair, 3)
+    assert wide.warnings == ()
+    assert angles_between(wide).max() < 175
+
+
 def test_spacers_need_two_plates(arches):
     with pytest.raises(InputError, match=r"spacers needs two plates .* Set gap"):
         add_spacers(arches, end_plates(arches, "mdf-3", together=True), 3)
