@@ -558,7 +558,7 @@ class BoundaryMaker:
             a, b = self.vertices[low.start], self.vertices[low.end]
             return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
         if isinstance(shape, BentMap):
-            raise TypeError("an edge of a bent strip is plane but not straight across: use only lines across")
+            raise TypeError("only lines across stay plane on a bent strip")
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
             return CylinderSurface(base, segment.radius)

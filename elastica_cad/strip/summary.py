@@ -53,7 +53,7 @@ def strip_rows(
     >>> for row in strip_rows(arch)[:3]:
     ...     print(row.label, "|", row.text)
     Size | 314.2 mm long (334.2 mm with tabs), 20 mm wide, 1.34 g
-    Strain | 0.10 % at 314 mm; card-200gsm allows 0.50 %
+    Strain | 0.10 % at 314 mm from the start; card-200gsm allows 0.50 %
     Stability | stable, in its plane and sideways
     """
     rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]

@@ -132,7 +132,7 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     said = worded(str(check_equilibrium(loop)))
     assert said == (
         "Ein flacher Streifen kann diese Kurve von 254 mm annehmen; sie hat keine Wendepunkte. Die Kurve kreuzt "
-        "sich selbst (bei 58,4 und 195 mm): zwei Teile des Streifens müssen dort nebeneinander vorbei."
+        "sich selbst (58,4 und 195 mm vom Anfang): zwei Teile des Streifens müssen dort nebeneinander vorbei."
     )
     thin = Fault("A1", note("Made anyway: {fault}", fault=note("a hole")), note("Make it wider, or split it"))
     assert (
@@ -143,7 +143,7 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
     tips = SidewaysStability(-24.1, -40.2, 0.1, 100.0)
     assert worded(str(tips)).startswith(
-        "seitlich instabil (Reserve -24,1): der Streifen kippt zur Seite oder dreht sich"
+        "seitlich instabil (Stabilitätsreserve -24,1): der Streifen kippt zur Seite oder dreht sich"
     )
     with pytest.raises(InputError) as unknown:
         Sheet.named("birch-plywood-8")
@@ -313,7 +313,7 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
     made.NaturalCurvature, broken.Sheet = 0.004, "birch-plywood-3"
     document.recompute()
     german = [made.Verdict, *made.Reasons, made.Sideways, broken.Verdict, *broken.Reasons]
-    assert made.Verdict == "Ein vorgebogener Streifen nimmt diese Kurve an. Es gibt Anmerkungen."
+    assert made.Verdict == "Ein vorgebogener Streifen lässt sich in diese Kurve biegen. Es gibt Anmerkungen."
     broken.Messages = broken.Messages[:-9]
     document.saveAs(str(tmp_path / "german.FCStd"))
     monkeypatch.setattr(words, "user_language", lambda: "en")

@@ -97,7 +97,7 @@ def test_modulus_and_sheet_entry(tmp_path):
     entry = tmp_path / "sheets.toml"
     entry.write_text(sheet.toml())
     assert load_sheets(entry) == {"my-card": sheet}
-    assert "E 19" in str(result)
+    assert "modulus 19" in str(result)
     assert result.gravity((1, 0)).direction == (1.0, 0.0)
 
 
@@ -110,7 +110,7 @@ def test_modulus_and_sheet_entry(tmp_path):
         ({"overhang": 0.0, "droop": 1.0}, "overhang is 0.0: give a number above 0"),
         ({"overhang": 100.0, "droop": -3.0}, r"droop is -3\.0"),
         ({"overhang": [100.0, 120.0], "droop": 10.0}, "2 overhangs, but 1 droops"),
-        ({"overhang": 100.0, "droop": 40.0, "reading_error": -1.0}, "reading error is -1.0"),
+        ({"overhang": 100.0, "droop": 40.0, "reading_error": -1.0}, "reading_error is -1.0"),
         ({"overhang": 100.0, "droop": 40.0, "thickness": 0.0, "density": 1.0}, "thickness is 0.0"),
     ],
 )

@@ -307,5 +307,5 @@ def test_a_drawing_in_place_of_a_body_is_told_all_that_can_be_cut(tmp_path):
     drawing = tmp_path / "plan.dxf"
     drawing.write_text("0\nEOF\n")
     result = run("sections", drawing, "--radial", 8, code=2)
-    assert "plan.dxf ends in '.dxf', which is not a known type of mesh or CAD body. Use .obj" in result.output
+    assert "plan.dxf ends in '.dxf', but files of meshes and CAD bodies end in .obj" in result.output
     assert ".step" in result.output

@@ -83,7 +83,8 @@ def test_ends_are_called_by_their_side():
     for wish in (WAVE, WAVE.reversed()):
         near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True))
         assert (
-            saving(near, "To come nearer, relax the left end's angle: a change of 1 degree reduces the") > 0
+            saving(near, "To come nearer, relax the angle at the left end: a change of 1 degree reduces the")
+            > 0
         )
 
 

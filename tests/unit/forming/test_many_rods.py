@@ -115,7 +115,7 @@ test_refusals = refusal_test(
         (lambda: nearest_rods(ARCHES, executor=2), "executor"),
         (lambda: nearest_rods(ARCHES, measur="max"), "no option 'measur'"),
         (lambda: nearest_rods(ARCHES, progress=3), "progress"),
-        (lambda: stream_nearest_rods(ARCHES[0]), "an iterable of curves, not a PlaneCurve"),
+        (lambda: stream_nearest_rods(ARCHES[0]), "called with a PlaneCurve: give an iterable of curves"),
         (lambda: stream_nearest_rods(ARCHES, ahead=0), "ahead"),
         (lambda: stream_nearest_rods(ARCHES, measur="max"), "stream_nearest_rods has no option 'measur'"),
     ]

@@ -92,7 +92,7 @@ def test_a_bridge_without_a_hub_carries_nothing_if_the_screws_are_in_the_rim(rib
         ({"bulb": 30, "screws": 3, "circle": 32}, "the hole of 30 mm at .* and the hole of 4.2 mm at .* overlap"),
         ({"screws": 3, "circle": 60}, "the hole of 4.2 mm at .* and the opening overlap"),
         ({"screws": 16, "circle": 118}, "the hole of 4.2 mm at .* and the slot of .* overlap"),
-        ({"bulb": 112}, "mm between the slot of .* and the hole of 112 mm .*needs 3 mm.* Use small"),
+        ({"bulb": 112}, "mm between the slot of .* and the hole of 112 mm .*needs at least 3 mm.* Use small"),
         ({"bulb": 30, "bridge": 4}, "only .* mm between the hole of 30 mm at .* and the opening beside the bridge"),
         ({"bulb": 40, "screws": 3, "circle": 48}, r"only 1\.9.* 40 mm at \(0, 0\) mm and .* at \(-12, 20\.78\) mm"),
         ({"bulb": 40, "side": "start"}, "holes.side is start, but the plates are ring-bottom, ring-top"),

@@ -44,7 +44,7 @@ def test_both_widths_bound_the_ratio():
 @pytest.mark.parametrize("asked", [{"max_width": 30}, {"max_width": 8}, {"min_width": 8}, {"min_width": 21}])
 def test_widths_stay_within_the_limit_width(asked):
     """A strip of 30 mm had been made under limits that end at 20 mm."""
-    with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limits 10 to 20 mm of the width"):
+    with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limits of the width, 10 to 20 mm"):
         make_strip(ARCH, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
 
 

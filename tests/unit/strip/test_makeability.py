@@ -187,7 +187,7 @@ def test_a_figure_that_equals_its_limit_in_the_digits_shown_is_no_fault(least, m
     assert all("219.999" not in fault.what for fault in faults), "220 mm of 219.999 mm"
     assert bool(faults) == (missing > 1e-5)
     for fault in faults:
-        wide, needed = re.search(r"only (\S+) mm wide .* needs (\S+) mm", fault.what).groups()
+        wide, needed = re.search(r"only (\S+) mm wide .* needs at least (\S+) mm", fault.what).groups()
         assert float(wide) < float(needed)
 
 
@@ -221,7 +221,7 @@ def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
 
 def test_a_narrow_tab_is_told_as_a_tab():
     with pytest.raises(
-        InputError, match=r"in the tab at its start, .* \(pom-0.5 needs 3 mm\)\. Make the tab wider"
+        InputError, match=r"in the tab at its start, .*, but pom-0.5 needs at least 3 mm\. Make the tab wider"
     ):
         tabbed(2, "pom-0.5")  # which does not break
 

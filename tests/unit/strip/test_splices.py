@@ -213,14 +213,19 @@ def test_layers_of_a_laminate_are_staggered():
         assert sum(piece.area for piece in cut) == pytest.approx(layer.area)
         assert plate.size[0] == pytest.approx(16.0)
         assert {piece.sheet for piece in pieces} == {layer.sheet}
-    assert f"Cut in pieces: A at {base:.0f} mm and A-backing at {backing:.0f} mm, joined" in str(joined)
+    assert (
+        f"Cut in pieces: A, joined {base:.0f} mm from the start and A-backing, joined {backing:.0f} mm from"
+        in str(joined)
+    )
     assert [drawing.name for drawing in joined.drawings] == ["A", "A-backing"]
 
 
 def test_a_layer_that_fits_its_stock_stays_whole():
     joined = splice(laminated(), 2200.0, 16.0, backing_stock=4000.0)
     assert joined.plates.backing_joints == ()
-    assert str(joined).startswith(f"Cut in pieces: A at {joined.plates.joints[0]:.0f} mm, joined by plates")
+    assert str(joined).startswith(
+        f"Cut in pieces: A, joined {joined.plates.joints[0]:.0f} mm from the start. The plates"
+    )
     assert [piece.name for piece in joined.layer_pieces["A-backing"]] == ["A-backing-1"]
 
 

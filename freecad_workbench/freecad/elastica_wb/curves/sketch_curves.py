@@ -83,9 +83,7 @@ def read_line(link: Any, geometry: list[Any] | None = None) -> str:
     source, edges = link
     whole = is_sketch(source) and not edges
     curves = drawn_in(source, geometry) if whole else _edges(source, edges)
-    return note(
-        "Curves in the drawing: {report}.", report=str(report_on_edges(curves, gap_of(*source.InList)))
-    )
+    return note("Read: {report}.", report=str(report_on_edges(curves, gap_of(*source.InList))))
 
 
 def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
