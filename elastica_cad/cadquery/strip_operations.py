@@ -287,7 +287,7 @@ def _workplane_strip(
             else BentSolid.layers(made_strip.strip, made_strip.frame)
         )
         bodies.append(make_body(records, made_strip))
-    # clean() loses the data of a strip, which a combined solid no longer has
+    # clean only combined solids, because clean() deletes the data of a strip
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]

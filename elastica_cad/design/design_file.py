@@ -426,7 +426,7 @@ def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
         return first
     for problem in problems:
         slips.add(str(problem))
-    # the suggestions of one error do not apply to the others
+    # merge the errors without their suggestions, because each suggestion applies to one error only
     first.refusal = Refusal(first.refusal.kind, slips.text)
     return first
 

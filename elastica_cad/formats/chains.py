@@ -31,7 +31,7 @@ NEAR_MM, NEAR_SHARE = 3.0, 0.1
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
 # ends are not joined where the direction turns by more than 160 degrees, because the curves run side by side
 _ALONGSIDE = np.cos(np.radians(160.0))
-# largest distance of the centre of a drawn hole from a straight piece, as a fraction of the diameter
+# largest distance of the centre of a hole from the straight end of its curve, as a fraction of the diameter
 HOLE_ASIDE = 0.1
 # points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13

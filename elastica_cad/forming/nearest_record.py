@@ -166,7 +166,7 @@ class NearestRod:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """Rest shape as a spline of degree 4 with few control points, for further editing.
+        """Shape of the rod in equilibrium, as a spline of degree 4 with few control points for further editing.
 
         The distance of the spline from the rod is at most 1e-3 mm. Without weight, the inflections are on one
         line, so that `check_equilibrium` accepts the spline. For glued plies, the result is the curve of the rod.

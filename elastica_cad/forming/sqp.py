@@ -544,7 +544,7 @@ class _Walk(Generic[Point]):
     penalties : (c,) array
         Penalties of the constraints in the merit function.
     radius : float
-        Radius of the trust region, in scales.
+        Radius of the trust region, as a multiple of the typical sizes of the unknowns.
     damping_fraction : float
         Fraction of the full damping. The fraction is reduced if steps achieve the predicted decrease.
     solved : pair of ConstraintRows and QuadraticSolution, or None
@@ -626,9 +626,10 @@ class _Walk(Generic[Point]):
         return nearer
 
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Change radius and damping after a step of length `size`, in scales.
+        """Change the radius of the trust region and the damping after a step.
 
-        `gain` is the achieved fraction of the predicted decrease.
+        `gain` is the achieved fraction of the predicted decrease. `size` is the largest change of an unknown, as
+        a multiple of its typical size.
         """
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
@@ -676,10 +677,10 @@ def _penalties(
 def _solve_step(
     here: Iterate[Point], radius: float, damping: float
 ) -> tuple[FloatArray, QuadraticSolution] | None:
-    """Return the step (p,) that solves the quadratic program, and the solution in scales.
+    """Return the step (p,) that solves the quadratic program, and the scaled solution.
 
-    The `radius` of the trust region is in scales. `damping` is added to the diagonal of the scaled Hessian. Return
-    None if the step is not finite.
+    The scaled solution and `radius` are multiples of the typical sizes of the unknowns. `damping` is added to the
+    diagonal of the scaled Hessian. Return None if the step is not finite.
     """
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
@@ -717,8 +718,8 @@ def _solve_step(
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
     """Return the damping, which prevents long steps with little effect on the objective.
 
-    The damping is at most the fraction `most` of the largest diagonal entry of the Hessian. For a step of length 1
-    in scales, damping costs at most the fraction `share` of the objective.
+    The damping is at most the fraction `most` of the largest diagonal entry of the Hessian. For a step of length 1,
+    with each unknown divided by its scale, damping costs at most the fraction `share` of the objective.
     """
     model = here.local.model
     largest = most * float(model.hessian.diagonal().max())

@@ -130,9 +130,10 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Divide polynomials that are zero at 0 by u, or with `at_end` polynomials that are zero at 1 by 1 - u.
+    """Divide polynomials in u that have a zero at u = 0 by u.
 
-    The number of coefficients (..., n+1) and the signs inside (0, 1) do not change.
+    With `at_end`, divide polynomials that have a zero at u = 1 by 1 - u. The quotient has as many Bernstein
+    coefficients (..., n+1) as the polynomial, and the same sign inside (0, 1).
     """
     return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
 

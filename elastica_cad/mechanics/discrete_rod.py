@@ -655,8 +655,8 @@ class DiscreteRod:
         h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2. An edge has the length l_i,
         tangent T_i, force lambda_i and change of angle h_i. A node has the stiffness K_i and Voronoi length w_i.
         At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the term of the end node is
-        omitted. An axially elastic edge of compliance c adds -c l_i <lambda_i, R T_i>^2 h_i^2, where R is a
-        quarter turn.
+        omitted. An axially elastic edge of compliance c adds -c l_i <lambda_i, R T_i>^2 h_i^2, where R turns a
+        vector by 90 degrees.
         """
         spring = self.stiffness / self.node_lengths
         self._zero_free_ends(spring)

@@ -246,7 +246,7 @@ def optimal_rod(
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
-        Nonlinear material law, whose effective curvature replaces kappa - kappa_0 (paper, Appendix D).
+        Nonlinear material law. Moment / initial stiffness replaces kappa - kappa_0 (paper, Appendix D).
     section : BoundedLaw, optional
         Section of the strip: a thickness, a diameter, or a width that bends as a plate. The dimensions of the
         section are as large as their limits allow, and determine the bending stiffness. With `gravity`,

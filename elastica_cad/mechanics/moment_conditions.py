@@ -4,10 +4,10 @@ On a drawn curve gamma, the equations of the rod (paper, Eqs. 3 and 5) are
 
     M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M.
 
-M is the moment, b the negative internal force after a quarter turn R^t, K the stiffness, kappa the curvature and
-kappa_0 the natural curvature. Here q is the weight per length and stiffness (1/l_eg^3 with the elasto-gravity
-length l_eg), and p a weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending
-stiffness, and e a unit vector upwards.
+M is the moment, K the stiffness, kappa the curvature and kappa_0 the natural curvature. R^t turns a vector
+clockwise by 90 degrees, and b is the negative internal force turned by R^t. Here q is the weight per length and
+stiffness (1/l_eg^3 with the elasto-gravity length l_eg), and p a weight per length that does not depend on K
+(N/mm). Tau is the inverse of the least bending stiffness, and e a unit vector upwards.
 
 M and b depend linearly on their values at the end of the curve, on tau and on the unknown forces between the ends.
 One integration for each of these numbers is therefore enough.
@@ -98,8 +98,8 @@ class MomentRows:
     """Stiffness, force and moment along a rod as linear functions of m numbers, on N panels with p nodes each.
 
     The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
-    bending moment, b the negative internal force after a quarter turn, and tau the inverse of the least
-    bending stiffness.
+    bending moment, b the negative internal force turned clockwise by 90 degrees, and tau the inverse of the
+    least bending stiffness.
 
     Attributes
     ----------
@@ -216,7 +216,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
         steps[:, :, 3] = left_of(load.points)
-    G = np.array([load.up[1], -load.up[0]])  # the upward unit vector, turned clockwise by a quarter turn
+    G = np.array([load.up[1], -load.up[0]])  # the upward unit vector, turned clockwise by 90 degrees
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
     integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
@@ -541,7 +541,8 @@ class BalancedStiffness:
     ----------
     stiffness, moment, force : PanelFunction
         Stiffness K with a least value of about 1, and bending moment (1/mm) and force b (1/mm2) over the
-        least bending stiffness. The force b is the negative internal force after a quarter turn.
+        least bending stiffness. The force b is the negative internal force turned clockwise by 90
+        degrees.
     bending_stiffness, weight
         Least bending stiffness B, N mm2, and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)

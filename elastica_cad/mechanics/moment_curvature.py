@@ -27,7 +27,7 @@ class MaterialLaw(ABC):
     @property
     @abstractmethod
     def injective_limit(self) -> float:
-        """Largest curvature, 1/mm, up to which the effective curvature is injective; inf if there is no limit."""
+        """Largest curvature, 1/mm, up to which equal moments mean equal curvatures; inf if there is no limit."""
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
@@ -36,14 +36,14 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the effective curvature m (n,), 1/mm, an odd function of the change of curvature (n,), 1/mm."""
+        """Return moment / initial stiffness (n,), 1/mm, an odd function of the change of curvature (n,), 1/mm."""
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative (n,) of the effective curvature, which is 1 at curvature 0."""
+        """Return the derivative (n,) of moment / initial stiffness by the change of curvature; 1 at curvature 0."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return the effective curvature m and its derivative (n,) together."""
+        """Return moment / initial stiffness (n,), 1/mm, and its derivative (n,) by the change of curvature."""
         return self.effective_curvature(curvature), self.slope(curvature)
 
     @abstractmethod
@@ -96,9 +96,10 @@ class MaterialLaw(ABC):
 
 @dataclass(frozen=True)
 class PolynomialLaw(MaterialLaw):
-    """Nonlinear elastic law with effective curvature P kappa, P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4.
+    """Nonlinear elastic law in which the moment is P kappa times the initial stiffness.
 
-    The material hardens if c2 > 0 and softens if c2 < 0.
+    For a change of curvature kappa, P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4. The material hardens if
+    c2 > 0 and softens if c2 < 0.
 
     Parameters
     ----------
@@ -170,7 +171,7 @@ class _YieldingLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class PlasticLaw(_YieldingLaw):
-    """Ideal plasticity of the paper: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
+    """Ideal plasticity of the paper: moment / initial stiffness is kappa, limited to +-kappa_lim.
 
     The law is not injective beyond kappa_lim. There the curvature depends on the history of bending (paper,
     Appendix D).
@@ -219,8 +220,8 @@ class PlasticLaw(_YieldingLaw):
 class ElasticPlasticLaw(_YieldingLaw):
     """Elastic-plastic law of a rectangular cross-section that yields from its surfaces inwards.
 
-    The effective curvature is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2 beyond it. The
-    effective curvature is at most 1.5 kappa_lim. The law is injective, unlike the paper's `PlasticLaw`, because
+    The ratio moment / initial stiffness is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2
+    beyond it. The ratio is at most 1.5 kappa_lim. The law is injective, unlike the paper's `PlasticLaw`, because
     every cross-section has an elastic core (Prager and Hodge 1951, section 9).
 
     Parameters
@@ -352,7 +353,7 @@ class TabulatedLaw(MaterialLaw):
 
     @cached_property
     def _curve(self) -> Any:
-        """Effective curvature as a piecewise cubic of the curvature, from 0 and with slope 1 there."""
+        """Moment / initial stiffness as a piecewise cubic of the curvature, from 0 and with slope 1 there."""
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])

@@ -39,10 +39,12 @@ if TYPE_CHECKING:
 class ElementEquations:
     """Residuals of rails, pins and ties, and derivatives of the residuals.
 
-    The first two unknowns of each are the components of its force. The third unknown of a rail is the arc
-    length of its contact point. The third unknown of a tie is the length times the angle of its cord. The last
-    unknowns are the translations of the rod along free axes. The residuals of force components are position errors,
-    mm. All other residuals are forces, 1/mm2.
+    The first two unknowns of each rail, pin or tie are the components of its force. The third unknown of a rail is
+    the arc length of its contact point. The third unknown of a tie is the angle of its cord times the length of the
+    cord. The last unknowns are the translations of the rod along free axes.
+
+    Each unknown has a residual. For a component of a force, the residual is the error of a position along x or y,
+    mm. For any other unknown, the residual is a force, 1/mm2.
 
     Attributes
     ----------

@@ -127,8 +127,8 @@ def cut_into_panels(
 
     A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of two functions of the parameter
     t are negligible. These functions are the speed, and (t - zero) / excess for the nearest zero of the
-    excess curvature (curvature minus natural curvature). The moment is zero there too, so panels need not
-    become smaller towards the zero.
+    excess curvature (curvature minus natural curvature). The moment has the same zero, so moment / excess
+    is smooth there, and panels need not become smaller towards the zero.
 
     Parameters
     ----------
@@ -137,7 +137,8 @@ def cut_into_panels(
     cuts : sequence of float
         Further parameters that become ends of panels, such as the parameters of point masses.
     law : MaterialLaw, optional
-        Material law whose effective curvature replaces the excess curvature; add cuts where it is not smooth.
+        Material law. Its ratio of moment to initial stiffness replaces the excess curvature. Pass `cuts` where the
+        law is not smooth.
     orders : sequence of int, optional
         Orders of the zeros: 2 if the excess curvature does not change its sign there; by default 1.
     flats : sequence of (float, float)

@@ -196,17 +196,17 @@ class CurlingLaw(MaterialLaw):
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the effective curvatures (..., n) for changes of curvature (..., n), 1/mm."""
+        """Return moment / design stiffness (..., n), 1/mm, for changes of curvature (..., n), 1/mm."""
         change = np.asarray(curvature, dtype=float)
         m = change if self.below is None else self.below.effective_curvature(change)
         return np.asarray(m * self.share(change))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative (n,) of the effective curvature."""
+        """Return the derivative (n,) of moment / design stiffness by the change of curvature."""
         return self.with_slope(curvature)[1]
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return the effective curvature (n,) and its derivative (n,)."""
+        """Return moment / design stiffness (n,), 1/mm, and its derivative (n,) by the change of curvature."""
         change = np.asarray(curvature, dtype=float)
         step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))
@@ -221,7 +221,7 @@ class CurlingLaw(MaterialLaw):
         return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """Return the changes of curvature (n,), 1/mm, for effective curvatures (n,)."""
+        """Return the changes of curvature (n,), 1/mm, for values (n,) of moment / design stiffness, 1/mm."""
         m = np.asarray(effective, dtype=float)
         change = m if self.below is None else self.below.curvature(m)
         for _ in range(CURL_STEPS):

@@ -314,7 +314,7 @@ class RodState:
 
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
-        """Effective curvature of the nodes (n+1,), 1/mm, and its derivative by the curvature."""
+        """Moment / initial stiffness at the nodes (n+1,), 1/mm, and its derivative by the curvature."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)

@@ -208,7 +208,7 @@ The error of the margin is below 1e-3, and with a rail below 5e-3.
 """
 
 SAFE_LOAD = 1.5
-"""Least factor by which the forces and moments of a safe strip can grow, in the same shape, before it tips over.
+"""Least factor by which the forces and moments of a safe strip can grow, at a fixed shape, before it tips over.
 
 The factor covers the uncertainty of the stiffness out of the plane, such as the shear modulus of plywood.
 """
@@ -243,7 +243,7 @@ class SidewaysStability:
         bending stiffness is 1. Positive means stable. It is limited by the twist of the unloaded strip, so
         margins of different sheets are not comparable.
     overloaded : float
-        Margin under `SAFE_LOAD` times the forces and moments, in the same shape.
+        Margin of the same shape if its forces and moments are multiplied by `SAFE_LOAD`.
     ribbon_number : float
         Largest w^2 b / h along the strip, for width w, change of curvature b and thickness h (`RIBBON_NUMBER`).
     slenderness : float

@@ -50,7 +50,7 @@ class InflectionLine:
 
     @property
     def b(self) -> FloatArray:
-        """Unit normal (2,) of the line: its direction after a quarter turn to the left."""
+        """Unit normal (2,) of the line: its direction turned to the left by 90 degrees."""
         return left_of(self.direction)
 
     @property

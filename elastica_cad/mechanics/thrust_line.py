@@ -68,11 +68,14 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
 
 
 def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the thrust line of a rod with weight inside a box, as parts (n, 2) between rails, pins and ties.
+    """Return the thrust line of a rod with weight inside a box, as pieces, each with points (n, 2).
 
-    Let M be the moment at the point gamma of the rod, b the force there after a quarter turn, and e the direction
-    of gravity. The internal force acts along the line M + <b, x - gamma> = 0. All these lines touch the curve
-    gamma - M / <b, e> e, because weight changes only the component of the force along e.
+    Rails, pins, ties and point forces separate the pieces.
+
+    The internal force at the point gamma of the rod acts along the line M + <b, x - gamma> = 0. Here M is the
+    moment at gamma, b the negative internal force turned clockwise by 90 degrees, and e the direction of gravity.
+    The thrust line is the envelope of these lines. Its points are gamma - M / <b, e> e, because weight changes
+    only the component of the force along e.
     """
     assert rod.gravity is not None
     e = np.array(rod.gravity.direction)

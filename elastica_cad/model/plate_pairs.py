@@ -197,7 +197,8 @@ def _tested_cures(
 ) -> str:
     cures, slotted = [], [plate for plate in plates if _tabs_of(plate)]
     sized = None
-    if length < np.inf and len(slotted) == len(plates):  # a longer tab may not fit flat on a ring
+    # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
+    if length < np.inf and len(slotted) == len(plates):
         # if tabs depend on the gap, a tab of a given length has no width unless the suggestion includes it
         sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:

@@ -619,7 +619,7 @@ class Flexure:
     def travel(self) -> FlexureTravel:
         """Path from the first state to the second.
 
-        A bistable part is pushed. The end of another part is moved.
+        A bistable part is pushed. If the part is not bistable, its end is moved.
         """
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 

@@ -122,7 +122,8 @@ def sampled_rows(
     In Eq. 6 of the paper the terms of sample i in F_i and G_i cancel. Therefore K_i kappa_i = a + <b, gamma_i> +
     <R^t e, gamma_i> F_{i+1} - G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i.
     Here gamma_i, kappa_i and w_i are position, curvature and Voronoi length of a sample, e the vector of gravity,
-    and R a quarter turn. In reverse order this is a banded triangular system with three right-hand sides.
+    and R a rotation by 90 degrees to the left. In reverse order this is a banded triangular system with three
+    right-hand sides.
     """
     affine = np.column_stack([np.ones(len(position)), position])
     if weights is None or e is None:

@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # each of the four coordinates may differ by SAME_MM, so boxes may be 2 SAME_MM apart
+    # boxes whose four coordinates differ by SAME_MM each are sqrt(4) SAME_MM apart
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):

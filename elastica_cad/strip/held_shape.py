@@ -200,22 +200,23 @@ def deviation_from(design: Rod, place: FloatArray) -> float:
 def shape_responses(
     rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
 ) -> FloatArray:
-    """Return the displacements (n, m, 2), mm, of the n nodes of a rod in equilibrium for m small changes.
+    """Return the displacements (n, m, 2), mm, of the n nodes of a rod in equilibrium for m small disturbances.
 
-    The start of the rod is fixed.
+    A disturbance is, for example, another width, which changes the moments and weights. The start of the rod is
+    fixed.
 
-    In the unchanged shape, changed moments and weights disturb the equilibrium by d(imbalance). Changes of the
-    edge angles alpha and the end forces lambda restore it: H d(alpha) + C^t d(lambda) = -d(imbalance) and
-    C d(alpha) = d(chord). H is the Hessian of the discrete energy (paper, section 7.1). C is the derivative of
-    the chord, the vector between the ends, with respect to alpha.
+    While the edge angles alpha are fixed, a disturbance changes the imbalance of moments by d(imbalance). The
+    angles and the end forces lambda then change by d(alpha) and d(lambda) until the rod is in equilibrium again:
+    H d(alpha) + C^t d(lambda) = -d(imbalance) and C d(alpha) = d(chord). H is the Hessian of the discrete energy
+    (paper, section 7.1). C is the derivative of the chord, the vector between the ends, with respect to alpha.
 
     Parameters
     ----------
     rod : Rod
     moments : (n, m) array
-        Increases of the moments at the nodes in the same shape.
+        Changes of the moments at the nodes, 1/mm, while the edge angles are fixed.
     loads : (n, m, 2) array, optional
-        Increases of the weights at the nodes in the same shape.
+        Changes of the weights of the nodes, 1/mm2.
     apart : (m, 2) array, optional
         Displacement of the end relative to the start, mm.
     """

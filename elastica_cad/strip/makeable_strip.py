@@ -59,9 +59,9 @@ def _correct_widths(
 ) -> FloatArray:
     """Return coefficients (m,) of the correction of the width that removes a deviation to first order.
 
-    In the same shape, a relative change f of the width changes moments and weights by the fraction f. Some changes
-    do not affect the shape, because the reactions of the supports balance them. The solution is therefore not
-    unique, and the smallest and smoothest correction is chosen.
+    While the shape is fixed, a relative change f of the width changes moments and weights by the fraction f. Some
+    changes do not affect the shape, because the reactions of the supports balance them. The solution is therefore
+    not unique, and the smallest and smoothest correction is chosen.
 
     Parameters
     ----------

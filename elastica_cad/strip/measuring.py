@@ -39,7 +39,7 @@ NONLINEAR = 0.2
 to first order."""
 
 LIKELY = 4.0
-"""Excess over the least sum of squares up to which a less likely cause is reported too."""
+"""A cause is reported too if its sum of squared errors exceeds the least sum by less than this value."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",

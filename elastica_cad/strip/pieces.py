@@ -163,7 +163,7 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # copies of a strip share the same loops
+            return True
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         ways = FLIPS if self.bent is None else FLIPS[:1]  # turning a pre-bent strip changes its curvature
