@@ -274,9 +274,13 @@ def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Pla
 def _require_makeable(
     placed: Sequence[Placed], length: float, width: float, options: PlateOptions | None
 ) -> None:
+    """Raise an InputError if strips with these tabs cannot be cut, or may crack where `placed` does not."""
     shop, ignore_limits = (None, False) if options is None else (options.shop, options.ignore_limits)
+    known = {warning for member in placed for warning in member.strip.strain_warnings}
     for strip in {member.strip: None for member in with_tabs(placed, length, width)}:
         refuse_broken(strip, ignore_limits)
+        if cracks := [warning for warning in strip.strain_warnings if warning not in known]:
+            raise InputError(cracks[0])
         accept_faults(find_strip_faults(strip, shop), ignore_limits)
 
 
