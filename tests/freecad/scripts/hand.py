@@ -30,6 +30,7 @@ from inside import (
     press_button,
     press_on_card,
     run,
+    scroll_to,
     sketch,
     still,
     told,
@@ -172,6 +173,7 @@ def another_curve(document, strip):
     Gui.ActiveDocument.setEdit(strip.Name)
     until(is_open)
     still(looks_from)
+    scroll_to(panel().form.pick)
     click(panel().form.pick)
     until(panel().form.pick.isChecked)
     edge = other.Shape.Edges[0]

@@ -204,6 +204,7 @@ def type_into(widget, words):
     before = len(report())
     # a panel that grows moves the field away from the mouse; a person then clicks again
     for _ in range(4):
+        scroll_to(widget)
         click(widget)
         if until(lambda: has_focus(widget), 4):
             break
