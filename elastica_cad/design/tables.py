@@ -309,13 +309,15 @@ class Slips:
     @property
     def text(self) -> str:
         """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
-        listed: list[str] = []
-        for sentence in list(self._texts.values())[:MOST_LISTED]:
+        texts, listed = list(self._texts.values()), list[str]()
+        for sentence in texts[:MOST_LISTED]:
             if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
                 break
             listed.append(sentence)
         listed = listed or [""]
-        if (left := len(self._texts) - len(listed)) > 0:
+        if (left := len(texts) - len(listed)) == 1:
+            listed.append(texts[-1])
+        elif left > 1:
             listed.append(note("{left} more errors. Correct these first", left=left))
         *others, last = listed
         ended = (part if part.endswith((".", "?")) else sentences([part], end=".") for part in others)

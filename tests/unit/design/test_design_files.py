@@ -523,7 +523,8 @@ def test_slips_that_hold_several_are_told_up_to_a_length():
 
 
 @pytest.mark.parametrize(
-    ("count", "told"), [(5, "strip 4 has no width"), (6, "1 more errors. Correct these first")]
+    ("count", "told"),
+    [(5, "strip 4 has no width"), (6, "strip 5 has no width"), (7, "2 more errors. Correct these first")],
 )
 def test_the_last_slip_that_is_not_told_is_counted_too(count, told):
     slips = Slips()
