@@ -62,7 +62,8 @@ class SampledCurve:
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "SampledCurve":
-        spline = BSpline(curve.knots, curve.control_points, curve.degree)
+        # scipy 1.10 evaluates no read-only arrays
+        spline = BSpline(np.array(curve.knots), np.array(curve.control_points), curve.degree)
         edges = np.unique(np.clip(curve.knots, *curve.domain))
         x, w = np.polynomial.legendre.leggauss(12)
         fine = np.unique(np.concatenate([np.linspace(a, b, 17) for a, b in pairwise(edges)]))

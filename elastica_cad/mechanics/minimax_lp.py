@@ -279,11 +279,10 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
         for name, value in {**silent, **tolerances}.items():
             highs.setOptionValue(name, value)
         free, entry = np.full(columns, np.inf), np.arange(rows.size, dtype=np.int32)
+        starts = entry[::columns].copy()  # highspy 1.7 reads a view as if it were contiguous
         highs.addVars(columns, -free, free)
         highs.changeColCost(columns - 1, 1.0)
-        highs.addRows(
-            count, limits, np.full(count, np.inf), rows.size, entry[::columns], entry % columns, rows.ravel()
-        )
+        highs.addRows(count, limits, np.full(count, np.inf), rows.size, starts, entry % columns, rows.ravel())
         statuses = highspy.HighsModelStatus
         for presolve in (False, True):
             highs.setOptionValue("presolve", "on" if presolve else "off")
