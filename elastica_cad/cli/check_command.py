@@ -236,7 +236,9 @@ class _Request:
         width = typed_length(cast(float, spec.max_width))
         words = "--sheet", spec.material.name, "--max-width", width
         change = typed_change(suggestion, *words, "-o", _unused_folder(), instead="strip")
-        return f"{change}, or with another sheet, width and folder" if change.startswith("`") else change
+        if change == suggestion.title:
+            return change
+        return f"{change}, or with another sheet, width and folder"
 
 
 def _unused_folder() -> str:

@@ -237,7 +237,7 @@ class BasePlate:
         holes = options.holes if options.holes is not None and options.holes.is_in(self.name) else None
         if holes is not None and (holes.bridge or holes.bulb):
             return (self._bridge_note(options, holes),) if holes.bridge else ()
-        tabs, bridge = self._tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
+        tabs, bridge = self.tab_loops, limits_or_default(options.shop).bridge_for(self.sheet)
         if not (self.is_round and tabs) or 2 * around(tabs, self._middle, bridge)[0] < LEAST_OPENING_MM:
             return ()
         return (
@@ -265,12 +265,12 @@ class BasePlate:
 
     def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
         """Return True if the plate with these holes and without spacers has openings beside the bridge."""
-        if not (self.is_round and self._tab_loops):
+        if not (self.is_round and self.tab_loops):
             return False
         options = replace(options, holes=holes, ignore_limits=False)
         slots = tuple(slot for slot in self.slots if slot.tab is not None)
         plate = replace(self, slots=slots, options=options).resized(
-            *around(self._tab_loops, self._middle, options.border)
+            *around(self.tab_loops, self._middle, options.border)
         )
         try:
             return plate.opening_radius > 0 and plate.checked(options) is not None
@@ -278,7 +278,8 @@ class BasePlate:
             return False
 
     @property
-    def _tab_loops(self) -> list[FloatArray]:
+    def tab_loops(self) -> list[FloatArray]:
+        """Corners (4, 2), mm, of the slots that hold tabs, in the plane of the plate."""
         return [slot.corners for slot in self.slots if slot.tab is not None]
 
     @property
@@ -700,8 +701,9 @@ class Ring(BasePlate):
     seated: tuple[str, ...] = ()
 
     @property
-    def _tab_loops(self) -> list[FloatArray]:
-        return super()._tab_loops or [seat.points(FLAT_MM) for seat in self.seats]
+    def tab_loops(self) -> list[FloatArray]:
+        """Corners (4, 2), mm, of the slots that hold tabs, or the outlines of the seats of glued tabs."""
+        return super().tab_loops or [seat.points(FLAT_MM) for seat in self.seats]
 
     @property
     def radii(self) -> tuple[float, float]:

@@ -239,7 +239,7 @@ def _places(
 def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
     """Return a border, mm, of plates that are not round in which spacers fit beside the slots."""
     first, options = plates[0], plates[0].options or PlateOptions()
-    slots = [[slot.corners for slot in plate.slots if slot.tab is not None] for plate in plates]
+    slots = [plate.tab_loops for plate in plates]
     offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
     return max(options.border, _border_with_spacers(first.sheet, options.shop) + float(np.ceil(offset)))
 
@@ -289,8 +289,9 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
 
 
 def _radii(plate: BasePlate) -> tuple[float, float]:
-    loops = [slot.corners for slot in plate.slots if slot.tab is not None]
-    return around(loops, plate.outline.bounds.mean(axis=0), (plate.options or PlateOptions()).border)
+    return around(
+        plate.tab_loops, plate.outline.bounds.mean(axis=0), (plate.options or PlateOptions()).border
+    )
 
 
 def _free_places(
@@ -430,7 +431,7 @@ def _spread(
     The extent of points is their least reach from the middle in any direction. It is negative if the middle is not
     between the points. Two spacers support the plates only by their width, and more spacers by their positions.
     """
-    slots = [slot.corners for plate in plates for slot in plate.slots if slot.tab is not None]
+    slots = [loop for plate in plates for loop in plate.tab_loops]
     middle, count = np.mean(slots, axis=(0, 1)), len(chosen)
     towards = np.array([np.cos(DIRECTIONS), np.sin(DIRECTIONS)])
 
