@@ -5,8 +5,6 @@ import sys
 
 import pytest
 
-pytestmark = pytest.mark.core
-
 ARCH = "examples/arch/arch.dxf"
 STRIP = (
     "strip",

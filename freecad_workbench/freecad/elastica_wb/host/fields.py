@@ -83,7 +83,9 @@ def put_sheets(box: Any, names: list[str]) -> None:
     box.setMinimumContentsLength(SHEET_LETTERS)
     box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
     for i in range(box.count()):
-        box.model().item(i).setEnabled(box.itemData(i) is not None)
+        if box.itemData(i) is None:
+            # Qt keeps an item's flags under this role; the item itself has the wrong type at times in PySide
+            box.setItemData(i, 0, int(QtCore.Qt.UserRole) - 1)
 
 
 def _put_items(box: Any, items: list[tuple[str, str | None]]) -> None:
