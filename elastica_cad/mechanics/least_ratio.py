@@ -1,6 +1,6 @@
 """Rod with the least stiffness ratio whose rest shape is a drawn curve, and its stiffness as a spline."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil
@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
-from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
@@ -28,6 +28,7 @@ from elastica_cad.mechanics.elements import (
 )
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.loads import (
+    EndName,
     ExcessCurvature,
     Gravity,
     NaturalCurvature,
@@ -497,7 +498,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
             severity="warning",
         )
         warnings = (*warnings, warning)
-    warnings = (*warnings, *_slack_warnings(balance))
+    warnings = (*warnings, *_slack_warnings(request, balance))
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
@@ -536,17 +537,42 @@ def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) 
     return tuple(warning for warning in check.cautions if not expected(warning))
 
 
-def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
-    force = left_of(balance.force.nodal.reshape(-1, 2))
-    return tuple(
-        note(
+def _slack_in(balance: BalancedStiffness) -> tuple[ElementForce, ...]:
+    return slack_elements(balance.between, left_of(balance.force.nodal.reshape(-1, 2)))
+
+
+def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator[str]:
+    slack = _slack_in(balance)
+    width, height = np.abs(np.diff(request.nodes.position[[0, -1]], axis=0)[0])
+    support: EndName = "slide-x" if width >= height else "slide-y"
+    cured = _elements_loaded_by(request, support) if slack else ()
+    for action in slack:
+        values: dict[str, Any] = {
+            "element": noun_of(action.element), "places": Listed(map(Length, action.s.tolist())),
+            "share": 100 * SLACK_SHARE,
+        }  # fmt: skip
+        yield note(
+            "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
+            "become slack or come off the strip. Let the end slide ({field} {support}), so that the {element} "
+            "carries more.",
+            severity="warning", field=FieldName("supports.end"), support=support, **values,
+        ) if action.element in cured else note(
             "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
             "become slack or come off the strip. Move or remove the {element}.",
-            element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
-            share=100 * SLACK_SHARE, severity="warning",
-        )
-        for action in slack_elements(balance.between, force)
-    )  # fmt: skip
+            severity="warning", **values,
+        )  # fmt: skip
+
+
+def _elements_loaded_by(request: RodRequest, support: EndName) -> tuple[Element | PointForce, ...]:
+    """Return the elements that are not slack if both ends are clamped now and the end is held by `support`."""
+    if not request.supports.clamped:
+        return ()
+    try:
+        balance = balance_of(replace(request, supports=Supports(end=support), known_check=None))
+    except ElasticaError:
+        return ()
+    slack = {id(action) for action in _slack_in(balance)}
+    return tuple(action.element for action in balance.between if id(action) not in slack)
 
 
 _SETTLED_SHARE = 1e-5

@@ -195,3 +195,17 @@ def test_a_cord_on_a_straight_batten(tmp_path):
 def test_a_place_in_percent_is_refused(desk):
     refused = run(f"strip wave.dxf --sheet {SHEET} --tie 20% 80%", cwd=desk, code=2)
     assert "'20%' is a percentage. Give the distance from the start of the curve, in mm." in refused.stderr
+
+
+def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
+    size = 'width="700mm" height="40mm" viewBox="0 0 700 40"'
+    path = '<path d="M 20 30 C 135 30 220 16 330 16 C 452 16 560 30 680 30"/>'
+    (tmp_path / "shelf.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{path}</svg>')
+    line = "strip shelf.svg --sheet birch-plywood-6 --max-width 100 --rail 311 --no-step --no-pictures -o"
+    warned = run(f"{line} clamped", cwd=tmp_path).stderr
+    cure = re.search(
+        r"so it may become slack .* Let the end slide \((--end slide-x)\)", " ".join(warned.split())
+    )
+    printed = run(f"{line} sliding {cure[1]}", cwd=tmp_path).stdout
+    assert "become slack" not in printed
+    assert re.search(r"rail at 311 mm pushes the strip upward with 1\d0 N", printed)
