@@ -146,6 +146,11 @@ class FlexureTravel:
         Force on the moved end before and after the part snaps, N. None for a pushed part, or without a snap.
     unit : "mm" or "deg"
         Unit of `travel` and `snap`.
+    direction : (k,) array or None
+        Direction of the force on the moved end, degrees anticlockwise from the x axis of the first curve. None for
+        a pushed part, because its push has one direction, `Flexure.force_direction`.
+    moment : (k,) array or None
+        Moment on the moved end, N mm, positive anticlockwise. None for a pushed part.
     """
 
     travel: FloatArray
@@ -158,6 +163,8 @@ class FlexureTravel:
     reached: bool
     forces_at_snap: tuple[float, float] | None = None
     unit: Literal["mm", "deg"] = "mm"
+    direction: FloatArray | None = None
+    moment: FloatArray | None = None
 
     @property
     def largest_force(self) -> float:
@@ -665,12 +672,15 @@ class Flexure:
     def force_csv(self) -> str:
         """Return the path as comma-separated text: travel, force, energy and largest strain.
 
-        The first column is `turn_deg` instead of `travel_mm` if the end only turns.
+        The first column is `turn_deg` instead of `travel_mm` if the end only turns. If the part is not bistable,
+        the direction of the force and the moment on the moved end are also included.
         """
         travel = self.travel
         name = "travel_mm" if travel.unit == "mm" else "turn_deg"
-        columns = {name: travel.travel, "force_N": travel.force, "energy_Nmm": travel.energy}
-        return csv_text(columns | {"largest_strain": travel.strain})
+        columns = {name: travel.travel, "force_N": travel.force}
+        if travel.direction is not None and travel.moment is not None:
+            columns |= {"direction_deg": travel.direction, "moment_Nmm": travel.moment}
+        return csv_text(columns | {"energy_Nmm": travel.energy, "largest_strain": travel.strain})
 
     @property
     def travel_strain(self) -> float:
@@ -746,7 +756,8 @@ class Flexure:
         first, second = self.rods
         rods, B = self._rods_with_moved_end, self.bending_stiffness
         energy = B * np.array([rod.bending_energy for rod in rods])
-        force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
+        pulls = -B * np.array([rod.force[-1] for rod in rods])
+        force, direction = np.hypot(*pulls.T), np.degrees(np.arctan2(pulls[:, 1], pulls[:, 0]))
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
         movement = Movement.of(rods)
         travel = np.degrees(movement.turn) if movement.is_turn else movement.travel
@@ -759,7 +770,7 @@ class Flexure:
             travel, force, energy, np.array([rod.position for rod in rods]), strains.max(axis=1), snap,
             float(energy[-1] - energy[0]),
             _distance(rods[-1].position, second.position) <= REST_SHARE * first.length, jump,
-            "deg" if movement.is_turn else "mm",
+            "deg" if movement.is_turn else "mm", direction, B * np.array([rod.moment[-1] for rod in rods]),
         )  # fmt: skip
 
     @cached_property

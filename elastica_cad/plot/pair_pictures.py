@@ -30,7 +30,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     tall = [
         float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in outlines
     ]
-    panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, 0.2)]
+    right = 0.2 if part.pair.bistable else 0.7
+    panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, right)]
     figure, (flat, bent, push) = new_page(panels)
     flat.fill(*outlines[0].T, color=CUT, lw=0.6, ec=INK)
     for hole in part.holes:
@@ -74,7 +75,18 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         push.axvline(travel.snap, color=SECOND, lw=0.8, ls=":")
     unit = "mm" if travel.unit == "mm" else "degrees"
     label = f"{unit} of the {'pushed point' if part.pair.bistable else 'moved end'}"
-    push.set_xlabel(f"{label}; force at {part.force_direction:.0f}° to the x axis", fontsize=8)
+    if travel.direction is None or travel.moment is None:
+        label += f"; force at {part.force_direction:.0f}° to the x axis"
+    else:
+        low, high = travel.moment.min(), travel.moment.max()
+        label += f"; moment on this end from {low:.2g} to {high:.2g} N mm"
+        turns = np.unwrap(travel.direction, period=360)
+        turns += 360 * np.round((part.force_direction - turns[travel.force.argmax()]) / 360)
+        directions = push.twinx()
+        directions.plot(travel.travel, turns, color=SECOND, lw=0.8, ls="--")
+        directions.set_ylabel("degrees to the x axis (dashed)", fontsize=7, color=SECOND)
+        directions.tick_params(labelsize=7)
+    push.set_xlabel(label, fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
     upto = "force up to the snap" if travel.snap is not None and travel.forces_at_snap is None else "force"

@@ -321,8 +321,24 @@ def test_a_setting_that_jumps_names_place_and_forces(rise, width, thickness, uni
     place = f"{travel.snap:.3g} " + ("mm of travel" if unit == "mm" else "degrees of rotation")
     assert f"the part snaps after {place}, and the force jumps from {before:.2g} to {after:.2g} N" in row
     assert travel.largest_force == travel.force.max()
-    assert part.force_csv().startswith({"mm": "travel_mm", "deg": "turn_deg"}[unit] + ",force_N,")
+    assert part.force_csv().startswith(
+        {"mm": "travel_mm", "deg": "turn_deg"}[unit] + ",force_N,direction_deg,moment_Nmm,energy_Nmm,"
+    )
     assert part.as_dict()["forces_at_snap_N"] == [before, after]
+
+
+def test_force_and_moment_on_the_moved_end_do_the_work_between_two_settings():
+    """The energy increases by the integral of F dx + M d(angle)."""
+    spec = FlexureSpec(hook(30, 110), hook(20, 108), POM, least_thickness=0.87, ignore_limits=True)
+    part = spec.make()
+    travel, (first, second) = part.travel, part.rods
+    assert travel.snap is None
+    turn, share = np.radians(travel.direction), travel.travel / travel.travel[-1]
+    along = np.column_stack([np.cos(turn), np.sin(turn)]) @ (second.position[-1] - first.position[-1])
+    power = travel.force * along + travel.moment * (second.angle[-1] - first.angle[-1])
+    work = np.sum((power[1:] + power[:-1]) / 2 * np.diff(share))
+    assert work == pytest.approx(travel.work, abs=0.01 * np.ptp(travel.energy))
+    assert travel.direction[travel.force.argmax()] == pytest.approx(part.force_direction)
 
 
 def test_names_of_settings_have_one_height_beside_the_holes(stand):
