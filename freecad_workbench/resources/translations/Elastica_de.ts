@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>Layer of a laminated strip: base or backing</source>
-        <translation>Lage eines laminierten Streifens: Grundschicht oder Verstärkung</translation>
+        <translation>Schicht eines laminierten Streifens: Grundschicht oder Verstärkung</translation>
     </message>
     <message>
         <source>Model whose slots the part gets; none for a single strip</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known</source>
-        <translation>Querwölbung durch die Breiten ausgleichen, wenn die Querkontraktionszahl der Platte bekannt ist</translation>
+        <translation>Querkrümmung durch die Breiten ausgleichen, wenn die Querdehnzahl der Platte bekannt ist</translation>
     </message>
     <message>
         <source>Compensate slots, narrow tabs and holes in the widths</source>
@@ -784,7 +784,7 @@
     </message>
     <message>
         <source>Layer</source>
-        <translation>Lage</translation>
+        <translation>Schicht</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -1032,7 +1032,7 @@
     </message>
     <message>
         <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>
-        <translation>Die Schneiddateien zeigen {strip} ohne {later}, ein späteres Merkmal des Körpers. Schlitze, Laschen und Löcher des Streifens verwenden, oder die Änderung in die Dateien zeichnen.</translation>
+        <translation>Die Schneiddateien zeigen {strip} ohne {later}, ein späteres Merkmal des Körpers. Schlitze, Laschen und Löcher des Streifens verwenden oder die Änderung in die Dateien zeichnen.</translation>
     </message>
     <message>
         <source>Searching the nearest curve</source>
@@ -1044,7 +1044,7 @@
     </message>
     <message>
         <source>Making the blocks</source>
-        <translation>Die Blöcke werden gemacht</translation>
+        <translation>Die Halter werden gemacht</translation>
     </message>
     <message>
         <source>Looking for strips that meet</source>
@@ -1815,7 +1815,7 @@
     </message>
     <message>
         <source>Blocks to be printed, with a pocket for every tab</source>
-        <translation>Blöcke zum Drucken, mit einer Tasche für jede Lasche</translation>
+        <translation>Halter zum Drucken, mit einer Tasche für jede Lasche</translation>
     </message>
     <message>
         <source>Room around a tab in its pocket</source>
@@ -1974,7 +1974,7 @@
     </message>
     <message>
         <source>In sketches that strips follow, and in those made from this workbench</source>
-        <translation>In Skizzen, denen Streifen folgen, und in denen aus dieser Werkbank</translation>
+        <translation>In Skizzen, denen Streifen folgen, und in denen aus diesem Arbeitsbereich</translation>
     </message>
     <message>
         <source>While the mouse rests, where a curve is refused</source>

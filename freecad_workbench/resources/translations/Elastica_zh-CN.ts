@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
-        <translation>实际条带与设计的预期偏差，来自模型、其不确定性和板材</translation>
+        <translation>实际条带与设计的预期偏差，来自模型、其不确定度和板材</translation>
     </message>
     <message>
         <source>Deviation of the strip as made and held, with its causes</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Strip of this flat part</source>
-        <translation>此平面零件所属的条带</translation>
+        <translation>此平面件所属的条带</translation>
     </message>
     <message>
         <source>Layer of a laminated strip: base or backing</source>
@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>Style: plain, perforated or laminated</source>
-        <translation>样式：素面、穿孔或层压</translation>
+        <translation>样式：普通、穿孔或层压</translation>
     </message>
     <message>
         <source>Sheet of the backing of a laminated strip</source>
@@ -812,7 +812,7 @@
     </message>
     <message>
         <source>Outline</source>
-        <translation>外廓</translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Sheet width</source>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>ratio</source>
-        <translation>比值</translation>
+        <translation>刚度比</translation>
     </message>
     <message>
         <source>margin</source>
@@ -1815,15 +1815,15 @@
     </message>
     <message>
         <source>Blocks to be printed, with a pocket for every tab</source>
-        <translation>可打印的夹具，每个耳片有一个槽</translation>
+        <translation>可打印的夹具，每个耳片有一个槽腔</translation>
     </message>
     <message>
         <source>Room around a tab in its pocket</source>
-        <translation>耳片在槽中的间隙</translation>
+        <translation>耳片在槽腔中的间隙</translation>
     </message>
     <message>
         <source>Least thickness around the pocket</source>
-        <translation>槽周围的最小壁厚</translation>
+        <translation>槽腔周围的最小壁厚</translation>
     </message>
     <message>
         <source>Width of the foot on either side; 0 for none</source>
@@ -2417,7 +2417,7 @@
     </message>
     <message>
         <source>Kind of the element or load to add</source>
-        <translation>要添加的构件或载荷的种类</translation>
+        <translation>要添加的元件或载荷的种类</translation>
     </message>
     <message>
         <source>Place it on the curve</source>
@@ -2429,11 +2429,11 @@
     </message>
     <message>
         <source>Elements and loads</source>
-        <translation>构件与载荷</translation>
+        <translation>元件与载荷</translation>
     </message>
     <message>
         <source>Choose an element or load to change or remove it</source>
-        <translation>选择要更改或移除的构件或载荷</translation>
+        <translation>选择要更改或移除的元件或载荷</translation>
     </message>
     <message>
         <source>Place along the curve</source>
@@ -2505,7 +2505,7 @@
     </message>
     <message>
         <source>Removes the chosen element or load</source>
-        <translation>移除所选构件或载荷</translation>
+        <translation>移除所选元件或载荷</translation>
     </message>
 </context>
 <context>
