@@ -376,7 +376,10 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
         """
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
-            raise InputError(f"the angle is {angle:g} degrees. Use 0 to {self.travel.length:g} degrees.")
+            raise InputError(
+                f"the angle of the end is {angle:g} degrees, outside its travel. Use 0 to "
+                f"{self.travel.length:g} degrees."
+            )
         super().relative_to(other, angle=angle)
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 

@@ -226,8 +226,8 @@ def register() -> None:
     for owner, method in methods.items():
         if getattr(owner, METHOD, method) is not method:
             raise InputError(
-                f"cq.{owner.__name__} already has an {METHOD} of another library. Use the functions of "
-                "elastica_cad.cadquery instead."
+                f"cq.{owner.__name__} already has a method {METHOD} of another library. Use the functions "
+                "of elastica_cad.cadquery instead."
             )
     for owner, method in methods.items():
         setattr(owner, METHOD, method)

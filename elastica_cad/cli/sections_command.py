@@ -191,7 +191,8 @@ def _family_option(chosen: dict[str, Any]) -> str:
     if len(options) != 1:
         selected = f", not {' and '.join(options)}" if options else ""
         raise InputError(
-            f"Exactly one family of planes is needed{selected}. Use one of {', '.join(families)}."
+            f"Exactly one option for the cutting planes is needed{selected}. Use one of "
+            f"{', '.join(families)}."
         )
     if chosen["count"] is not None and chosen["along"] is None:
         raise InputError(
@@ -209,7 +210,7 @@ def _family_option(chosen: dict[str, Any]) -> str:
         lost = [option for option in ("margin", "gravity") if chosen[option]]
         if lost:
             raise InputError(
-                "--{lost} applies to the design file, which needs a sheet. Add --sheet NAME.",
+                "--{lost} is written to a design file, and a design file needs a sheet. Add --sheet NAME.",
                 lost=lost[0],
             )
     return options[0]

@@ -246,7 +246,9 @@ class CurveOfSpline(_Curve):
         """Return the B-spline exactly as it is given."""
         if self.knots is None:
             if self.weights is not None:
-                raise InputError("{place} needs knots too. Add knots.", place=f"{where}: weights")
+                raise InputError(
+                    "{place} needs the key 'knots' too. Add this key.", place=f"{where}: weights"
+                )
             return PlaneCurve.spline(self.spline, degree=self.degree)
         weights = None if self.weights is None else np.array(self.weights)
         return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)
@@ -271,8 +273,8 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     if len(kinds) != 1:
         raise InputError(
             (
-                "{place} has {given}, but needs exactly one of file, x (with y and t), ellipse or spline. Change "
-                "the keys."
+                "{place} has {given}, but needs exactly one of the keys 'file', 'x' (with 'y' and 't'), "
+                "'ellipse' and 'spline'. Leave out the other keys."
             ),
             place=curve.where,
             given=", ".join(curve.data) or "nothing",

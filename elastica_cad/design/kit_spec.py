@@ -128,7 +128,7 @@ class Cutting:
         """Return the options of `save` for pieces of this sheet."""
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
-                "The width of the cut is not known for {name}. Write a number in mm instead of the word sheet.",
+                "The width of the cut is not known for {name}. Write a number in mm instead of 'sheet'.",
                 name=sheet.name,
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf

@@ -90,7 +90,8 @@ class Formula:
     def _parsed(self) -> "_Parsed":
         if len(self.text) > MOST_LETTERS:
             raise InputError(
-                "{place}: a formula of {count} characters is too long. Name parts of it with let.",
+                "{place}: a formula of {count} characters is too long. Name parts of the formula in a table "
+                "'let'.",
                 place=self.where,
                 count=len(self.text),
             )
@@ -160,7 +161,9 @@ def _parsed(text: str) -> _Parsed:
 
 def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> None:
     if depth > MOST_NESTED:
-        raise _refusal(node, formula, "the formula is nested too deeply; name parts of it with let")
+        raise _refusal(
+            node, formula, "the formula is nested too deeply; name parts of the formula in a table 'let'"
+        )
     match node:
         case ast.Constant(value=bool() | complex() | str() | bytes() | None):
             raise _refusal(node, formula, f"{node.value!r} is not a number; write a number")

@@ -78,8 +78,8 @@ class Edge:
             )
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
-                "a spline of degree {degree} with {count} control points has {size} knots; it needs {given}, "
-                "in increasing order: export or draw it again",
+                "a spline of degree {degree} with {count} control points has {size} knots, but needs "
+                "{given} in increasing order: draw the spline again",
                 degree=self.degree,
                 count=count,
                 size=knots.size,
@@ -97,7 +97,7 @@ class Edge:
             if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
                 raise InputError(
                     "a spline of {count} control points needs {count} positive finite weights, or none: "
-                    "export or draw it again",
+                    "draw the spline again",
                     count=count,
                 )
             same = np.ptp(weights) <= 1e-14 * weights[0]

@@ -76,7 +76,7 @@ def _require_schema(data: dict[str, Any]) -> None:
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
             "has the schema {schema}, but curves are read only from {curves_schema!r} and from reports of "
-            "strips: give such a file",
+            "strips: give a file of one of these kinds",
             schema=quoted(schema),
             curves_schema=CURVES_SCHEMA,
         )

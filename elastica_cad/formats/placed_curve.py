@@ -206,7 +206,8 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
         raise InputError(
-            "the curve is up to {most} away from its given plane: give the plane in which it is drawn, or none",
+            "the curve is up to {most} away from the plane that was given: give the plane of the curve, or "
+            "leave out the plane",
             most=Length(np.abs(off).max()),
         )
     return plane

@@ -165,7 +165,7 @@ def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool)
 def _both(ends: BothEnds) -> tuple[bool, bool]:
     both = ends if isinstance(ends, tuple) else (ends, ends)
     if len(both) != 2 or not all(isinstance(end, bool) for end in both):
-        raise InputError(f"ends or tangents are {ends!r}: give True, False or a pair of these")
+        raise InputError(f"`ends` or `tangents` is {ends!r}: give True, False or a pair of these")
     return both
 
 

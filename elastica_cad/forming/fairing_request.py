@@ -168,7 +168,8 @@ class Smoothing:
         if change <= SEEN_SHARE:
             return ()
         return (note(
-            "Noise changes the curvature, and so the widths, by {percent:.0f} %: {points}.",
+            "Noise of the points changes the curvature, and with it the widths, by {percent:.0f} %: "
+            "{points}.",
             percent=100 * change, points=points.noise_message, severity="warning",
         ),)  # fmt: skip
 
@@ -206,7 +207,7 @@ class Smoothing:
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             notes.append(note(
-                "Part of this movement rounds corners of at most {angle:.2g} degrees.",
+                "The smoothing also rounded corners of at most {angle:.2g} degrees.",
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(notes)

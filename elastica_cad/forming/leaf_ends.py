@@ -97,7 +97,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         No stack has a rest shape with the same ends.
     """
     if not isinstance(law, LeavesLaw):
-        raise InputError(f"law is {law!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
+        raise InputError(f"`law` is {law!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
     points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:

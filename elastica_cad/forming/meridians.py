@@ -146,7 +146,8 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
             curve, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
     if not (curve.missed < GOOD and off < GOOD):
         raise NotConvergedError(
-            "no meridian was found near these points. Move the points onto a smoother curve"
+            "no meridian (profile of the surface) was found near these points. Move the points onto a "
+            "smoother curve"
         )
     return curve
 
@@ -678,7 +679,8 @@ def _refuse_winding(p: FloatArray) -> None:
     if too_much:
         raise InputError(
             "with a={a:g} and b=({b:g}, {b_2:g}), the meridian is bent at its start to a radius of about "
-            "{most}, but it is {length:g} long. Make a and b smaller (a has no unit, b is in 1/mm)",
+            "{most}, too small for its length of {length:g}. Make a and b smaller (a has no unit, b is in "
+            "1/mm)",
             a=a,
             b=b[0],
             b_2=b[1],

@@ -264,8 +264,8 @@ def _advise(near: NearestRod) -> Iterator[str]:
                 yield note("Relax {limits}.", limits=name)
             elif binding.cost * size > _NEGLIGIBLE * near.distance:
                 yield note(
-                    ("To come nearer, relax {limit}: a change of {step} reduces the {distance} by about "
-                     "{saved:.3g}."),
+                    ("To come nearer to the drawn curve, relax {limit}: a change of {step} reduces the "
+                     "{distance} by about {saved:.3g}."),
                     limit=name, step=step, saved=Length(binding.cost * size),
                     distance=note("largest distance" if near.measure == "max" else "mean distance"),
                 )  # fmt: skip
@@ -333,11 +333,11 @@ def _violation_sentence(near: NearestRod, binding: Binding) -> str:
     missed = note(binding.name)
     if binding.name in _IN_LENGTHS:
         by = Length(binding.broken * near.target.length)
-        return note("This limit is not met: {missed}, by {by}.", missed=missed, by=by)
+        return note("The strip misses a limit by {by}: {missed}.", missed=missed, by=by)
     if binding.name == "end tangent":
         angle = np.degrees(binding.broken)
-        return note("This limit is not met: {missed}, by {angle:.3g} degrees.", missed=missed, angle=angle)
-    return note("This limit is not met: {missed}.", missed=missed)
+        return note("The strip misses a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle)
+    return note("The strip misses a limit: {missed}.", missed=missed)
 
 
 def _end_name(near: NearestRod, index: int) -> str:

@@ -537,8 +537,8 @@ def nearest_rod(
     if not is_one_of(measure, ("mean", "closest", "max")):
         raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
     if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
-        raise InputError(f"coefficients is {coefficients!r}: give 4 or more for the stiffness, and at most "
-f"half as many as there are edges ({samples - 1})")  # fmt: skip
+        raise InputError(f"`coefficients` is {coefficients!r}: give 4 to {(samples - 1) // 2}, at most half "
+                         "of `samples`")  # fmt: skip
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(f"start is {start!r}: give the record of nearest_rod for a similar curve, or None")
     return find_nearest(

@@ -123,7 +123,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
             f"a triangle has vertex {rows.max() if rows.min() >= 0 else rows.min()}, but the mesh has "
-            f"{len(points)} vertices: give indices from 0 to below this number"
+            f"{len(points)} vertices: give indices from 0 to {len(points) - 1}"
         )
     return points, rows.astype(np.intp)
 

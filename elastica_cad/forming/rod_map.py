@@ -107,7 +107,8 @@ class SectionScale:
             low = float(np.max(law.bending_stiffness(least)))
             if low > most:
                 raise InputError(
-                    "{quantity} limits {least:g} and {largest:g} are too close: widen them",
+                    "the {quantity} limits {least:g} and {largest:g} are too close together: set them "
+                    "farther apart",
                     quantity=law.quantity,
                     least=least,
                     largest=Length(largest),

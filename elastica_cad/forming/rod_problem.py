@@ -391,14 +391,14 @@ def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, Floa
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            f"the lower of the `stiffness_bounds` is {low.min():.4g} or more everywhere, but it applies to "
-            "K / min K, which is 1 at the softest place. Reduce the lower bound to 1 at one place or more"
+            f"the lower of the `stiffness_bounds` is {low.min():.4g} or more everywhere, but the stiffness "
+            "K / min K is 1 at the softest place. Reduce the lower bound to 1 at one place at least"
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
         raise InputError(
-            "no stiffness is above the lower and below the upper of the `stiffness_bounds` (or the ratio "
-            "limit {ratio:.4g}) near {at:.4g} along the curve: widen the bounds",
+            "near {at:.4g} along the curve, the lower of the `stiffness_bounds` is above the upper one or "
+            "the ratio limit {ratio:.4g}: widen the bounds",
             ratio=ratio,
             at=Length(at),
         )

@@ -66,7 +66,8 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
     warning = note(
-        "This load determines the width: the widest place is {widest:.4g} wide, below {field} {largest:g}.",
+        "The load on the strip determines its width: the widest place is {widest:.4g} wide, not {largest:g} "
+        "({field}).",
         field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
     )  # fmt: skip
     return replace(rod, warnings=(*rod.warnings, warning))

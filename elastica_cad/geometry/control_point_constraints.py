@@ -251,12 +251,13 @@ def least_norm_newton(
     require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
     require_positive(tolerance, "the tolerance of constraints", "shares of the size")
     if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
+        raise InputError(f"`max_steps` is {max_steps!r}: give a whole number, 1 or more")
     if not isinstance(constraints, Sequence) or not all(
         hasattr(constraint, "equations") for constraint in constraints
     ):
         raise InputError(
-            f"constraints are {quoted(constraints)}: give a list of EndPositions, FixedLength and the like"
+            f"`constraints` are {quoted(constraints)}: give a list of constraints, such as "
+            "[FixedLength(130.0)]"
         )
     size = float(np.ptp(curve.control_points, axis=0).max())
     residual, jacobian = _assembled(curve, constraints)
@@ -267,8 +268,9 @@ def least_norm_newton(
             break
         if len(norms) > max_steps:
             raise NotConvergedError(
-                f"the constraints on the curve are not met after {max_steps} steps (an error of {norms[-1]:.3g} "
-                "remains): leave out one constraint, or start from a nearer curve"
+                f"after {max_steps} steps the curve does not meet its constraints (norm of the residuals: "
+                f"{norms[-1]:.3g}, allowed: {tolerance * size:.3g}): leave out one constraint, or start "
+                "from a nearer curve"
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
         try:
@@ -301,7 +303,7 @@ def _damped_step(
         if np.linalg.norm(residual) < norm:
             return moved, residual, jacobian
     raise NotConvergedError(
-        f"the constraints on the curve cannot be met, because no step reduces their error of {norm:.3g}: "
+        f"the curve cannot meet its constraints, because no step reduces the residuals (norm: {norm:.3g}): "
         "leave out one constraint, or start from a nearer curve"
     ) from lost
 

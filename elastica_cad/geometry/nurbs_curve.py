@@ -420,22 +420,21 @@ def _refuse_standstill(
     )
     if not twins.size:
         raise InputError(
-            "{place}, because the curve has a cusp there: move or delete a control point near the cusp",
+            "the curve has a cusp, and {place}: move or delete a control point near this place",
             place=where,
         )
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "the file leaves open whether {place}: {cause}, but the numbers in the file are exact only to "
-            "{rounding}, so a shorter handle is lost. Save the file with more decimals, or lengthen the "
-            "handle of that node",
+            "the file leaves open whether {place}, because {cause} after rounding to {rounding}. Save the "
+            "file with more decimals, or lengthen the handle of that node",
             place=where,
             cause=cause,
             rounding=Length(rounding),
         )
     raise InputError(
-        "{place}, because {cause}: move or delete one of them (in a drawing program: lengthen the handle of "
-        "that node)",
+        "{cause}, so {place}: move or delete one of these control points (in a drawing program: lengthen "
+        "the handle of that node)",
         place=where,
         cause=cause,
     )

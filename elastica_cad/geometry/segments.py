@@ -155,7 +155,8 @@ class Arc:
         (x0, y0), (x1, y1) = start.tolist(), end.tolist()
         if not bulge or (x0, y0) == (x1, y1):
             raise InputError(
-                f"the arc from {place(start)} has equal ends or a bulge of 0: give different ends and another bulge"
+                f"the arc from {place(start)} has equal ends or a bulge of 0: give different ends and a "
+                "bulge other than 0"
             )
         square = bulge * bulge
         off = (1 - square) / (4 * bulge)

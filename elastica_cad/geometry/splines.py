@@ -789,8 +789,9 @@ def _knots_for(t: FloatArray, degree: int) -> FloatArray:
 def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
     worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
     return note(
-        "the points have noise of {typical:.2g} about a smooth curve, {worst:.2g} at {place}, more than the "
-        "tolerance of {tolerance:g}: set {enough:.1g}, set a smoothing, or remove outliers",
+        "the points have noise of {typical:.2g} about a smooth curve, up to {worst:.2g} (at {place}), more "
+        "than the tolerance of {tolerance:g}: set a tolerance of {enough:.1g} or a smoothing, or remove "
+        "outliers",
         typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
         tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),
     )  # fmt: skip

@@ -83,8 +83,8 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     if not isinstance(shape, k.TopoDS_Shape):
         if not is_series(shape):
             raise InputError(
-                f"an object of type {type(shape).__name__} is not an edge or wire of a CAD kernel. Draw a "
-                "spline through points; of a builder pass its line."
+                f"an object of type {type(shape).__name__} is not an edge or wire of a CAD kernel. Pass a "
+                "spline through the points, or the `line` of a builder."
             )
         return [edge for item in shape for edge in drawn_edges(item)]
     return [_drawn_edge(k.as_edge(edge)) for edge in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]

@@ -96,7 +96,7 @@ def library_trouble(library: str, error: ImportError) -> str:
     if error.name == library:
         return how_to_install(library)
     return kernel_trouble() or note(
-        "the library cannot be loaded ({error}); install the package named there", error=error
+        "the library cannot be loaded ({error}); install the package that this error names", error=error
     )
 
 

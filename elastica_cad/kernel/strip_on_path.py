@@ -154,7 +154,8 @@ def make_strip_on(
     warn_of_strip(strip)
     if deviation > FAR_SHARE * strip.rod.length:
         warn(note(
-            "The strip deviates from the drawn curve by up to {far}, {percent:.2g} % of its length, as allowed.",
+            "The strip deviates from the drawn curve by up to {far}, {percent:.2g} % of its length, because "
+            "its options allow this.",
             far=Length(deviation), percent=100 * deviation / strip.rod.length,
         ))  # fmt: skip
     return MadeStrip(strip, frame, deviation, color=color)

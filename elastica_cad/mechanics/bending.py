@@ -746,7 +746,8 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         if np.any(both & (components != 0)):
             axis = "xy"[int(np.argmax(both & (components != 0)))]
             raise InputError(
-                "a force along {axis} has no effect, because both ends hold {axis}: free one end along {axis}",
+                "a force along {axis} has no effect, because both ends are held along {axis}: free one end "
+                "along {axis}",
                 axis=axis,
             )
         return components

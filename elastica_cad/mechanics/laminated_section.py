@@ -226,8 +226,9 @@ class LaminatedSection:
             return float("inf")
         if not feasible(low):
             raise InputError(
-                "a least backing width of {least_backing:g} is too wide for a base of {least:.4g} and a "
-                "stiffness ratio of {given:.4g}, at any thickness: reduce least_backing",
+                "a least backing width of {least_backing:g} is too wide for a base {least:.4g} wide and a "
+                "stiffness ratio of {given:.4g}, whatever the thickness of the backing: reduce "
+                "`least_backing`",
                 least_backing=Length(least_backing),
                 least=Length(w1.min()),
                 given=K.max() / K.min(),

@@ -310,12 +310,13 @@ def optimal_rod(
     _check_stiffness("least_stiffness", least_stiffness, in_newtons=in_newtons)
     if section is None and bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
-            "bending_stiffness fixes the stiffness, so largest_stiffness has no effect: give only one of them"
+            "`bending_stiffness` already sets the stiffness, so `largest_stiffness` has no effect: give "
+            "only one of them"
         )
     if section is None and least_stiffness is not None and largest_stiffness is None:
         raise InputError(
-            "least_stiffness applies only together with largest_stiffness. Pass largest_stiffness too, or "
-            "pass bending_stiffness instead."
+            "`least_stiffness` applies only together with `largest_stiffness`. Pass `largest_stiffness` "
+            "too, or pass `bending_stiffness` instead."
         )
     require_tolerance(tolerance)
     if law is not None:
@@ -369,8 +370,9 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     )
     if settled or not alone:
         raise InputError(
-            "section already sets stiffness and weight: leave out bending_stiffness, largest_stiffness and "
-            "law, and give only masses, such as Weight(masses=..., own=True)"
+            "`section` already sets stiffness and weight: leave out `bending_stiffness`, "
+            "`largest_stiffness` and `law`, and give `weight` only masses, such as Weight(masses=..., "
+            "own=True)"
         )
 
 

@@ -462,8 +462,9 @@ class RestCurvature(EqualByValue):
     def __post_init__(self) -> None:
         if not isinstance(self.profile, Profile) or self.profile.knots[0] != 0.0:
             raise InputError(
-                "a rest curvature needs a Profile that begins at 0 mm: use RestCurvature.linear(stations, "
-                "curvatures), or RestCurvature.of(curve) for a drawn pre-bent strip"
+                "the curvature of a pre-bent strip needs a Profile that begins at 0 mm: use "
+                "RestCurvature.linear(stations, curvatures), or RestCurvature.of(curve) for a drawn "
+                "pre-bent strip"
             )
 
     @classmethod

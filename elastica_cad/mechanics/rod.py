@@ -454,8 +454,8 @@ class Rod:
             array = numbers(getattr(self, name), f"rod {name}").copy()
             if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
                 raise InputError(
-                    f"rod {name} has the shape {array.shape} or is not finite: give finite numbers of shape "
-                    f"{shape}"
+                    f"`{name}` of the rod has the shape {array.shape} or is not finite: give finite numbers "
+                    f"of shape {shape}"
                 )
             array.setflags(write=False)
             object.__setattr__(self, name, array)
@@ -468,7 +468,8 @@ class Rod:
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
-                f"the stiffness of the rod is not positive at {Mm(at):.6g}: give every place a width above 0"
+                f"the stiffness of the rod is not positive {Mm(at):.6g} from its start: give every place a "
+                "width above 0"
             )
 
     @classmethod
@@ -821,7 +822,7 @@ class Rod:
             self.s.size,
         ):
             raise InputError(
-                f"stiffness has {np.size(stiffness)} values, but the rod has {self.s.size} nodes: give a "
+                f"`stiffness` has {np.size(stiffness)} values, but the rod has {self.s.size} nodes: give a "
                 "value for each node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)

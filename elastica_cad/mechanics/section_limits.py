@@ -245,7 +245,7 @@ def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
     except ValueError:
         sizes = " and ".join(str(row.size) for row in rows)
         raise InputError(
-            f"the arrays have {sizes} values: give each a value for each station, or one for all stations"
+            f"the arrays have {sizes} values: give each array one value, or one value per station"
         ) from None
 
 

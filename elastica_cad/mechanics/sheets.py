@@ -894,7 +894,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         else note("there are {count} sheets", count=len(sheets))
     )
     choices = " or ".join(f"{path.name}:{key}" for key in sheets)
-    raise InputError(f"{path}: {several}: use the name {choices}")
+    raise InputError(f"{path}: {several}; use {choices} as the name")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:

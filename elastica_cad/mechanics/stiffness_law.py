@@ -176,7 +176,8 @@ class RoundLaw(_PowerLaw):
         super().__post_init__()
         if not 0 <= require_number(self.bore, "bore") < 1:
             raise InputError(
-                f"bore is {self.bore:g}: give the ratio of inner to outer diameter, from 0 (a solid rod) to below 1"
+                f"`bore` is {self.bore:g}: give the ratio of inner to outer diameter, from 0 (a solid rod) "
+                "to below 1"
             )
 
     @property
@@ -229,9 +230,9 @@ class LeavesLaw(FixedLaw):
                 f'the sheet of the plies is {self.sheet!r}: give a Sheet, such as Sheet.named("pom-1")'
             )
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
-            raise InputError(f"leaves is {self.leaves!r}: give the number of plies, 2 to {MOST_LEAVES}")
+            raise InputError(f"`leaves` is {self.leaves!r}: give the number of plies, 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
-            raise InputError(f"fewest is {self.fewest!r}: give a whole number of plies, 1 to {self.leaves}")
+            raise InputError(f"`fewest` is {self.fewest!r}: give a whole number of plies, 1 to {self.leaves}")
         _ = self.relaxed  # the property refuses an invalid width
 
     @property

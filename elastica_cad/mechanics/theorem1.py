@@ -587,7 +587,8 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         raise InputError("the curve is open, so its start cannot be moved along it: give a closed curve")
     if not 0 <= s <= curve.length:
         raise InputError(
-            "the curve cannot begin at {s:g}, because it is {length:.4g} long: give a place from 0 to this length",
+            "the closed curve is {length:.4g} long, so it cannot begin {s:g} from its drawn start: give a "
+            "place from 0 to this length",
             s=Length(s),
             length=Length(curve.length),
         )

@@ -214,13 +214,13 @@ class BattenSpec:
         within = 100 * self._place_for_taper(most, chord)
         # round towards the middle of the chord, so that the suggested position is possible
         nearest = (
-            note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
+            note("at least {percent:.3g} %", percent=np.ceil(10 * within) / 10)
             if side > 0
-            else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
+            else note("at most {percent:.3g} %", percent=np.floor(10 * within) / 10)
         )
         return InputError(
             "with the largest camber at {place:.4g} % of the chord, the thin end would be thinner than the "
-            "limit of {least:g}{thin}. Move the largest camber to {nearest} % of the chord, or reduce this "
+            "limit of {least:g}{thin}. Move the largest camber to {nearest} of the chord, or reduce this "
             "limit",
             place=100 * self.place,
             thin=thin,
@@ -364,7 +364,7 @@ def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int
     heavy = bend(replace(light, gravity=_gravity_across(spec.lying), weight=Weight(alpha=newtons)))
     if heavy.position[nodes // 2, 1] <= 0:
         raise NotConvergedError(
-            f"the batten does not keep its bulge {spec.lying}, because its weight snaps it over: use "
+            f"lying level with its bulge {spec.lying}, the batten snaps over under its own weight: use "
             "stiffer or lighter stock, or more camber"
         )
     return heavy

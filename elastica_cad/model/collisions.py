@@ -251,20 +251,21 @@ class _Overlap:
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
-                "outside the slots that join them, {a} at {s} overlaps {b} at {r} by {depth:.2g} (near "
-                "{place}{more}). Turn or move one of the strips, or make them narrower there",
+                "outside the slots that join them, {a} ({s} from its start) overlaps {b} ({r} from its "
+                "start) by {depth:.2g}, near {place}{more}. Turn or move one of the strips, or make them "
+                "narrower there",
                 a=a, s=s, depth=Length(self.beside_slots.depth), b=b, r=r, more=more,
                 place=Point(self.beside_slots.position),
             )  # fmt: skip
         if self.is_flush:
             return note(
-                "the sheets of {a} at {s} and {b} at {r} overlap{more}: move the strips apart, or make them "
-                "narrower there",
+                "the sheets of {a} ({s} from its start) and {b} ({r} from its start) overlap{more}: move "
+                "the strips apart, or make them narrower there",
                 a=a, s=s, b=b, r=r, more=more,
             )  # fmt: skip
         return note(
-            "{a} at {s} passes through {b} at {r}{more}: cut slots (interlock), move the strips apart, or "
-            "make them narrower there",
+            "{a} ({s} from its start) passes through {b} ({r} from its start){more}: cut slots (interlock), "
+            "move the strips apart, or make them narrower there",
             a=a, s=s, b=b, r=r, more=more,
         )  # fmt: skip
 

@@ -136,8 +136,9 @@ def require_ends(ends: object) -> None:
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
     if strip.layout.stack is not None:
         raise InputError(
-            f"{name or strip.label or 'strip'}: a holder does not fit a stack of plies, which "
-            "is on one side of its curve: hold its ends in clamps, and give the holder only the other strips"
+            f"{name or strip.label or 'strip'}: a holder does not fit a stack of plies, because the stack "
+            "is on one side of its curve: clamp the ends of the stack, and give the holder only the other "
+            "strips"
         )
 
 

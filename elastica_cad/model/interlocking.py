@@ -438,7 +438,9 @@ def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
     both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
     text = note("assembly: {order}; push each strip onto the strips before it", order=", ".join(names))
     if both:
-        last = note("thread in {strips}, because slots enter from both edges", strips=", ".join(both))
+        last = note(
+            "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
+        )
         return sentences([text, last])
     return text
 

@@ -376,8 +376,8 @@ class Model:
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
         if self.plates:
             raise InputError(
-                f"the model {self.name!r} has {self.plates[0].name}, which fits only the strips "
-                "where they are: repeat the strips without rings"
+                f"the model {self.name!r} has {self.plates[0].name}, which fits only the strips where they "
+                "are: leave out this plate"
             )
         return replace(self, placed=placed)
 

@@ -346,9 +346,9 @@ def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float
                 "{piece}: a part of {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} "
                 "with a margin of {margin:g}. Use a larger sheet ({field}) or make the part in pieces"
                 if piece.sheet.grain == "none" else
-                "{piece}: a part of {x:.4g} by {y:.4g}, with the grain {grain} it, does not fit on a sheet "
-                "of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet ({field}) or make "
-                "the part in pieces",
+                "{piece}: a part of {x:.4g} by {y:.4g}, with its grain {grain} the part, does not fit on a "
+                "sheet of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet ({field}) "
+                "or make the part in pieces",
                 piece=piece.name, x=x, y=Length(y), long=size[0], short=Length(size[1]), margin=Length(margin),
                 grain=piece.sheet.grain, field=FieldName("nest.sheet_size"),
             )  # fmt: skip

@@ -421,7 +421,7 @@ def base_plate(
     refuse_other_ends(plate_options.holes, [name])
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
-        raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
+        raise InputError("{name} holds no end of any strip: change its 'strips' or 'ends'", name=name)
     standing = [tab for tab in tabs if _passes_through(tab, ground)]
     if not standing:
         least = min(float(ground.local(tab.tip)[2]) for tab in tabs)

@@ -260,7 +260,8 @@ def _near_a_line(
     return note(
         "{name}: the spacers are almost in a line, so the plates can tilt. Use a {border} of {wide:.0f}."
         if works
-        else "{name}: the spacers are almost in a line, so the plates can tilt.",
+        else "{name}: the spacers are almost in a line, so the plates can tilt. Check that the plates are "
+             "parallel.",
         name=name, border=FieldName("border"), wide=Length(wide),
     )  # fmt: skip
 

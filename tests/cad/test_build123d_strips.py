@@ -225,7 +225,7 @@ class TestBadInput:
 
 @pytest.mark.parametrize("given", [None, bd.BuildLine()])
 def test_what_is_no_edge_is_told_what_to_give(given):
-    told = r"not an edge or wire .* of a builder pass its line"
+    told = r"not an edge or wire .* the `line` of a builder"
     with pytest.raises(InputError, match=told):
         BentStrip(given, "birch-plywood-0.8", max_width=30)
 

@@ -70,7 +70,7 @@ class TestBuild123d:
         body = bd_strips.BentStrip(arch, SHEET, plane=-bd.Plane.XY, **OPTIONS)
         there = home["XY"]
         assert pytest.approx(-there.center().Z, abs=1e-6) == body.center().Z
-        with pytest.raises(InputError, match="away from its given plane"):
+        with pytest.raises(InputError, match="away from the plane that was given"):
             bd_strips.BentStrip(arch, SHEET, plane=bd.Plane.XY.offset(3), **OPTIONS)
         with pytest.raises(InputError, match="Pass a Plane"):
             bd_strips.BentStrip(arch, SHEET, plane="XY", **OPTIONS)

@@ -35,5 +35,7 @@ def test_the_place_that_is_told_is_in_both_bodies(seed, slotted_pairs):
 
 
 def test_cad_programs_warn(slotted_pairs):
-    with pytest.warns(StripWarning, match="A at .* mm overlaps B at .* mm by"):
+    with pytest.warns(
+        StripWarning, match=r"A \(.* mm from its start\) overlaps B \(.* mm from its start\) by"
+    ):
         model_parts(slotted_pairs.pair(76), (), str)

@@ -85,7 +85,9 @@ def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
     change(made, Interlock=False)
     assert overlaps(made) == model.overlaps_of(made)
     (told,) = made.Overlaps
-    assert re.fullmatch(r"A at [0-9.]+ mm passes through B at [0-9.]+ mm: cut slots .*", told)
+    assert re.fullmatch(
+        r"A \([0-9.]+ mm from its start\) passes through B \([0-9.]+ mm from its start\): cut slots .*", told
+    )
     document.recompute([made])
     assert made.State == ["Up-to-date"]
     assert list(made.Overlaps) == [told], "what is known is not forgotten"

@@ -594,7 +594,9 @@ def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     assert found["slotted"] == [1, True]
     assert found["found"]
     (told,), footnote = found["told"]
-    assert re.fullmatch(r"Strip at [0-9.]+ mm passes through Strip001 at [0-9.]+ mm: cut slots .*", told)
+    assert re.fullmatch(
+        r"Strip \([0-9.]+ mm from .*\) passes through Strip001 \([0-9.]+ mm from .*\): cut slots .*", told
+    )
     assert footnote == told
     assert found["reported"] == 1
     assert found["before export"][0] == told

@@ -136,7 +136,7 @@ def test_a_curve_beyond_the_limits_is_refused_with_the_size_it_asks_for():
         match=r"with the largest thickness of 8 mm, the curve requires a thickness of \d\.\d+ mm at",
     ):
         optimal_rod(WAVE, section=tight)
-    with pytest.raises(InputError, match="leave out bending_stiffness, largest_stiffness and law"):
+    with pytest.raises(InputError, match="leave out `bending_stiffness`, `largest_stiffness` and `law`"):
         optimal_rod(WAVE, Gravity(1.0), section=tight, weight=Weight(alpha=1.0), bending_stiffness=1.0)
     with pytest.raises(InputError, match="give a record with limits"):
         optimal_rod(WAVE, section=3.0)

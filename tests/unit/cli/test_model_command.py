@@ -286,7 +286,8 @@ def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path
     result = run("model", crossed, "-o", tmp_path / "out", *quick)
     (note,) = (line for line in result.stderr.splitlines() if "passes through" in line)
     assert re.fullmatch(
-        r"(! )?Note +A at [0-9.]+ mm passes through B at [0-9.]+ mm: cut slots \(interlock\), .*", note
+        r"(! )?Note +A \([0-9.]+ mm from its start\) passes through B \(.*\): cut slots \(interlock\), .*",
+        note,
     )
     report = json.loads((tmp_path / "out" / "crossed.json").read_text())
     assert note.removeprefix("! ").removeprefix("Note").strip() in report["reports"]
@@ -640,7 +641,7 @@ def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
     cut_only(design, tmp_path / "service", "cut.for=service")
     assert not [*(tmp_path / "service").rglob("*.dxf")]
     short = cut_only(design, tmp_path / "short", "shop.stock=[500, 100]")
-    assert "P: longer than the rods to buy, 500 mm" in short
+    assert "P: longer than a rod to buy (500 mm)" in short
     assert "10 rods" not in short  # the rests of two poles share a rod
     assert "8 rods of Pultruded glass rod 4 mm, 500 mm long" in short
 

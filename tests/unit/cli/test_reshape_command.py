@@ -84,7 +84,7 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
         (("--handle", 0, 0, 1, 1), "--handle occurs 1 times"),
         (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "cannot be combined"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "are on one line, through"),
-        (("--top-right", 60, 40), "through infinity, near ("),
+        (("--top-right", 60, 40), "to infinity, near ("),
         (("--top-right", "nan", 40), "--top-right is not finite"),
         (("--handle", 0, 0, 1, "inf"), "--handle is not finite"),
     ],
@@ -138,7 +138,7 @@ def test_design_files_reshape_any_curve(tmp_path):
         ("{ middle = [1, 2] }", "unknown key 'middle'"),
         ("{ top_left = [1, 2], to = [[1, 2]] }", "to is not a list of four points"),
         ("{ handles = [[1, 2]], to = [[1, 2]] }", "handles is not a list of four points"),
-        ("{ top_right = [0, 0], top_left = [50, 10] }", r"reshape: after: handles|through infinity"),
+        ("{ top_right = [0, 0], top_left = [50, 10] }", r"reshape: after: handles|to infinity"),
     ],
 )
 def test_bad_reshaping_names_its_place(tmp_path, reshape, sentence):

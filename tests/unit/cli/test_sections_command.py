@@ -267,7 +267,7 @@ def test_options_without_effect_are_told(dome, tmp_path):
         ),
         (
             ("--radial", 3, "--gravity"),
-            "--gravity applies to the design file, which needs a sheet",
+            "--gravity is written to a design file, and a design file needs a sheet",
         ),
     ):
         idle = run("sections", mesh, *options, code=2)

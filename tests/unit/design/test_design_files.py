@@ -337,7 +337,7 @@ BAD = {
     HEAD + "[[strips]]\ncurve = { x = 't', y = 'open(t)', t = [0, 1] }": "unknown function 'open' at character 1",
     HEAD + "[[strips]]\ncurve = { x = 't', t = [0, 1] }": "curve: y is missing. Add this key: formula in t",
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0', t = [1, 0] }": "is not a range",
-    HEAD + "[[strips]]\ncurve = {}": "needs exactly one of file, x",
+    HEAD + "[[strips]]\ncurve = {}": "needs exactly one of the keys 'file', 'x'",
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 3 }": "Choose a height between -2 and 2",
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 1, start = 1 }": "the key 'above' exclude",
     HEAD + "[[strips]]\ncount = 2.5\n" + ARC: "count is 2.5. Use a whole number",

@@ -708,9 +708,9 @@ def test_a_fit_point_drawn_twice_counts_once(drawing):
 
 
 @pytest.mark.parametrize(("knots", "weights", "words"), [
-    (np.linspace(0, 1, 8), (), r"has 8 knots; it needs 9, in increasing order: export or draw it again"),
+    (np.linspace(0, 1, 8), (), r"has 8 knots, but needs 9 in increasing order: draw the spline again"),
     (np.zeros(9), (), r"has no length: draw the spline again"),
-    (np.linspace(0, 1, 9), (1, 1), r"needs 5 positive finite weights, or none: export or draw it again"),
+    (np.linspace(0, 1, 9), (1, 1), r"needs 5 positive finite weights, or none: draw the spline again"),
 ])  # fmt: skip
 def test_numbers_of_a_spline_that_do_not_fit_are_told_with_what_to_do(drawing, knots, weights, words):
     def draw(space, _):

@@ -95,7 +95,7 @@ test_full_stop_for_bad_numbers = refusal_test(
             lambda: Edge(np.repeat([0.0, 1.0], 3), np.eye(3, 2), 2, np.array([1, 0, 1])),
             "positive finite weights",
         ),
-        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "it needs 6, in increasing order"),
+        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "but needs 6 in increasing order"),
         (lambda: Edge(np.zeros(6), np.eye(3, 2), 2), "so the spline has no length"),
     ]
 )
@@ -174,7 +174,7 @@ def test_a_plane_that_is_given_is_kept_or_refused():
     curve, frame = placed_curve([arch], plane=plane)
     assert frame is plane
     assert curve.sample(2).position == pytest.approx(np.array([(-6, 5), (-6, -55)]))
-    with pytest.raises(InputError, match="up to 2 mm away from its given plane"):
+    with pytest.raises(InputError, match="up to 2 mm away from the plane that was given"):
         placed_curve([arch], plane=Frame((0, 0, 2), (1, 0, 0), (0, 1, 0)))
 
 

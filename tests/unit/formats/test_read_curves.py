@@ -94,7 +94,7 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
     [
         ("one.csv", "3,4\n", "has fewer than two different points: draw the curve again, or leave it out"),
         ("null.json", "null", "has no record.*: give a file that elastica wrote"),
-        ("other.json", "{}", "reports of strips: give such a file"),
+        ("other.json", "{}", "reports of strips: give a file of one of these kinds"),
         (
             "far.svg",
             '<svg><path d="M 0 0 L 1e40 2"/></svg>',

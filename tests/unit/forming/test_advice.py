@@ -65,7 +65,7 @@ def saving(near, start):
 def test_savings_are_those_of_rods_within_slightly_looser_limits(drawn, name, limits, keep, looser):
     """A tenth of the step that the sentence names."""
     near, other = (nearest_rod(drawn, given, keep) for given in (limits, looser))
-    assert saving(near, f"To come nearer, relax the {name}") == pytest.approx(
+    assert saving(near, f"To come nearer to the drawn curve, relax the {name}") == pytest.approx(
         10 * (near.distance - other.distance), rel=0.12
     )
 
@@ -74,7 +74,7 @@ def test_savings_follow_the_measure_and_the_weights():
     asked = {"measure": "max", "weights": lambda s: 1 + (s > 100)}
     near, other = (nearest_rod(ARCH, Limits(ratio=ratio), **asked) for ratio in (1.2, 1.212))
     assert "reduces the largest distance by about" in near.advice[0]
-    assert saving(near, "To come nearer, relax the ratio limit") == pytest.approx(
+    assert saving(near, "To come nearer to the drawn curve, relax the ratio limit") == pytest.approx(
         10 * (near.distance - other.distance), rel=0.1
     )
 
@@ -83,7 +83,10 @@ def test_ends_are_called_by_their_side():
     for wish in (WAVE, WAVE.reversed()):
         near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True))
         assert (
-            saving(near, "To come nearer, relax the angle at the left end: a change of 1 degree reduces the")
+            saving(
+                near,
+                "To come nearer to the drawn curve, relax the angle at the left end: a change of 1 degree ",
+            )
             > 0
         )
 
@@ -92,7 +95,7 @@ def test_advice_solves_for_no_further_rod(monkeypatch):
     near = nearest_rod(ARCH, Limits(width=(10, 12)))
     monkeypatch.setattr("elastica_cad.forming.nearest_search.minimize", None)
     assert near.advice[0].startswith(
-        "To come nearer, relax the ratio of the widths: a change of 10 % reduces the "
+        "To come nearer to the drawn curve, relax the ratio of the widths: a change of 10 % reduces the "
     )
 
 
@@ -162,5 +165,7 @@ def test_what_is_missed_is_told_in_millimetres_and_degrees():
     assert near.status is Status.NOT_MET
     broken = {binding.name: binding.broken for binding in near.binding}
     told = list(near.advice)
-    assert f"This limit is not met: end position, by {broken['end position'] * arch.length:.3g} mm." in told
-    assert f"This limit is not met: end tangent, by {np.degrees(broken['end tangent']):.3g} degrees." in told
+    assert f"The strip misses a limit by {broken['end position'] * arch.length:.3g} mm: end position." in told
+    assert (
+        f"The strip misses a limit by {np.degrees(broken['end tangent']):.3g} degrees: end tangent." in told
+    )

@@ -56,7 +56,8 @@ def test_a_cusp_is_refused_with_its_place():
     # (v^2, v^3) on [-1, 1]: each half is (13^1.5 - 8) / 27 long
     points = [(1, -1), (-1 / 3, 1), (-1 / 3, -1), (1, 1)]
     with pytest.raises(
-        InputError, match=r"no tangent at \(.*\) mm, 1.44 mm from its start, because the curve has a cusp"
+        InputError,
+        match=r"the curve has a cusp, and the curve has no tangent at \(.*\) mm, 1.44 mm from its start",
     ):
         PlaneCurve(KNOTS, points, 3)
 

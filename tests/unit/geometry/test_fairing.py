@@ -79,7 +79,7 @@ def test_what_cannot_be_faired_is_told():
         fair_curve(corner, 0.1)
     with pytest.raises(InputError, match="positive distance"):
         fair_curve(ARCH, 0.0)
-    with pytest.raises(InputError, match="set at least"):
+    with pytest.raises(InputError, match="set a smoothing distance of at least"):
         fair_curve(ARCH, 1e-9)
 
 
@@ -100,7 +100,7 @@ def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
     smoothing = smooth_curve(drawn, smooth)
     assert not smoothing.curve.tangent_breaks
     assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
-    assert f"rounds corners of at most {degrees:.2g} degrees" in smoothing.notes[-1]
+    assert f"rounded corners of at most {degrees:.2g} degrees" in smoothing.notes[-1]
     with pytest.raises(InputError, match=f"set smooth to {smooth:g} mm to smooth it"):
         require_bendable(drawn)
 
@@ -156,7 +156,7 @@ def test_slight_corners_of_a_closed_curve_go_wherever_they_are(degrees):
     assert smoothing.curve.is_closed
     assert not smoothing.curve.has_corners
     assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
-    assert "rounds corners" in smoothing.notes[-1]
+    assert "rounded corners" in smoothing.notes[-1]
 
 
 def test_a_real_corner_where_a_curve_closes_is_refused_with_its_place_as_drawn():

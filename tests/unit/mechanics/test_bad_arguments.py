@@ -64,7 +64,7 @@ def test_a_support_is_a_name_or_an_end(end):
         (lambda: Rod.straight(100.0, samples=2.5), "samples is 2.5"),
         (lambda: Rod.straight(100.0, start=(0.0,)), "start cannot be .*: give two finite numbers"),
         (lambda: Rod.straight(100.0, bending_stiffness=-1.0), "bending stiffness is -1.0"),
-        (lambda: STRIP.with_stiffness(np.ones(40)), "stiffness has 40 values, but the rod has 41 nodes"),
+        (lambda: STRIP.with_stiffness(np.ones(40)), "`stiffness` has 40 values, but the rod has 41 nodes"),
         (lambda: bend(STRIP, end=(90.0, 0.0), mode=1.5), "mode is 1.5"),
         (lambda: bend(STRIP, samples="many"), "samples is 'many'"),
         (lambda: Weight(-1.0), "weight alpha is -1.0: give 0 or more"),

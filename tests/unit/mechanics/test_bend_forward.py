@@ -212,7 +212,7 @@ BAD = {
     "angle of a pin": (
         STRAIGHT, {"angles": (0.0, 1.0), "supports": Supports("clamped", "pinned")}, "leaves the angle free"
     ),
-    "useless force": (STRAIGHT, {"force": (1.0, 0.0)}, "both ends hold x"),
+    "useless force": (STRAIGHT, {"force": (1.0, 0.0)}, "both ends are held along x"),
     "useless moment": (STRAIGHT, {"moment": 1.0}, "the support holds the angle"),
     "which moment": (STRAIGHT, {"moment": 1.0, "supports": Supports("pinned", "pinned")}, "give both moments"),
     "moment shape": (STRAIGHT, {"moment": (1.0, 2.0, 3.0)}, "one number or two"),

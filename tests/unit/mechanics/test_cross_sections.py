@@ -125,7 +125,7 @@ def test_infeasible_laminate_names_the_stations_and_the_ratio_that_would_do():
 
 
 def test_no_thickness_helps_when_the_least_backing_fills_the_base():
-    with pytest.raises(InputError, match="at any thickness: reduce least_backing"):
+    with pytest.raises(InputError, match="whatever the thickness of the backing: reduce `least_backing`"):
         two_layers().thickness_ratio([5.0, 5.0], [1.0, 2.0], least_backing=6.0)
 
 
@@ -164,7 +164,7 @@ def test_scale_range_of_touching_limits_is_feasible():
         (lambda: ThicknessLaw(sheet(), 8.0, 3.0, width=20.0), "thickness limits are 8 and 3 mm"),
         (lambda: ThicknessLaw(sheet(), 3.0, 8.0, width=0.0), "width is 0: give a positive width"),
         (lambda: ThicknessLaw("ply", 3.0, 8.0, width=5.0), "give a Sheet"),
-        (lambda: RoundLaw(sheet(), 3.0, 8.0, bore=1.0), "bore is 1: give the ratio of inner to outer"),
+        (lambda: RoundLaw(sheet(), 3.0, 8.0, bore=1.0), "`bore` is 1: give the ratio of inner to outer"),
         (lambda: RoundLaw(sheet(), 0.0, "8"), "diameter limit is '8': give a finite number"),
         (lambda: WidthLaw(sheet(), 0.0, 0.0), "width limits are 0 and 0 mm"),
     ],

@@ -266,7 +266,7 @@ def test_least_slot_width_and_height_of_the_plate(arch):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
     with pytest.raises(InputError, match=r"come from below the plate. Move the plate down .base\.height"):
         base_plate(model.placed, MDF, frame=Frame((0, 0, 500)))
-    with pytest.raises(InputError, match="has no strip to hold"):
+    with pytest.raises(InputError, match="holds no end of any strip"):
         base_plate([], MDF)
 
 

@@ -93,8 +93,8 @@ def test_places_at_random():
 def test_what_is_told():
     placed = [arch("A"), arch("B", (0, 10, 0)), arch("C", (0, 25, 0)), arch("D", (0, 50, 0))]
     (told,) = missing_slots(placed, brief=True)
-    assert told.startswith("the sheets of A at ")
-    assert " mm and B at " in told
+    assert told.startswith("the sheets of A (")
+    assert "from its start) and B (" in told
     assert told.endswith(" overlap (and 1 more pair): move the strips apart, or make them narrower there")
 
 

@@ -302,10 +302,10 @@ def test_a_strip_held_from_both_edges_is_told():
     over = turned(np.pi / 2, at=(30, 0, 16), label="A")
     under = turned(np.pi / 2, at=(70, 0, -16), label="B")
     last = Model([over, under, flat(label="C")]).interlock()
-    assert last.reports[-1].endswith("thread in C, because slots enter from both edges")
+    assert last.reports[-1].endswith("thread C into place, because their slots enter from both edges")
     assert sorted(slot.side for slot in last.strips[2].slots) == ["lower", "upper"]
     first = Model([flat(label="C"), over, under]).interlock()
-    assert "thread in" not in first.reports[-1]
+    assert "into place" not in first.reports[-1]
 
 
 def test_arches_that_lie_on_each_other_at_the_top_touch():

@@ -107,7 +107,7 @@ test_refusals = refusal_test(
         (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip has no plies"),
         (
             lambda: EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start"),
-            "hold its ends in clamps",
+            "clamp the ends of the stack",
         ),
     ]
 )
