@@ -187,7 +187,7 @@ def several(
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for item in items:
         if not isinstance(item, record):
-            raise InputError(f"{name} hold {quoted(item)}: give {kind} records{cure and f', {cure}'}")
+            raise InputError(f"{name} include {quoted(item)}: give only {kind} records{cure and f', {cure}'}")
     return items
 
 

@@ -250,8 +250,8 @@ class Flexure:
             and not 0 < require_number(self.push_at, "push_at", "mm") < self.pair.length
         ):
             raise InputError(
-                ("the part is {length} long between its pads, so it cannot be pushed at {at}: push it between "
-                 "the pads"),
+                ("the part is {length} long between its pads and cannot be pushed {at} from its "
+                 "start: push the part between the pads"),
                 length=Length(self.pair.length), at=Length(self.push_at),
             )  # fmt: skip
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
@@ -276,8 +276,8 @@ class Flexure:
         if self.least_thickness is not None:
             return self.least_thickness
         if self.pair.check.any_stiffness:
-            raise InputError("both curves have the same shape, so no bending determines the thickness of the "
-                             "part: set {field}", field=FieldName("least_thickness"))  # fmt: skip
+            raise InputError("the thickness of the part cannot be computed, because both curves have "
+                             "the same shape: set {field}", field=FieldName("least_thickness"))  # fmt: skip
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         try:
@@ -898,8 +898,9 @@ class Flexure:
     def rest_warnings(self) -> tuple[Refusal, ...]:
         """Warnings about unstable states and about rest shapes far from the drawn curves."""
         if self.pair.bistable and not self.bistable:
-            return (note("the part is not bistable, because its forces stretch it, so it rests only near one "
-                         "curve ({name}). Make it thinner ({field}), or bend the curves more",
+            return (note("the part is not bistable: its forces stretch the part, which then rests "
+                         "near one curve only ({name}). Make the part thinner ({field}), or bend the "
+                         "curves more",
                          severity="warning", field=FieldName("least_thickness"),
                          name=self.state_labels[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
         messages = []
@@ -912,9 +913,9 @@ class Flexure:
                     "Change this curve",
                                      severity="warning", name=name, far=Length(deviation)))  # fmt: skip
             elif deviation > REST_SHARE * self.pair.length:
-                messages.append(note("the part rests up to {far} from its curve ({name}), {percent:.2g} % of "
-                                     "its length, because its forces stretch it. Make it thinner ({field}), "
-                                     "or bend the curves more",
+                messages.append(note("the part rests up to {far} ({percent:.2g} % of its length) "
+                                     "from its curve ({name}), because its forces stretch the part. "
+                                     "Make the part thinner ({field}), or bend the curves more",
                                      severity="warning", field=FieldName("least_thickness"), far=Length(deviation),
                                      name=name, percent=100 * deviation / self.pair.length))  # fmt: skip
         return tuple(messages)

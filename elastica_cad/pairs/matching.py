@@ -181,9 +181,9 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
     length = min((float(best.x), low, high), key=change)
     if not np.isfinite(change(length)):
         raise InputError(
-            "the curves are {first:.5g} and {second:.5g} long, and no small change of the curves between "
-            "their fixed ends makes these lengths equal. Draw curves of more similar length, or scale them "
-            "({field} = shape).",
+            "the curves are {first:.5g} and {second:.5g} long, and no small change of the curves "
+            "between their fixed ends makes these lengths equal. Draw curves of more similar length, "
+            'or scale the curves (set {field} to "shape").',
             first=Length(lengths[0]),
             second=Length(lengths[1]),
             field=FieldName("match"),
@@ -285,7 +285,7 @@ class _Drawn:
         numbers = self.numbers(length)
         if numbers is None:
             raise NotConvergedError(
-                f"no small change of the curve leads to the length {length}: draw curves of more similar "
+                f"no small change of the curve leads to the length {length:.5g} mm: draw curves of more similar "
                 "length"
             )
         start, _, angles = self.clamps

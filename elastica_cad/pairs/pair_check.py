@@ -152,8 +152,8 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
             )
     if abs(second.length / first.length - 1) > EQUAL_LENGTHS_SHARE:
         raise InputError(
-            "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the same length "
-            "in both. Set {field} to ends.",
+            "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the "
+            'same length in both. Set {field} to "ends".',
             first=Length(first.length),
             second=Length(second.length),
             field=FieldName("match"),

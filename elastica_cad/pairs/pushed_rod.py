@@ -166,7 +166,8 @@ def push_path(
     (True, True)
     """
     if not 0 < at < _require_plain(rod).length:
-        raise InputError("the rod is {length} long and cannot be pushed at {at}: push it between its ends",
+        raise InputError("the rod is {length} long and cannot be pushed {at} from its start: push "
+                         "the rod between its ends",
                          length=Length(rod.length), at=Length(at))  # fmt: skip
     away = pair(direction, "the direction of the push")
     if not away.any():

@@ -90,8 +90,8 @@ def _force_sentence(part: Flexure) -> Refusal:
     turn = round(part.force_direction)
     if not part.pair.bistable:
         sentence = note(
-            "the part has two settings; moving its end from one to the other takes at most {force}, at {turn} "
-            "degrees to the x axis",
+            "the end of the part can be clamped in two positions; moving the end between them takes "
+            "at most {force}, at {turn} degrees to the x axis",
             force=part.force_text, turn=turn,
         )  # fmt: skip
         snap, jump = part.travel.snap, part.travel.forces_at_snap
@@ -109,8 +109,8 @@ def _force_sentence(part: Flexure) -> Refusal:
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:
         return note(
-            "not bistable: the part keeps one curve ({second}) only while a force of {force} pushes it at "
-            "{at:.4g} from the start, at {turn} degrees to the x axis",
+            "not bistable: the part keeps one curve ({second}) only while pushed with {force}, "
+            "{at:.4g} from the start and at {turn} degrees to the x axis",
             force=part.force_text, at=at, turn=turn, second=part.state_labels[1],
         )  # fmt: skip
     sentence = note(
@@ -124,6 +124,6 @@ def _force_sentence(part: Flexure) -> Refusal:
     if part.travel.snap is None:
         return sentence
     return note(
-        "{sentence}; it snaps by itself after {snap:.3g} of travel and about {work:.2g} mJ of work",
+        "{sentence}; after {snap:.3g} of travel and about {work:.2g} mJ of work, the part snaps by itself",
         sentence=sentence, snap=Length(part.travel.snap), work=part.travel.work,
     )  # fmt: skip

@@ -251,7 +251,7 @@ def _plate_sentences(
             )  # fmt: skip
         else:
             yield note(
-                "Put pieces {gap:.3g} high, which are not among the parts, between {second} and {first}.",
+                "Put spacers {gap:.3g} high between {second} and {first}. These spacers are not in the kit.",
                 second=second.name, gap=Length(gap), first=first.name,
             )  # fmt: skip
     rails = [

@@ -207,7 +207,7 @@ def model(
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
-        raise InputError(f"flat is {flat!r}. Use a whole number of parts to show, 0 for none.")
+        raise InputError(f"flat (number of flat parts to draw) is {flat!r}. Use a whole number, 0 for none.")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     faces = _plate_faces(held_by)
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])

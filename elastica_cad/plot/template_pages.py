@@ -90,7 +90,9 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
     step = size - OVERLAP_MM
     counts = np.maximum(1, np.ceil((high - low - OVERLAP_MM) / step - 1e-9)).astype(int)
     if counts.prod() > MOST_TILES:
-        raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper. Use larger paper.")
+        raise InputError(
+            f"{drawing.name} needs {counts.prod()} pages of this paper, more than {MOST_TILES}. Use larger paper."
+        )
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
     lines = [item.path.closed_points(1.0) for item in drawing.strokes]
     segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in lines])

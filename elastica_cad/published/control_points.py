@@ -548,8 +548,8 @@ def enforce_constraints(
     if after.size > before.size and (line is not None or after.size > 2):
         places = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
-            f"the moved curve has {after.size} inflections (at {places} mm) instead of {before.size}: keep "
-            "fewer of ends, tangents and length, or use nearest_rod"
+            f"the moved curve has {after.size} inflections (at {places} mm) instead of {before.size}: "
+            "switch off `ends`, `tangents` or `length`, or use nearest_rod"
         )
     return EnforcedCurve(moved, residuals, largest_move(curve, moved))
 

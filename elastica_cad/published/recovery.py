@@ -207,7 +207,10 @@ def recover_stability(
     """
     require_ratio(R_max, "R_max")
     if not is_number(margin):
-        raise InputError(f"margin is {margin!r}: give a number, such as 5; 0 is the border of stability")
+        raise InputError(
+            f"margin (the least stability margin) is {margin!r}: give a number, such as 5; "
+            "0 is the limit of stability"
+        )
     require_curve(curve)
     constraints = kept(curve, ends=ends, tangents=tangents, length=length)
     route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)

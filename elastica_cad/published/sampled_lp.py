@@ -84,7 +84,7 @@ def sampled_stiffness(
         )
     if not (np.all(np.isfinite(position)) and np.all(np.isfinite(curvature)) and np.all(curvature != 0)):
         raise InputError(
-            "the samples have positions that are not finite, or zero curvature: keep samples off the "
+            "each sample needs a finite position and a finite curvature that is not 0: leave out samples at "
             "inflections"
         )
     centre = (position.max(axis=0) + position.min(axis=0)) / 2
@@ -93,8 +93,7 @@ def sampled_stiffness(
     else:
         if weights is None:
             raise InputError(
-                "with gravity, each sample needs a weight: give the length of curve (mm) that each sample "
-                "represents"
+                "with gravity, `weights` is missing: give the length of curve (mm) that each sample represents"
             )
         rows = sampled_rows(position - centre, curvature, np.asarray(weights, dtype=float), gravity.e)
     solution = minimax_ratio(rows)

@@ -558,7 +558,9 @@ class BoundaryMaker:
             a, b = self.vertices[low.start], self.vertices[low.end]
             return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
         if isinstance(shape, BentMap):
-            raise TypeError("only lines across stay plane on a bent strip")
+            raise TypeError(
+                "only lines across a bent strip stay plane: draw the edges across the strip as lines"
+            )
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
             return CylinderSurface(base, segment.radius)

@@ -309,7 +309,8 @@ class _Cutter:
         used = [piece.number for region in regions for loop in region.loops for piece in loop if piece.seam]
         if len(used) != 2 * len(set(used)):
             raise InputError(
-                "holes, slots or edges of the flat part touch where a tab begins: move them apart"
+                "holes, slots or edges of the flat part touch where a tab begins: move the holes and "
+                "slots there apart"
             )
         return CutPattern(np.array(self.points), tuple(regions))
 
@@ -369,7 +370,8 @@ class _Cutter:
                     k += step
                     if not 0 <= k < len(row):
                         raise InputError(
-                            "loops of the flat pattern cross at x = {points:.6g}: move holes and slots apart there",
+                            "outlines of the flat part cross at x = {points:.6g} along the strip: "
+                            "move the holes and slots there apart",
                             points=Length(self.points[loop[-1].end][0]),
                         )
                     loop.append(self._seam(row[k - step], row[k], step > 0))
@@ -389,7 +391,8 @@ class _Cutter:
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
         raise InputError(
-            "the flat pattern has an open loop at x = {points:.6g}: move holes and slots apart there",
+            "an outline of the flat part is open at x = {points:.6g} along the strip: move the holes "
+            "and slots there apart",
             points=Length(self.points[corner][0]),
         )
 

@@ -128,8 +128,8 @@ class Laminated:
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
             raise InputError(
-                "the base is {w1:g} wide {s:.1f} from the start, less than the least backing of {least:g}: "
-                "widen it there",
+                "the base is {w1:g} wide {s:.1f} from the start, less than the narrowest backing "
+                "({least:g}): widen the base there",
                 w1=Length(narrow),
                 s=Length(s[i]),
                 least=Length(needed),
@@ -143,8 +143,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "a backing {least:g} wide is needed {low:.1f} from the start, but it would become wider "
-                "than {field} ({most:g}) {high:.1f} from the start. Raise {field}",
+                "if the backing is {least:g} wide {low:.1f} from the start, the backing {high:.1f} "
+                "from the start must be wider than {field} ({most:g}). Raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),
@@ -189,11 +189,14 @@ def _infeasible(
             "make the backing at least {least:g} times as thick as the base (now {now:.3g} times)",
             least=rounded_up(1 / ratio, 3), now=section.backing.thickness / section.base.thickness,
         )]  # fmt: skip
-    ways[1:1] = [note("narrow the base at {s}", s=Length(s[i])), note("widen it at {s}", s=Length(s[j]))]
+    ways[1:1] = [
+        note("narrow the base {s} from the start", s=Length(s[i])),
+        note("widen the base {s} from the start", s=Length(s[j])),
+    ]
     return note(
-        "the laminate cannot be as soft as needed {soft} from the start (base {soft_width} wide, stiffness K "
-        "{soft_stiffness:.3g}) and as stiff as needed {stiff} from the start (base {stiff_width} wide, K "
-        "{stiff_stiffness:.3g}): {ways}",
+        "the laminate cannot be both soft enough {soft} from the start (base {soft_width} wide, "
+        "relative stiffness {soft_stiffness:.3g}) and stiff enough {stiff} from the start (base "
+        "{stiff_width} wide, relative stiffness {stiff_stiffness:.3g}): {ways}",
         soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
         stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),
     )  # fmt: skip

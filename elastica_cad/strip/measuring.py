@@ -226,7 +226,10 @@ class Measuring:
             *self._verdict(
                 measured, {name: float(np.hypot(self.uncertain[name], errors[name])) for name in names}
             ),
-            Row("Readings", f"Assumed to be exact to {reading_error:g} mm and {angle_error:g} {degrees}."),
+            Row(
+                "Readings",
+                f"Measured values are assumed to be exact to {reading_error:g} mm and {angle_error:g} {degrees}.",
+            ),
             *([] if set(ANGLES) & set(names) else [Row("Angles", NO_ANGLES)]),
             *(self._row(name, measured[name]) for name in names),
         )

@@ -199,7 +199,7 @@ class Tab:
         cut = self.corner_radius or self.chamfer
         if cut > length or 2 * cut > w:
             raise InputError(
-                "tab corners of {cut:g} do not fit a tab of {length:g} by {w:g}: make them smaller",
+                "tab corners of {cut:g} do not fit a tab of {length:g} by {w:g}: make the corners smaller",
                 cut=Length(cut),
                 length=length,
                 w=Length(w),
@@ -296,7 +296,7 @@ def pair_of_tabs(tabs: object, supports: Supports | None = None) -> tuple[Tab, T
     both = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(both) != 2:
         raise InputError(
-            f"ends are {counted(len(both), 'tab')}: give two, for the start and the end; Tab(0) means no tab"
+            f"ends has {counted(len(both), 'tab')}: give two, for the start and the end (Tab(0) means no tab)"
         )
     return both[0], both[1]
 

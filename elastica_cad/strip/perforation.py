@@ -540,8 +540,10 @@ class _Fit:
         ways = []
         if np.isfinite(need):
             ways.append(note(
-                "make the outline at least {least:g} wide there (now {now:.4g})",
-                least=Mm(rounded_up(need)), now=Mm(self.w[i]),
+                "make the outline at least {least:g} wide {s} from the start (now {now:.4g})"
+                if self._has_varying_outline(i) else
+                "make the outline at least {least:g} wide everywhere (now {now:.4g})",
+                least=Mm(rounded_up(need)), s=Mm(self.s[i]), now=Mm(self.w[i]),
             ))  # fmt: skip
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
@@ -575,11 +577,14 @@ class _Fit:
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
         i = int(np.argmax(need / self.w))
-        if np.ptp(self.w) > SEEN_APART * self.w[i]:
+        if self._has_varying_outline(i):
             return i, float(need[i])
         left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
         by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
         return i, max(by_ligaments, self.holes / left) if left > 0 else np.inf
+
+    def _has_varying_outline(self, i: int) -> bool:
+        return bool(np.ptp(self.w) > SEEN_APART * self.w[i])
 
     def _would_do(self, columns: int) -> bool:
         section = PerforatedSection(

@@ -121,7 +121,9 @@ class FlatSolid:
         require_positive(self.thickness, "plate thickness")
         require_record(self.outline, Path, "the outline of a plate", "a Path")
         if not all(path.closed for path in (self.outline, *several("holes", self.holes, Path, "Path"))):
-            raise InputError("a plate needs closed loops, but one path is open: close it")
+            raise InputError(
+                "a path of the plate is open, but outline and holes must be closed: close the path"
+            )
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":

@@ -915,7 +915,9 @@ class Placed:
         """
         m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
-            raise InputError("this map would deform the strip: use only a 3x3 rotation or mirror and a shift")
+            raise InputError(
+                "this map would deform the strip: use only a shift and a 3x3 matrix that rotates or mirrors"
+            )
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
         origin = m @ self.origin + three(shift, "the shift of a strip")
         return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis, self.color)

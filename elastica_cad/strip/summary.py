@@ -318,7 +318,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
         note(
             "the {element} from {start:.0f} to {end:.0f} moves the strip by {far}"
             if isinstance(action.element, Tie)
-            else "the {element} at {start:.0f} moves the strip by {far}",
+            else "the {element} {start:.0f} from the start moves the strip by {far}",
             far=_rounded_move(MOUNTING_ERROR_MM * moved), element=noun_of(action.element),
             start=Length(action.s[0]), end=Length(action.s[-1]),
         )
@@ -344,9 +344,9 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
         gap = -violation(action, ShapeOfRod.of(rod))
         return note(
-            "the {element} at {places} is slack, {gap:.2g} away from the strip"
+            "the {element} {places} from the start is slack, {gap:.2g} away from the strip"
             if isinstance(action.element, Rail) and gap >= SMALLEST_MOVE_MM
-            else "the {element} at {places} is slack",
+            else "the {element} {places} from the start is slack",
             element=noun_of(action.element), places=places, gap=Length(gap),
         )  # fmt: skip
     if isinstance(action.element, Tie):
@@ -358,11 +358,11 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     angle = float(np.degrees(np.arctan2(*action.force[0][::-1])))
     if isinstance(action.element, Rail):
         return note(
-            "rail at {at:.0f} pushes the strip {direction} with {force:.2g} N",
+            "rail {at:.0f} from the start pushes the strip {direction} with {force:.2g} N",
             at=Length(action.s[0]), direction=direction_in_drawing(angle), force=force,
         )  # fmt: skip
     return note(
-        "pin at {at:.0f} pushes {force:.2g} N at {angle:.0f} degrees",
+        "pin {at:.0f} from the start pushes the strip with {force:.2g} N at {angle:.0f} degrees",
         at=Length(action.s[0]), force=force, angle=angle,
     )  # fmt: skip
 

@@ -647,7 +647,9 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
         wide=wide, at=at, needed=needed, sheet=sheet.name,
     )  # fmt: skip
     return Fault(
-        name, what, note("Increase the distance of the holes by {shift}, or make them smaller", shift=shift)
+        name,
+        what,
+        note("Increase the distance of the holes by {shift}, or make the holes smaller", shift=shift),
     )
 
 

@@ -749,7 +749,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
     """Return the curve without control point `k` and without the inner knot beside it."""
     count, degree = len(curve.control_points), curve.degree
     if not isinstance(k, int) or not 0 <= k < count:
-        raise InputError("The control point {k!r} does not exist. Choose another one.", k=k)
+        raise InputError("The control point {k!r} does not exist. Choose another control point.", k=k)
     points = np.delete(curve.control_points, k, axis=0)
     weights = None if curve.weights is None else np.delete(curve.weights, k)
     inner = np.arange(degree + 1, count)

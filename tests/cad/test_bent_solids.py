@@ -220,7 +220,7 @@ class TestBadInput:
             BentSolid.wrapped(arch_strip.rod, arch_strip.outline, holes, heights=(-0.4, 0.4))
 
     def test_open_outline(self):
-        with pytest.raises(InputError, match="closed loops"):
+        with pytest.raises(InputError, match="must be closed"):
             FlatSolid(Path([Line((0, 0), (1, 0))]), (), 1.0)
 
     def test_no_thickness(self):

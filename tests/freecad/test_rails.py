@@ -150,7 +150,7 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     assert (between, state, verdict, offered) == (
         ["at = 197.0"], ["Up-to-date"], "A flat strip can be bent into this curve.", False,
     )  # fmt: skip
-    assert "rail at 197 mm pushes" in found["numbers"]
+    assert "rail 197 mm from the start pushes" in found["numbers"]
     assert found["listed"] == ["Rail at 197 mm"]
     assert found["overlay"] == {"thrust": 4, "stations": 1, "on line": 2}
     before, frames, place, (between, *_) = found["dragged"]

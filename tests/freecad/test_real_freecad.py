@@ -504,7 +504,7 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
     assert [found[f"{name}, flat parts"] for name in ("all", "picked in the view")] == [3, 1]
     assert "Edge1, Ribs Edge2, Ribs Edge3: Read" in found["checked"]
     heading, words, comb = found["card"]
-    assert heading == "3 of 3 curves can be bent"
+    assert heading == "strips can be bent into 3 of 3 curves"
     assert [line[:2] for line in words.splitlines()] == ["1:", "2:", "3:"]
     assert comb > 3 * 161, "each curve has its comb"
 

@@ -97,7 +97,7 @@ WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -
     [
         (ARCH, 30, {}),
         (SPIRAL, 15, {"Margin": "snaps into another shape", "SidewaysMargin": "tips over sideways"}),
-        (LOOP, 12, {"LargestStrain": "beyond its limit: ", "SidewaysMargin": "tips over sideways"}),
+        (LOOP, 12, {"LargestStrain": "strain too large: ", "SidewaysMargin": "tips over sideways"}),
         ([(5 * x, 5 * y) for x, y in ARCH], 650, {"Length": "too short for its width"}),
         (WAVY, 12, {}),
     ],

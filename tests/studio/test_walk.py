@@ -140,7 +140,9 @@ def test_rails_ties_and_loads_are_set_on_the_curve(server, tmp_path):
         rail = studio.center("g.elements .rail circle")
         pushed = studio.text("g.elements .rail text")
         studio.press(rail, (4, 0), (12, 0))
-        studio.until(lambda: "rail at" in studio.text(".numbers") and studio.text(".numbers") != pushed)
+        studio.until(
+            lambda: "from the start pushes" in studio.text(".numbers") and studio.text(".numbers") != pushed
+        )
 
         for noun, at, ways in (
             ("tie", np.add(studio.point(2), (0, 40)), [studio.point(6) - studio.point(2)]),

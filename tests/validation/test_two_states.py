@@ -241,7 +241,7 @@ def test_the_thickest_flexure_is_that_of_a_general_solver():
 
 def test_lengths_are_made_equal_first():
     longer = PlaneCurve.spline([(0, 0), (30, 24), (70, 30), (100, 0)], degree=3)
-    with pytest.raises(InputError, match="Set match to ends") as refused:
+    with pytest.raises(InputError, match='Set match to "ends"') as refused:
         two_state_rod(ARCH, longer)
     assert refused.value.refusal.changes[0].field == "match"
     first, second = matched_pair(ARCH, longer)

@@ -75,14 +75,17 @@ def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path)
     readings = tmp_path / "measured.toml"
     text = f"height_2 = {expected['height_2'] - 2.0}\nheight_1 = {expected['height_1'] + 2.0}\n"
     readings.write_text(text)
-    assert "Assumed to be exact to 2 mm and 1 degree." in run("compare", report, readings).output
+    assert (
+        "Measured values are assumed to be exact to 2 mm and 1 degree."
+        in run("compare", report, readings).output
+    )
     readings.write_text("reading_error = 0.1\nangle_error = 0.5\n" + text)
     output = run("compare", report, readings).output
     assert output.startswith("! Verdict")
-    assert "Readings    Assumed to be exact to 0.1 mm and 0.5 degrees." in output
+    assert "Readings    Measured values are assumed to be exact to 0.1 mm and 0.5 degrees." in output
     output = run("compare", report, readings, "--reading-error", "2mm").output
     assert output.startswith("Verdict     All differences are within")
-    assert "Readings    Assumed to be exact to 2 mm and 0.5 degrees." in output
+    assert "Readings    Measured values are assumed to be exact to 2 mm and 0.5 degrees." in output
     readings.write_text("reading_error = 'small'\n" + text)
     assert "reading_error is not a number" in run("compare", report, readings, code=2).output
     readings.write_text(text)

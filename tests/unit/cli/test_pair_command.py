@@ -107,7 +107,7 @@ least_thickness = 2.8
     said = run("pair", tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
     assert "not bistable: the part keeps one curve (second state) only while" in said.stdout
     assert "snaps" not in said.stdout
-    assert "it rests only near one curve (second state)" in said.stderr
+    assert "rests near one curve only (second state)" in said.stderr
     report = json.loads((tmp_path / "out" / "low.json").read_text())
     assert (report["bistable"], report["reaches_second_state"]) == (False, False)
     assert max(report["rest_deviation_mm"]) > 3
@@ -175,7 +175,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.svg", "--sheet", "pom-3", "--fillet", "12"), "does not fit"),
         (("clip.toml", "clip.svg", "--sheet", "pom-3"), "Leave out the other arguments"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
-         "Set --match to ends"),
+         "Set --match to \"ends\""),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
         (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "The width of the cut is not known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),

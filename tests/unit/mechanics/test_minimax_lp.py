@@ -115,7 +115,10 @@ def test_side_rows_bind():
 
 test_sampled_stiffness_refuses_samples_on_inflections = refusal_test(
     [
-        (lambda: sampled_stiffness([(0, 0), (1, 0), (2, 1)], [0.1, 0.0, 0.1]), "off the inflections"),
+        (
+            lambda: sampled_stiffness([(0, 0), (1, 0), (2, 1)], [0.1, 0.0, 0.1]),
+            "leave out samples at inflections",
+        ),
         (lambda: sampled_stiffness([(0, 0), (1, 0)], [0.1, 0.2, 0.3]), "positions"),
     ],
     kind=ValueError,

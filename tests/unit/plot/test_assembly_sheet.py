@@ -51,9 +51,9 @@ def test_the_sheet_of_two_stacks_of_rings_states_spacers_and_distance(sheet):
         [ec.Placed(rib, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn], name="lamp"
     )
     (page,) = sheet(lamp, *end_plates(lamp.placed, "mdf-3", gap=7))
-    put = "Put pieces 7 mm high, which are not among the parts, between"
-    assert f"1   {put} ring-bottom-outer and ring-bottom." in page
-    assert f"2   {put} ring-top-outer and ring-top." in page
+    put = "Put spacers 7 mm high between"
+    assert f"1   {put} ring-bottom-outer and ring-bottom. These spacers are not in the kit." in page
+    assert f"2   {put} ring-top-outer and ring-top. These spacers are not in the kit." in page
     assert "ring-bottom and ring-bottom-outer" in page
     assert "The inner faces of ring-bottom and ring-top are 170.0 mm apart." in page
     assert "A strip without a label has the numbers 1 and 2 at its start and its end." in page

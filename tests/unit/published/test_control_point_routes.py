@@ -66,7 +66,7 @@ def test_enforced_on_a_given_line_and_like_another_curve():
 def test_an_inflection_that_comes_on_the_way_is_told():
     """Three are brought onto a line, and a fourth appears beside the start: it had been returned as enforced."""
     points = [(4, 22), (21, 5), (30, -6), (48, -39), (65, 47), (78, -38), (100, 29)]
-    with pytest.raises(NotConvergedError, match=r"has 4 inflections \(at .* mm\) instead of 3: keep fewer"):
+    with pytest.raises(NotConvergedError, match=r"has 4 inflections \(at .* mm\) instead of 3: switch off"):
         enforce_constraints(PlaneCurve.spline(points, degree=4))
 
 
@@ -142,7 +142,7 @@ test_bad_input = refusal_test(
     [
         (lambda: optimize_ratio(ARCH, 0.9), "give a larger number"),
         (lambda: recover_stability(ARCH, R_max=float("nan")), "give a larger number"),
-        (lambda: recover_stability(ARCH, margin=float("inf")), "border of stability"),
+        (lambda: recover_stability(ARCH, margin=float("inf")), "limit of stability"),
         (lambda: optimize_ratio(PlaneCurve.line((0, 0), (100, 0), degree=4), 2.0), "straight"),
         (lambda: optimize_ratio(ARCH, 2.0, max_steps=0), "max_steps"),
         (lambda: optimize_ratio(PlaneCurve.ellipse((0, 0), (30, 20)), 2.0), "closed"),

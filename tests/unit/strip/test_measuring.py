@@ -208,7 +208,7 @@ def test_a_small_difference_counts_for_exact_readings_only(strip):
     assert "within the reading error" in measuring.compare(readings, reading_error=2.0)[0].text
     verdict, stated, *_ = measuring.compare(readings, reading_error=0.1, angle_error=0.1)
     assert verdict.text.startswith("The distance between the ends is 2 mm off")
-    assert stated.text == "Assumed to be exact to 0.1 mm and 0.1 degrees."
+    assert stated.text == "Measured values are assumed to be exact to 0.1 mm and 0.1 degrees."
     with pytest.raises(InputError, match="reading_error is 0: give a number above 0, in mm"):
         measuring.compare(readings, reading_error=0)
 

@@ -163,7 +163,7 @@ def test_bad_models():
         Model([])
     with pytest.raises(InputError, match="right angles"):
         Placed(strip(), x_axis=(1, 0, 0), y_axis=(1, 1, 0))
-    with pytest.raises(InputError, match="rotation or mirror"):
+    with pytest.raises(InputError, match="rotates or mirrors"):
         Placed(strip()).moved(np.diag([1, 1, 2]))
     model = Model([Placed(strip())])
     with pytest.raises(InputError, match="normal of a mirror"):

@@ -31,7 +31,7 @@ def test_the_report_has_each_force_and_says_what_is_not_checked():
     chord = np.hypot(*np.diff(WAVE.at([40.0, 310.0]).position, axis=0)[0])
     assert abs(rail[0]) < -rail[1], "the rail is above the strip"
     assert rows["Between"].text == (
-        f"rail at 200 mm pushes the strip downward with {np.hypot(*rail):.2g} N (bar above the strip); "
+        f"rail 200 mm from the start pushes the strip downward with {np.hypot(*rail):.2g} N (bar above the strip); "
         f"tie from 40 mm to 310 mm, {chord:.1f} mm long, pulls {np.hypot(*tie):.2g} N"
     )
     assert rows["Stability"].text == "stable, in its plane and sideways"
@@ -70,7 +70,8 @@ def test_a_pin_and_a_force_are_reported_and_the_forces_balance():
     text = {row.label: row.text for row in strip_rows(strip)}["Between"]
     pin = strip.bending_stiffness * strip.rod.between_forces[0]
     assert text == (
-        f"pin at 200 mm pushes {np.hypot(*pin):.2g} N at {np.degrees(np.arctan2(pin[1], pin[0])):.0f} degrees"
+        f"pin 200 mm from the start pushes the strip with {np.hypot(*pin):.2g} N "
+        f"at {np.degrees(np.arctan2(pin[1], pin[0])):.0f} degrees"
     )
     ends = strip.reactions()
     held = ends.start_force + ends.end_force + pin + (0, -0.2)
@@ -149,8 +150,8 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
     text = {row.label: row.text for row in strip_rows(strip)}["Mounting"]
     rail, tie = (element["moved_per_mm"] for element in report_strip(strip, name="wave", files={})["between"])
     assert text == (
-        f"if mounted with an error of 0.5 mm, the rail at 200 mm moves the strip by {rail / 2:.2g} mm; the tie "
-        f"from 40 mm to 310 mm moves the strip by {tie / 2:.2g} mm"
+        f"if mounted with an error of 0.5 mm, the rail 200 mm from the start moves the strip by "
+        f"{rail / 2:.2g} mm; the tie from 40 mm to 310 mm moves the strip by {tie / 2:.2g} mm"
     )
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
 

@@ -172,7 +172,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):
-        raise InputError("An edge is infinitely long. Trim it.")
+        raise InputError("An edge is infinitely long. Trim this edge.")
     if isinstance(curve, Part.OffsetCurve):
         return curve.approximateBSpline(OFFSET_TOLERANCE_MM, 1000, 9)
     return curve.toBSpline(first, last)

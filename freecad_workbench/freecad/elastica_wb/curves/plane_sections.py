@@ -141,7 +141,7 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     shape = _shape(source)
     edges = [shape.getElement(name) for name in names] or shape.Edges
     if not all(is_bounded(edge.BoundBox) for edge in edges):
-        raise InputError("An edge is infinitely long. Trim it.")
+        raise InputError("An edge is infinitely long. Trim this edge.")
     chains = Part.sortEdges(edges) if edges else []
     if len(chains) != 1:
         raise InputError(

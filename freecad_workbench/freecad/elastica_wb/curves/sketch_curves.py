@@ -74,7 +74,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
     """
     curve, frame = plane_curve(drawn_in(sketch, geometry), gap=gap)
     if abs(frame.z_axis[2] - 1) > 1e-12:
-        raise InputError("{sketch} is not plane", sketch=sketch.Label)
+        raise InputError("{sketch} is not plane: choose a plane sketch", sketch=sketch.Label)
     return curve
 
 

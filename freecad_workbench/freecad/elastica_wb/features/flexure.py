@@ -105,7 +105,7 @@ class FlexureFeature(Feature):
             Verdict=(
                 note("This part rests in both curves and snaps between them.")
                 if part.bistable
-                else note("This part has two settings, between which its end moves.")
+                else note("The end of this part can be clamped in two positions.")
                 if not part.pair.bistable
                 else note("This part does not rest in both curves.")
             ),

@@ -293,7 +293,7 @@ class Session:
             for number, answer in enumerate(answers, 1)
         ]
         count = sum(answer.verdict is Verdict.CAN for answer in answers)
-        words = note("{count} of {total} curves can be bent", count=count, total=len(answers))
+        words = note("strips can be bent into {count} of {total} curves", count=count, total=len(answers))
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:

@@ -136,7 +136,8 @@ def readings_of(text: str) -> tuple[list[float], list[float]]:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))
         except ValueError as error:
             raise InputError(
-                "{reading!r} is not a reading. Write overhang = droop in mm, such as 120 = 14.5; 150 = 31.",
+                "{reading!r} is not a pair of measurements. Write overhang = droop in mm, such as "
+                "120 = 14.5; 150 = 31.",
                 reading=part.strip(),
             ) from error
         pairs.append((overhang, droop))

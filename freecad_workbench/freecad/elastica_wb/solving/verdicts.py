@@ -88,7 +88,7 @@ def strain_words(verdict: StrainVerdict) -> str:
     return note(
         "would break: {percent} % of the strain limit"
         if verdict.refused
-        else "beyond its limit: {percent} % of the allowed strain",
+        else "strain too large: {percent} % of the allowed strain",
         percent=verdict.percent,
     )
 
@@ -195,10 +195,10 @@ def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fau
     if judged.allowed:
         return None
     words = note(
-        "The strip would break {s} from the start: its radius there is {radius}, the smallest radius of the "
-        "sheet {least}. Use a thinner sheet or a gentler curve." if judged.refused else
-        "The strain exceeds its limit {s} from the start: the radius there is {radius}, the smallest radius "
-        "of the sheet {least}; {outcome}. Use a thinner sheet or a gentler curve.",
+        "The strip would break {s} from the start: its radius there is {radius}, but the sheet needs "
+        "at least {least}. Use a thinner sheet or a gentler curve." if judged.refused else
+        "The strain exceeds its limit {s} from the start: the radius there is {radius}, but the "
+        "sheet needs at least {least}; {outcome}. Use a thinner sheet or a gentler curve.",
         s=Length(place), radius=Length(1 / bend), least=Length(judged.used / bend), outcome=note(judged.outcome),
     )  # fmt: skip
     return Fault(strain_words(judged), words, "LargestStrain")
