@@ -24,11 +24,12 @@ from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import read_curves
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.plot.drawing_process import DrawingProcess
@@ -97,7 +98,9 @@ def pair(**chosen: Any) -> None:
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
-    result = MadePair(spec, spec.make(), name, cutting)
+    result = MadePair(
+        spec, _made(spec, "--set scale=" if path.suffix == ".toml" else "--scale "), name, cutting
+    )
     process = click.get_current_context().find_object(DrawingProcess)
     written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
     _report(result)
@@ -109,6 +112,18 @@ def pair(**chosen: Any) -> None:
     )
     for missing in left_out(blocks=(name, f"{name}-holder")):
         say(missing)
+
+
+def _made(spec: FlexureSpec, option: str) -> Flexure:
+    try:
+        return spec.make()
+    except InputError as problem:
+        if (share := problem.refusal.values.get("share")) is None:
+            raise
+        text = "{problem}. Add {option} to enlarge the curves."
+        raise InputError(
+            text, problem=problem.refusal, option=f"{option}{rounded_up(spec.scale * share)}"
+        ) from problem
 
 
 def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:

@@ -176,7 +176,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.toml", "clip.svg", "--sheet", "pom-3"), "Leave out the other arguments"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
          "Set --match to \"ends\""),
-        (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
+        (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "Add --scale "),
         (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "The width of the cut is not known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),
         (("clip.svg", "--sheet", "pom-3", "--set", "files.paper=A4"), "the keys here are scale, match"),
