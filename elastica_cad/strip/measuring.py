@@ -122,7 +122,7 @@ class Measuring:
     >>> for row in measuring.compare({"chord": 100.4}):
     ...     print(printed_row(row))
     Verdict     All differences are within the reading error and the uncertainty of sheet, cut, clamps and model.
-    Readings    Assumed to be exact to 2 mm and 1 degree.
+    Readings    Measured values are assumed to be exact to 2 mm and 1 degree.
     Angles      Not read. Read the angles too, because a clamp that turns is rarely found without them.
     Chord       100.4 mm measured, 100 +/- 0.5 mm expected
     """

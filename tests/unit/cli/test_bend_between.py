@@ -208,4 +208,4 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
     )
     printed = run(f"{line} sliding {cure[1]}", cwd=tmp_path).stdout
     assert "become slack" not in printed
-    assert re.search(r"rail at 311 mm pushes the strip upward with 1\d0 N", printed)
+    assert re.search(r"rail 311 mm from the start pushes the strip upward with 1\d0 N", printed)
