@@ -232,7 +232,7 @@ def test_bad_ranges(fields, message):
 
 
 def test_lost_width_needs_a_width(arch):
-    with pytest.raises(InputError, match="set max_width"):
+    with pytest.raises(InputError, match="set `max_width`"):
         perturb_rod(arch, Imperfection(width_loss=0.1))
 
 
