@@ -179,8 +179,8 @@ class Smoothing:
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
-                ("Pieces of the curve met at slight angles, because the numbers in the file are rounded. "
-                 "They were corrected, which moved the curve by at most {far:.2g}."),
+                "Pieces of the curve met at angles. These corners were rounded, which moved the curve by at most "
+                "{far:.2g}.",
                 far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)

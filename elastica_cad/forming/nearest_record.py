@@ -14,7 +14,7 @@ from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limi
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Either, Length, note, sentences
+from elastica_cad.refusals import Either, FieldName, Length, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.forming.nearest_task import SearchPoint
@@ -299,7 +299,13 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:
             return ""
-        return note("the ratio limit" if limits.ratio == limits.largest_ratio else "the ratio of the widths")
+        if limits.width is None:
+            return note("the ratio limit")
+        return note(
+            "the ratio of the widths ({widest} or {ratio})",
+            widest=FieldName("max_width"),
+            ratio=FieldName("ratio"),
+        )
     if kind == "curvature":
         return note(
             "the curvature limit"

@@ -500,15 +500,22 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
                     "turn by {angle:.3g} degrees. Give more points there, or draw two curves{smooth}",
                     angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
-    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
-    coordinates = None if provenance is None else provenance.shown(curve.evaluate(np.array(corners[0].t)))
+    sharpest = max(corners, key=lambda corner: abs(corner.angle))
+    values = {
+        "places": lengths(c.s for c in corners), "angle": np.degrees(abs(sharpest.angle)),
+        "shown": _shown_on(curve, curve.evaluate(np.array(sharpest.t))), "smooth": _smoothing_advice(curve),
+    }  # fmt: skip
+    if len(corners) > 1:
+        return note(
+            "the curve has corners {places} from its start, but a strip bends without kinks. The sharpest, of "
+            "{angle:.3g} degrees, is at {shown}. Round the corners, or draw separate curves{smooth}",
+            **values,
+        )
     return note(
-        "the curve has a corner {places} from its start, of {angle:.3g} degrees, but a strip bends "
-        "without kinks. Round the corner, or draw two curves{smooth}" if coordinates is None else
         "the curve has a corner {places} from its start, at {shown}, of {angle:.3g} degrees, but a strip "
         "bends without kinks. Round the corner, or draw two curves{smooth}",
-        places=lengths(c.s for c in corners), shown=coordinates, angle=sharpest, smooth=_smoothing_advice(curve),
-    )  # fmt: skip
+        **values,
+    )
 
 
 def _seam_message(curve: PlaneCurve) -> str:

@@ -22,6 +22,9 @@ from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, distance_of_tips, held_ends
 from elastica_cad.strip.strip import Strip
 
+MOST_DEVIATION = 0.03
+"""Expected deviation, as a fraction of the length, above which the user is warned before cutting."""
+
 LATER = "…"
 
 
@@ -385,4 +388,11 @@ def accuracy_row(held: HeldShape) -> Row:
         "sheet": "about {far} from the design, mostly from material, cut and clamps",
         None: "about {far} from the design",
     }[held.main_source]
-    return Row(note("Accuracy"), note(text, far=about(held.expected)), (str(held),))
+    far, share = about(held.expected), held.expected / held.rod.length
+    if share <= MOST_DEVIATION:
+        return Row(note("Accuracy"), note(text, far=far), (str(held),))
+    text = (
+        "about {far} from the design, {percent:.0f} % of its length, because small errors move this shape far. "
+        "Support the strip between its ends, or draw another curve"
+    )
+    return Row(note("Accuracy"), note(text, far=far, percent=100 * share), (str(held),), "warning")

@@ -95,7 +95,8 @@ def test_advice_solves_for_no_further_rod(monkeypatch):
     near = nearest_rod(ARCH, Limits(width=(10, 12)))
     monkeypatch.setattr("elastica_cad.forming.nearest_search.minimize", None)
     assert near.advice[0].startswith(
-        "To come nearer to the drawn curve, relax the ratio of the widths: a change of 10 % reduces the "
+        "To come nearer to the drawn curve, relax the ratio of the widths (max_width or ratio): a change of "
+        "10 % reduces the "
     )
 
 

@@ -101,7 +101,7 @@ def test_inflections_that_the_points_do_not_require_refuse_no_curve(control, deg
 def test_a_corner_where_the_points_also_begin():
     lap = [(x, 0.02 * x * (90 - x)) for x in range(0, 91, 5)]
     curve = curve_from_points(np.array(10 * lap))
-    with pytest.raises(InputError, match="has a corner"):
+    with pytest.raises(InputError, match="has corners"):
         check_equilibrium(curve)
 
 
@@ -143,3 +143,11 @@ def test_a_bend_of_few_points_is_no_corner_for_sure(tmp_path):
     np.savetxt(file, bend, "%.3f", ",")
     with pytest.raises(ValueError, match=message):
         check_equilibrium(read_curves(file)[0])
+
+
+def test_the_place_of_several_corners_is_that_of_the_sharpest():
+    corners = np.array([(0, 0), (30, 0), (60, 3), (90, 3), (90, 33.0)])
+    points = np.insert(corners, range(1, 5), (corners[:-1] + corners[1:]) / 2, axis=0)
+    curve = PlaneCurve(np.repeat(np.arange(5), [3, 2, 2, 2, 3]), points, 2)
+    with pytest.raises(ValueError, match=r"The sharpest, of 90 degrees, is at \(90, 3\) mm"):
+        check_equilibrium(curve)

@@ -80,7 +80,7 @@ def test_no_nearest_curve_is_sought_for_more_than_100_corners():
     zigzag = [(5 * k, 10 * (k % 4 == 2) + 5 * (k % 2)) for k in range(205)]
     knots = np.repeat(np.arange(103), [3, *[2] * 101, 3])
     spec = ec.StripSpec(ec.PlaneCurve(knots, zigzag, 2), "pom-0.5", max_width=20)
-    with pytest.raises(ec.InputError, match="has a corner") as refusal:
+    with pytest.raises(ec.InputError, match="has corners") as refusal:
         spec.make()
     assert list(suggest(spec, refusal.value)) == []
 
