@@ -112,7 +112,7 @@ def test_parts_larger_than_the_sheet_are_named():
         InputError, match=r"beam: a part of 700 by 20 mm does not fit on a sheet of 600 by 400"
     ):
         nest_pieces(pieces)
-    with pytest.raises(InputError, match=r"plank: a part of 500 by 30 mm, with the grain across it"):
+    with pytest.raises(InputError, match=r"plank: a part of 500 by 30 mm, with its grain across the part"):
         nest_pieces([plate("plank", 500, 30, PLY_ACROSS)], sheet_size=(600, 400))
     nest_pieces([plate("plank", 500, 30)], sheet_size=(400, 600))
 
