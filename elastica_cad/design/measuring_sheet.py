@@ -15,18 +15,16 @@ from elastica_cad.errors import InputError, toml_slip
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
+from elastica_cad.strip.holding_template import MARKS, heights_of_marks
 from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.measuring import (
     ANGLES,
     LENGTHS,
-    MARKS,
     MEANINGS,
     READING_ERROR_MM,
     UNITS,
     Measuring,
-    heights_of_marks,
     row_label,
-    upward,
 )
 
 WIDE_MM, HIGH_MM = 180.0, 60.0
@@ -190,7 +188,9 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
     position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # turn the chord level
-    position = upward(heights_of_marks(position)) * position  # positive heights are above the chord
+    # positive heights are above the chord, also in a report that was written with another rule of signs
+    expected = np.array([measuring.expected[name] for name in LENGTHS[1:]])
+    position = position if expected @ heights_of_marks(position) >= 0 else -position
     low, high = position.min(axis=0), position.max(axis=0)
     scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale

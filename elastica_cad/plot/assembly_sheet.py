@@ -218,7 +218,8 @@ def _tables(
     yield Table("", (), [(text,) for text in _sentences_below_steps(model, holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = (
-        "Positions in the blocks (mm; degrees from the line of the ends, positive towards the largest height)"
+        "Positions in the blocks (mm; degrees from the line of the ends, positive towards the hump; of an S "
+        "curve, to the left of the line from start to end)"
     )
     yield Table(title, head, [*_block_rows(model, holders)])
     placed_plates = [*_plate_rows(holders)]

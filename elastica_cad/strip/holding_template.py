@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -29,6 +29,12 @@ CROSS_MM = 8.0
 
 ARROW_MM, HEAD_MM = 20.0, 3.0
 """Length of the arrow of a load and size of the arrowhead, mm."""
+
+MARKS = (0.25, 0.5, 0.75)
+"""Positions at which heights are measured, as fractions of the length."""
+
+S_SHAPED = 0.01
+"""Ratio of heights on opposite sides of the chord above which a strip is S-shaped. Rounding stays below it."""
 
 ELEMENT_LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 
@@ -68,6 +74,15 @@ class HeldEnd:
     def tip(self) -> FloatArray:
         """End point of the tab (2,), mm."""
         return self.position + self.tab * self.outward
+
+    def turned_about(self, x: float, y: float) -> "HeldEnd":
+        """Return the end turned by 180 degrees about a point, mm."""
+        return replace(
+            self,
+            position=2 * np.array([x, y]) - self.position,
+            angle=_principal_angle(self.angle + 180),
+            outward=-self.outward,
+        )
 
     @property
     def unheld_text(self) -> str:
@@ -111,6 +126,28 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
 
 def _principal_angle(degrees: float) -> float:
     return 180.0 - (180.0 - round(float(degrees), 6)) % 360.0
+
+
+def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> FloatArray:
+    """Return the distances of the marks from the chord, mm, positive to the left of the chord.
+
+    Without arc lengths `s` (n,), the points (n, 2) are taken as evenly spaced.
+    """
+    chord = position[-1] - position[0]
+    stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]
+    x, y = (np.interp(MARKS, stations, column) for column in (position - position[0]).T)
+    heights: FloatArray = (chord[0] * y - chord[1] * x) / np.hypot(*chord)
+    return heights
+
+
+def upward(heights: FloatArray) -> float:
+    """Return the sign, 1.0 or -1.0, of heights on the side of the chord that is drawn above it.
+
+    An arch is drawn with its hump above the chord. An S-shaped strip is drawn with its start at the left, so that
+    the left side of its chord is above.
+    """
+    low, high = heights.min(), heights.max()
+    return -1.0 if low < 0 and high < -S_SHAPED * low else 1.0
 
 
 def distance_between(ends: Sequence[HeldEnd]) -> float:
@@ -296,8 +333,16 @@ def holding_template(strip: Strip) -> Drawing:
 
     The view shows the curve, the tabs with the axes of their holes, and the line between the ends. Curve and
     tabs are on the layer ENGRAVE, and guide lines on the layer MARK. Nothing is cut.
+
+    The view has the same side up as the page for measurements. Under gravity and with rails, pins, ties or loads,
+    it has the directions of the drawing.
     """
-    ends, rod = held_ends(strip), strip.rod
+    ends, rod, elements = held_ends(strip), strip.rod, held_elements(strip)
+    shape = Spline(rod.curve)
+    if rod.gravity is None and not elements and _is_upside_down(strip):
+        x, y = ends[0].position + ends[1].position
+        shape = shape.transformed([[-1.0, 0.0, x], [0.0, -1.0, y], [0.0, 0.0, 1.0]])
+        ends = ends[0].turned_about(x / 2, y / 2), ends[1].turned_about(x / 2, y / 2)
     first, last = ends
     lines = [(MARK, [first.position, last.position])]
     for end in ends:
@@ -310,9 +355,9 @@ def holding_template(strip: Strip) -> Drawing:
         for hole in end.holes:
             middle = end.position + hole.at * end.outward
             lines.append((MARK, [middle - CROSS_MM * aside, middle + CROSS_MM * aside]))
-    elements, thick = held_elements(strip), max(strip.end_thicknesses)
+    thick = max(strip.end_thicknesses)
     lines += [(MARK, points) for held in elements for points in _element_lines(held, thick / 2)]
-    paths = [LayeredPath(ENGRAVE, Path([Spline(rod.curve)]))]
+    paths = [LayeredPath(ENGRAVE, Path([shape]))]
     paths += [LayeredPath(layer, Path([Line(p, q) for p, q in pairwise(points)])) for layer, points in lines]
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
     left = float(min(first.position[0], last.position[0]))
@@ -339,6 +384,12 @@ def holding_template(strip: Strip) -> Drawing:
         where = (float(x) - LETTERS_MM / 2, float(y) - LETTERS_MM / 2)
         texts.append(Text(where, held.name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
+
+
+def _is_upside_down(strip: Strip) -> bool:
+    rod = strip.rod
+    x, _ = rod.position[-1] - rod.position[0]
+    return round(upward(heights_of_marks(rod.position, rod.s)) * float(x), 6) < 0
 
 
 def _number_of_end(name: str, end: HeldEnd) -> Text:

@@ -11,11 +11,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
-from elastica_cad.strip.holding_template import distance_of_tips, held_ends
+from elastica_cad.strip.holding_template import MARKS, distance_of_tips, heights_of_marks, held_ends, upward
 from elastica_cad.strip.strip import Strip
-
-MARKS = (0.25, 0.5, 0.75)
-"""Positions at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
 """Names of the measured quantities: distance of the ends, heights of marks, and angles of tabs.
@@ -76,6 +73,7 @@ SLIPS: Mapping[str, str] = {
     "ends exchanged": (
         "The strip is read from the other end. Exchange height_1 and height_3, and start_angle and end_angle."
     ),
+    "signs": "All heights and angles have the opposite sign. Read their signs from the measuring page.",
     "tips": "The chord is measured between the tips of the tabs. Measure it where the bend begins.",
 }
 """Message for each mistake in taking the readings."""
@@ -299,6 +297,8 @@ class Measuring:
         for slip, exchange in EXCHANGES.items():
             if all(name in errors for name in exchange):
                 corrected[slip] = {name: measured[other] for name, other in exchange.items()}
+        if signed := {name: -measured[name] for name in errors if name != "chord"}:
+            corrected["signs"] = signed
         if self.tips is not None and "chord" in errors:
             corrected["tips"] = {"chord": measured["chord"] - (self.tips - self.expected["chord"])}
         for slip, values in corrected.items():
@@ -327,8 +327,8 @@ def row_label(name: str) -> str:
 def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
-    Heights are positive on the side of the chord on which the design is highest. Small changes of an S-shaped
-    strip therefore do not change their signs.
+    The design decides which side of the chord is positive, see `upward`. Small changes of an S-shaped strip
+    therefore do not change the signs.
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
@@ -339,18 +339,8 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))
 
 
-def upward(heights: FloatArray) -> float:
-    """Return the sign, 1.0 or -1.0, of the largest height.
-
-    Of heights that are equal within 1 %, the first is used. Rounding then does not change the sign for an S-shaped
-    strip.
-    """
-    size = np.abs(heights)
-    return -1.0 if heights[np.argmax(size > 0.99 * size.max())] < 0 else 1.0
-
-
 def rising_angles(strip: Strip) -> tuple[float, float]:
-    """Return the angles of the ends from the line between them, degrees, positive towards the largest height.
+    """Return the angles of the ends from the line between them, degrees, with the signs of `upward`.
 
     Examples
     --------
@@ -363,15 +353,3 @@ def rising_angles(strip: Strip) -> tuple[float, float]:
     (first, last), rod = held_ends(strip), strip.rod
     side = upward(heights_of_marks(rod.position, rod.s))
     return side * first.tilt, -side * last.tilt
-
-
-def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> FloatArray:
-    """Return the distances of the marks from the chord, mm, positive to the left of the chord.
-
-    Without arc lengths `s` (n,), the points (n, 2) are taken as evenly spaced.
-    """
-    chord = position[-1] - position[0]
-    stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]
-    x, y = (np.interp(MARKS, stations, column) for column in (position - position[0]).T)
-    heights: FloatArray = (chord[0] * y - chord[1] * x) / np.hypot(*chord)
-    return heights

@@ -9,7 +9,8 @@ import elastica_cad as ec
 from elastica_cad import InputError, Laminated, Strip
 from elastica_cad.design.measuring_sheet import measuring_page
 from elastica_cad.strip import Measuring
-from elastica_cad.strip.drawing import MARK
+from elastica_cad.strip.drawing import ENGRAVE, MARK
+from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.measuring import ANGLES, _measured, rising_angles
 
 pytestmark = pytest.mark.core
@@ -51,6 +52,8 @@ def measured_on_left(rod):
     return np.array([*heights, np.degrees(np.angle(start)), -np.degrees(np.angle(end))])
 
 
+HEIGHTS = ("height_1", "height_2", "height_3")
+
 S_CURVES = {
     "symmetric": [(0, 0), (60, 70), (80, -70), (140, 0)],
     "mirrored": [(0, 0), (60, -70), (80, 70), (140, 0)],
@@ -82,16 +85,55 @@ def test_causes_of_an_s_keep_its_signs(points):
                 assert float(text.split(" by ")[1].split()[0]) == pytest.approx(abs(degrees), rel=0.15)
 
 
-@pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
-def test_an_s_that_is_measured_from_the_wrong_side_has_no_cause(points):
+@pytest.mark.parametrize("points", [*S_CURVES.values(), [(0, 0), (30, 120), (140, 170), (320, 0)]])
+@pytest.mark.parametrize("names", [HEIGHTS, (*HEIGHTS, *ANGLES)], ids=["heights", "heights and angles"])
+def test_readings_with_opposite_signs_are_named(points, names):
     rod = ec.optimal_rod(ec.PlaneCurve.spline(points, degree=3), samples=241)
     measuring = Measuring.of(Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0))
-    mirrored = {name: -measuring.expected[name] for name in ("height_1", "height_2", "height_3")}
-    text = measuring.compare(mirrored)[0].text
-    first, _, last = mirrored.values()
+    mirrored = {name: -measuring.expected[name] for name in names}
+    texts = [row.text for row in measuring.compare(mirrored) if row.label in ("Verdict", "Or")]
+    assert "All heights and angles have the opposite sign. Read their signs from the measuring page." in texts
     # the mirror image of an S that is equal from both ends is the S read from its other end
-    same = abs(first + last) < 1.0
-    assert ("counted from the other end" if same else "No single cause") in text
+    first, _, last, *_ = mirrored.values()
+    assert any("counted from the other end" in text for text in texts) == (
+        names == HEIGHTS and abs(first + last) < 1.0
+    )
+    beside = dict(measuring.expected) | {"height_1": mirrored["height_1"]}
+    assert not any("opposite sign" in row.text for row in measuring.compare(beside))
+
+
+@pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
+@pytest.mark.parametrize("turn", [0.0, 2.0, np.pi])
+def test_template_and_measuring_page_show_an_s_from_its_start_at_the_left(points, turn):
+    curve = ec.PlaneCurve.spline(
+        np.array(points) @ [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]], degree=3
+    )
+    strip = Strip(ec.optimal_rod(curve), ec.Sheet.named("card-200gsm"), max_width=25.0, label="S")
+    measuring = Measuring.of(strip)
+    page, template = measuring_page("S", measuring), holding_template(strip)
+    numbers = {text.text: text.position for text in template.texts if text.text in ("1", "2")}
+    assert numbers["1"][0] < numbers["2"][0]
+    marks = {text.text: text.position for text in page.texts if text.text in ("1", "3")}
+    assert marks["1"][0] < marks["3"][0]
+    for drawing in (page, template):
+        shape = next(path.path for path in drawing.paths if path.layer == ENGRAVE).points(0.01)
+        along = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(shape, axis=0).T))])
+        shape = np.column_stack([np.interp(np.linspace(0, along[-1], 5), along, axis) for axis in shape.T])
+        chord = shape[-1] - shape[0]
+        heights = (shape[1:-1] - shape[0]) @ [-chord[1], chord[0]] / np.hypot(*chord)
+        assert np.sign(heights[[0, 2]]).tolist() == [
+            np.sign(measuring.expected[name]) for name in ("height_1", "height_3")
+        ]
+
+
+def test_a_page_of_an_older_report_keeps_its_signs():
+    """Older reports count heights of an S from its larger side; the page drawn from them shows this side above."""
+    rod = ec.optimal_rod(ec.PlaneCurve.spline(S_CURVES["unsymmetric"], degree=3), samples=241)
+    measuring = Measuring.of(Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0))
+    signed = {name: value if name == "chord" else -value for name, value in measuring.expected.items()}
+    page = measuring_page("S", replace(measuring, expected=signed))
+    marks = {text.text: text.position[1] for text in page.texts if text.text in ("1", "3")}
+    assert (marks["1"] > marks["3"]) == (signed["height_1"] > signed["height_3"])
 
 
 READERS = {"a ruler": {}, "a coarse ruler": {"reading_error": 2.0}, "callipers": {"reading_error": 0.1}}
