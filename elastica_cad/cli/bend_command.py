@@ -420,7 +420,7 @@ def _print_shapes(
         say_row(warning_row(warning))
     if moved is None:
         return
-    size, turns = np.hypot(*moved.end_force.T).max(), np.abs([moved.start_moment, moved.end_moment]).max()
+    size, turns = moved.support_force.max(), np.abs([moved.start_moment, moved.end_moment]).max()
     energy = number_text(moved.energy.max())
     say_row(
         Row(
@@ -504,14 +504,19 @@ def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:
 
 
 def _force_columns(moved: Travel) -> dict[str, list[str]]:
-    size = np.hypot(*moved.end_force.T)[:, None]
-    force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
+    size = moved.support_force[:, None]
+    start, end = (
+        np.where(np.abs(force) <= 1e-9 * size, 0.0, force) for force in (moved.start_force, moved.end_force)
+    )
+    # without loads, rails, pins and ties, the start has the opposite force of the end
+    differs = bool((np.abs(start + end) > 1e-3 * size).any())
+    starts = {f"start force {axis} N": [number_text(x) for x in start[:, i]] for i, axis in enumerate("xy")}
     return {
         f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change applied'}[moved.unit] } {moved.unit}": [
             number_text(x, ".4g") for x in moved.path_length
         ],
-        "end force x N": [number_text(x) for x in force[:, 0]],
-        "end force y N": [number_text(x) for x in force[:, 1]],
+        **(starts if differs else {}),
+        **{f"end force {axis} N": [number_text(x) for x in end[:, i]] for i, axis in enumerate("xy")},
         "start moment N mm": [number_text(x) for x in moved.start_moment],
         "end moment N mm": [number_text(x) for x in moved.end_moment],
         "strain %": [number_text(100 * x) for x in moved.strain],

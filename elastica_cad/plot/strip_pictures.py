@@ -488,7 +488,7 @@ def travel(moved: Travel) -> Figure:
         below.set_xlabel("turn of the end, degrees")
         below.set_ylabel("moment, N mm", color=FORCE)
     else:
-        force = np.hypot(*moved.end_force.T) if moved.is_still else moved.force_along
+        force = moved.support_force if moved.is_still else moved.force_along
         below.plot(moved.path_length, force, color=FORCE, marker=".")
         below.set_xlabel("change of loads and elements, %" if moved.is_still else "travel of the end, mm")
         below.set_ylabel("force, N", color=FORCE)

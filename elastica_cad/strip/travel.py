@@ -147,6 +147,11 @@ class Travel:
         return np.array([np.hypot(*move.T).max() for move in moves])
 
     @property
+    def support_force(self) -> FloatArray:
+        """Larger of the forces (k,) of the supports on start and end, N."""
+        return np.asarray(np.linalg.norm([self.start_force, self.end_force], axis=2).max(axis=0))
+
+    @property
     def turning_moment(self) -> FloatArray:
         """Moment (k,), N mm, at the end that turns more."""
         first, last = self.rods[0].angle, self.rods[-1].angle

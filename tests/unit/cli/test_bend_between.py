@@ -209,3 +209,20 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
     printed = run(f"{line} sliding {cure[1]}", cwd=tmp_path).stdout
     assert "become slack" not in printed
     assert re.search(r"rail 311 mm from the start pushes the strip upward with 1\d0 N", printed)
+
+
+def test_the_force_is_the_larger_of_both_ends(desk):
+    options = "--point-mass 100 200 --side left"
+    report = bent(options, desk)
+    travel, (shape,) = report["travel"], report["shapes"]
+    start, end = ([travel[f"{which}_force_{axis}_N"][0] for axis in "xy"] for which in ("start", "end"))
+    mass = json.loads((desk / "out/wave.json").read_text())["mass"]
+    # supports, rail and tie carry the load and the strip, whose tabs are 5 % of its mass
+    rail, tie = (np.sum(element["force"], axis=0) for element in shape["between"])
+    carried = np.sum([start, end, rail, tie], axis=0)
+    assert carried == pytest.approx([0.0, 9.80665e-3 * (200 + 0.95 * mass)], abs=2e-3)
+    sizes = np.hypot(*np.transpose([start, end]))
+    assert abs(sizes[0] - sizes[1]) > 0.1 * sizes.max()
+    rows = run(f"bend out/wave.json {options} --force", cwd=desk).stdout
+    assert float(re.search(r"Force +at most ([\d.]+) N", rows)[1]) == pytest.approx(sizes.max(), rel=6e-3)
+    assert "start force x N" in rows
