@@ -452,6 +452,15 @@ def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatAr
     return load
 
 
+def at_ends(length: float, forces: Iterable[ElementForce]) -> FloatArray:
+    """Return the sums (2, 2) of the forces that act exactly at the start and at the end of a rod, 1/mm2."""
+    total = np.zeros((2, 2))
+    for action in forces:
+        for s, force in zip(action.s, action.force, strict=True):
+            total += np.outer(np.abs(s - np.array([0.0, length])) <= AT_END_SHARE * length, force)
+    return total
+
+
 def require_free_between(rod: Any, task: str) -> None:
     """Refuse a rod with rails, pins, ties or point forces, which `task` does not take into account."""
     if rod.acting:

@@ -26,7 +26,7 @@ from elastica_cad.mechanics.discrete_rod import (
     edge_positions,
     tangents,
 )
-from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, lumped
+from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, at_ends, lumped
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -618,11 +618,7 @@ class Rod:
 
         Forces of rails, pins and ties at the ends are not included.
         """
-        forces = np.array([self.force[0], -self.force[-1]])
-        for action in self.acting:
-            for s, force in zip(action.s, action.force, strict=True):
-                forces -= np.outer(np.abs(s - self.s[[0, -1]]) <= AT_END_SHARE * self.length, force)
-        return forces
+        return np.array([self.force[0], -self.force[-1]]) - at_ends(self.length, self.acting)
 
     @property
     def between_forces(self) -> FloatArray:
@@ -648,7 +644,7 @@ class Rod:
             (float(s), force)
             for action in self.acting
             for s, force in zip(action.s, action.force, strict=True)
-            if self.s[1] / 2 < s < self.length - self.s[1] / 2
+            if AT_END_SHARE < s / self.length < 1 - AT_END_SHARE
         ]
         moment, place, b = float(self.moment[0]), self.position[0], -left_of(self.force[0])
         sides = []

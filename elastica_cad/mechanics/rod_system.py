@@ -16,7 +16,7 @@ from elastica_cad.mechanics.discrete_rod import (
     node_weights,
     tangents,
 )
-from elastica_cad.mechanics.elements import ElementForce
+from elastica_cad.mechanics.elements import ElementForce, at_ends, lumped
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedElements
@@ -378,7 +378,11 @@ class RodState:
 
     def rod(self, like: Rod) -> Rod:
         """Return the `Rod` of this equilibrium. Other attributes are copied from `like`."""
-        return replace(like, **self.record)
+        record = self.record
+        start, end = at_ends(self.system.length, (*self.actions, *like.point_forces))
+        record["force"][0] += start
+        record["force"][-1] -= end
+        return replace(like, **record)
 
     @property
     def position(self) -> FloatArray:
@@ -397,8 +401,10 @@ class RodState:
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
-        force[0] = edge[0] - system.load[0]
-        force[-1] = edge[-1] + system.load[-1]
+        # a rail, pin or tie less than two edges from an end is distributed to nodes that include the end
+        element_load = lumped(self.actions, n + 1, system.length)
+        force[0] = edge[0] - system.load[0] - element_load[0]
+        force[-1] = edge[-1] + system.load[-1] + element_load[-1]
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):

@@ -1,5 +1,7 @@
 """What bend does with ends, loads, supports and bad input."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,10 +10,12 @@ from elastica_cad import (
     Gravity,
     InputError,
     NotConvergedError,
+    PointForce,
     PointMass,
     Profile,
     Rod,
     Supports,
+    Tie,
     Weight,
     bend,
     stability,
@@ -270,3 +274,24 @@ def test_the_force_at_a_snap_does_not_depend_on_the_end_of_the_path():
     pushed = [bend(arch, supports=slides, force=(0, -size / 1e4)) for size in (16, 20, 40)]
     forces = [size * snap_percent(rod) / 100 for size, rod in zip((16, 20, 40), pushed, strict=True)]
     assert forces == pytest.approx([15.659] * 3, rel=1e-3)
+
+
+@pytest.mark.parametrize("places", [(0.0, 300.0), (0.0, 299.9), (0.4, 299.5), (1.0, 298.4), (5.0, 290.0)])
+def test_the_cord_of_a_free_strip_balances_alone_near_its_ends(places):
+    bow = bend(
+        Rod.straight(300.0, samples=201), supports=Supports("free", "free"), side=1,
+        between=Tie(*places, length=250.0),
+    )  # fmt: skip
+    pull = np.hypot(*bow.between_forces[0])
+    assert pull > 0
+    assert bow.support_forces == pytest.approx(np.zeros((2, 2)), abs=1e-6 * pull)
+
+
+@pytest.mark.parametrize("at", [300.0, 299.9, 298.9, 290.0])
+def test_a_force_at_a_free_end_is_carried_by_the_other_end(at):
+    beam = replace(Rod.straight(300.0, samples=201), bending_stiffness=1e5)
+    held = bend(beam, supports=Supports("clamped", "free"), loads=PointForce(at, (0.0, -0.3)))
+    forces = 1e5 * held.support_forces
+    assert forces == pytest.approx(np.array([(0.0, 0.3), (0.0, 0.0)]), abs=1e-8)
+    x = np.interp(at, held.s, held.position[:, 0])
+    assert 1e5 * held.moment[0] == pytest.approx(-0.3 * x, rel=1e-3)
