@@ -135,7 +135,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
     \b
       elastica bend out/slat.json --point-mass 200 8000        a finished slat under 8 kg: sag, strain, stability
-      elastica bend out/arch.json --shorten 50 --steps 10      the same with a cord 50 mm shorter
+      elastica bend out/wave.json --shorten 5 --steps 5        a strip made with --tie, its cord 5 mm shorter
 
     \b
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
