@@ -27,18 +27,26 @@ from elastica_cad.model.assembly import (
 from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
-from elastica_cad.model.interlocking import strip_thickness
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring, RingOptions
 from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
 from elastica_cad.plot.canvas import INK, chinese_font, paint_patches, paint_polygons, text_in, write_pages
-from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, normals_of, rule_strip, screen_of
+from elastica_cad.plot.model_pictures import (
+    EDGE_MM,
+    assembled_box,
+    holder_patches,
+    lit,
+    look_from,
+    rule_strip,
+    screen_of,
+    size_text,
+)
 from elastica_cad.refusals import Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
 from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip import Placed
 from elastica_cad.words import LANGUAGES, Language, Translated
 
 A4 = np.array([595.0, 842.0])  # width and height of a page, points
@@ -61,7 +69,6 @@ BEHIND = 1.4  # ratio of the distances by which the second and the first plate o
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
 # plates face each other if the cosine between their normals differs from -1 by less than this
 PARALLEL = 1e-6
-EDGE_MM = 0.5  # largest distance, mm, between outlines and drawn polylines
 BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the model's size
 BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
@@ -182,9 +189,8 @@ def _pages(
                         fontsize=TEXT_POINTS, color=INK, ha="right")  # fmt: skip
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
-            size = " x ".join(f"{length:.0f}" for length in view.size)
             count = counted(len(model.placed), "strip")
-            summary = note("{count}; assembled {size} mm (x, y, z)", count=count, size=size)
+            summary = note("{count}; assembled {size} mm (x, y, z)", count=count, size=size_text(view.size))
             figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], words.sentence(summary),
                         fontsize=TEXT_POINTS, color=INK)  # fmt: skip
             picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
@@ -527,14 +533,14 @@ class View:
         """Return the exploded view of a model. `second_plates` has the ids of the second plates of pairs."""
         bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
         middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
-        painted, boxes, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
+        painted, assembled_strips, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
         moved, outs = list[Placed](), dict[object, FloatArray]()
         for member in model.placed:
             out = SPREAD * (member.frame.point(member.strip.rod.position).mean(axis=0) - middle)
             moved.append(replace(member, origin=member.origin + out))
             outs |= {tab.key: out for tab in place_tabs([member])}
             painted.append(rule_strip(moved[-1]))
-            boxes.append(_faces(member.strip, painted[-1][0] - out))
+            assembled_strips.append((member.strip, painted[-1][0] - out))
         names, targets = dict[str, Label](), dict[object, FloatArray]()
         for holder in single_holders(holders):
             shift = _shift_away(holder, APART * extent * (BEHIND if id(holder) in second_plates else 1.0))
@@ -542,11 +548,9 @@ class View:
                 shift = shift + outs.get(holder.tab.key, 0.0)
                 for patches, _ in holder_patches([holder], BLOCK_PATCH * extent):
                     painted.append((patches + shift, lit(patches) * BLOCK))
-                    boxes.append(patches.reshape(-1, 3))
                 targets[holder.tab.key] = holder.tab.frame.origin + shift
                 continue
             loops = [*_loops(holder)]
-            boxes += [loops[0][0], loops[0][0] - holder.solid.thickness * holder.solid.frame.z_axis]
             outlines += [(loop + shift, depth + shift, color) for loop, depth, color in loops]
             names.setdefault(holder.name, _plate_label(holder.name, loops[0][0] + shift))
             for slot in () if isinstance(holder, Rib) else holder.slots:
@@ -575,7 +579,7 @@ class View:
                     Label(f"{times}{part.name}:{k + 1}", line[0] + LABEL_AT[:, None] * (line[1] - line[0]))
                 )
         patches, colors = (np.concatenate(arrays) for arrays in zip(*painted, strict=True))
-        assembled = box_about(np.concatenate(boxes))
+        assembled = assembled_box(assembled_strips, holders)
         shown_box = box_about(np.concatenate([patches.reshape(-1, 3), *(loop for loop, _, _ in outlines)]))
         size, corner = np.ptp(assembled, axis=0), shown_box[0]
         dimensions = list[tuple[FloatArray, str]]()
@@ -675,13 +679,6 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
     text = element.name if tip is None else f"{element.name}, {number_text(element.force, '.2g')} N"
     at = points[0] if tip is None else tip
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
-
-
-def _faces(strip: Strip, patches: FloatArray) -> FloatArray:
-    """Return points (n, 3) on both faces of a strip from the patches of its middle surface."""
-    tapered = [float(size.extremes[1]) for size in strip.tapered.values()]
-    half = max([strip_thickness(strip), *tapered]) / 2 * normals_of(patches)[:, None]
-    return np.concatenate([patches - half, patches + half]).reshape(-1, 3)
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:

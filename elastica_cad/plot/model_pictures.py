@@ -13,20 +13,21 @@ from elastica_cad._values import is_series, is_whole, numbers, require_number, s
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.plane_points import box_about, numbers_in_groups
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Color, sheet_color
 from elastica_cad.model.assembly import HOLDERS, Holder, require_model, single_holders
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.model.frames import Rib
+from elastica_cad.model.interlocking import strip_thickness
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
 from elastica_cad.plot.strip_pictures import paint_flat
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.solids import FlatSolid
-from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.strip import Placed, Strip
 
 APART_MM = 1e-7
 """Stations closer together than this, mm, are merged."""
@@ -191,6 +192,35 @@ LIGHT = np.array([0.35, -0.45, 0.82])
 """Direction to the light: above, to the left and in front."""
 
 
+EDGE_MM = 0.5
+"""Largest distance, mm, between outlines and the polylines drawn for them."""
+
+
+def assembled_box(strips: Sequence[tuple[Strip, FloatArray]], holders: Sequence[Holder]) -> FloatArray:
+    """Return the smallest and largest coordinates (2, 3), mm, of an assembled model.
+
+    The strips, with the patches (n, 4, 3) of their middle surfaces, are measured with their thickness.
+    """
+    corners = list[FloatArray]()
+    for strip, patches in strips:
+        tapered = [float(size.extremes[1]) for size in strip.tapered.values()]
+        half = max([strip_thickness(strip), *tapered]) / 2 * normals_of(patches)[:, None]
+        corners += [(patches - half).reshape(-1, 3), (patches + half).reshape(-1, 3)]
+    for holder in single_holders(holders):
+        for solid in holder.solid.added if isinstance(holder, EndFixture) else (holder.solid,):
+            points = solid.outline.points(EDGE_MM)
+            corners += [
+                solid.frame.point(np.column_stack([points, np.full(len(points), height)]))
+                for height in (0.0, solid.thickness)
+            ]
+    return box_about(np.concatenate(corners))
+
+
+def size_text(size: FloatArray) -> str:
+    """Return lengths in whole millimetres, joined as in "322 x 322 x 345"."""
+    return " x ".join(f"{length:.0f}" for length in size)
+
+
 def model(
     model: Model,
     *,
@@ -216,14 +246,16 @@ def model(
     size = HOLDER_PATCH * float(np.ptp(bent, axis=0).max())
     painted = [*strips, *((part, lit(part) * color) for part, color in holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*painted, strict=True))
+    drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
+    extent = np.ptp(assembled_box(drawn, held_by), axis=0)
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
     if flat < 1:
-        return _figure(patches, colors, title, elevation, azimuth, faces=faces)
+        return _figure(patches, colors, title, extent, elevation, azimuth, faces=faces)
     chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
     parts = [model.parts[i] for i in chosen]
     longest = max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
-    return _figure(patches, colors, title, elevation, azimuth, (parts, longest), faces)
+    return _figure(patches, colors, title, extent, elevation, azimuth, (parts, longest), faces)
 
 
 def bodies(
@@ -262,13 +294,15 @@ def bodies(
     faced = outward @ look_from(elevation, azimuth) > 0
     longest = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 60
     corners, tints = _fine(corners[faced], tints[faced], longest)
-    return _figure(corners, lit(corners) * tints, title, elevation, azimuth)
+    extent = np.ptp(corners.reshape(-1, 3), axis=0)
+    return _figure(corners, lit(corners) * tints, title, extent, elevation, azimuth)
 
 
 def _figure(
     patches: FloatArray,
     colors: FloatArray,
     title: str,
+    extent: FloatArray,
     elevation: float,
     azimuth: float,
     flat: tuple[Sequence[EqualStrips], float] | None = None,
@@ -291,8 +325,7 @@ def _figure(
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
     below = 0.0 if flat is None else WIDTH_INCHES * _flat_height(*flat) / (1.04 * flat[1])
-    extent = " by ".join(f"{d:.0f}" for d in np.ptp(patches.reshape(-1, 3), axis=0))
-    headed = f"{title}, {extent} mm" if title else f"{extent} mm"
+    headed = f"{title}, {size_text(extent)} mm" if title else f"{size_text(extent)} mm"
     figure, (axes, *lower) = new_page([Panel(tall), *([] if flat is None else [Panel(below)])], headed)
     if flat is not None:
         _draw_flats(lower[0], *flat)

@@ -106,7 +106,7 @@ def test_pictures_can_be_drawn(project_root, run):
     run("slotted_build123d")
     pictures = runpy.run_path(str(project_root / "examples" / "cad" / "pictures.py"))
     figure = pictures["draw"]("slotted")
-    assert "276 by 100 by 74 mm" in figure.get_suptitle()
+    assert "276 x 100 x 74 mm" in figure.get_suptitle()
     for name in pictures["PICTURES"]:
         png = project_root / "examples" / "cad" / f"{name}.png"
         assert 1000 < png.stat().st_size < 200_000

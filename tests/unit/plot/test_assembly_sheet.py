@@ -92,6 +92,8 @@ def test_the_assembled_size_includes_the_thickness_of_the_sheet(sheet):
     model = ec.Model([ec.Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))])
     (page,) = sheet(model)
     assert any("assembled 203 x 20 x " in text for text in page)
+    (size,) = re.findall(r"assembled ([\dx ]+ mm)", "\n".join(page))
+    assert ec.plot.model(model).get_suptitle().endswith(f", {size}"), "the picture has the same size"
     assert_dimensions(page)
 
 

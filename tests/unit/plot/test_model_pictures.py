@@ -58,7 +58,8 @@ def test_a_picture_reaches_to_the_ends_of_the_tabs(strip):
     lowest = min(end[1] for end in ends)
     title = plot.model(Model((Placed(strip),))).get_suptitle()
     tall = rod.position[:, 1].max() - lowest
-    assert f" by {tall:.0f} by " in title
+    shown = float(title.split(" x ")[1])
+    assert tall - 0.5 <= shown <= tall + strip.sheet.thickness + 0.5
 
 
 def test_flat_parts_stand_below_apart_and_named(strip):
@@ -142,7 +143,7 @@ def test_what_holds_the_strips_is_drawn():
     assert wood == 0
     assert printed > 100
     wide = np.ptp(base.outline.bounds, axis=0)
-    assert f"{wide[0]:.0f} by {wide[1]:.0f} by " in stood.get_suptitle()
+    assert f"{wide[0]:.0f} x {wide[1]:.0f} x " in stood.get_suptitle()
 
 
 def test_patches_are_painted_without_seams_and_stay_polygons_in_vector_files(tmp_path):
