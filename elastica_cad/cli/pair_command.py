@@ -17,7 +17,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
-from elastica_cad.cli.voice import answer, say, say_row, say_step, wrote
+from elastica_cad.cli.voice import answer, cut_text, say, say_row, say_step, wrote
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
@@ -92,7 +92,9 @@ def pair(**chosen: Any) -> None:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
     # raise the error for an unknown kerf before the long computation
-    cutting.options(Sheet.of(spec.sheet))
+    cut_as = cut_text(cutting.options(Sheet.of(spec.sheet))["kerf"])
+    if spec.scale != 1:
+        say_row(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
     if matched := spec.matched:
         say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")
@@ -108,7 +110,7 @@ def pair(**chosen: Any) -> None:
     held = "print, holder" if result.part.pair.bistable else "print, holder without the names of the settings"
     wrote(
         written,
-        {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder", f"{name}-holder.stl": held},
+        {f"{name}.dxf": cut_as, f"{name}-holder.dxf": f"holder, {cut_as}", f"{name}-holder.stl": held},
     )
     for missing in left_out(blocks=(name, f"{name}-holder")):
         say(missing)

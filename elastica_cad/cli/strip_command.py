@@ -18,7 +18,7 @@ from elastica_cad.cli.suggestions import (
     listing_note,
     suggest_later,
 )
-from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, cut_text, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import Reader
@@ -278,6 +278,6 @@ def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, s
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
-    cut = [f"cut, {kerf:g} mm kerf included" if kerf else "cut, kerf not corrected"]
+    cut = [cut_text(kerf)]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
     wrote(written, {f"{result.name}.dxf": ", ".join(cut), f"{result.name}-holding.dxf": "template"})

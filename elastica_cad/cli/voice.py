@@ -179,6 +179,11 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
         say_row(Row("Files", ", ".join(files)))
 
 
+def cut_text(kerf: float) -> str:
+    """Return the description of a file to cut, with its kerf, mm."""
+    return f"cut, {kerf:g} mm kerf included" if kerf else "cut, kerf not corrected"
+
+
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
     """Set the record that `--json` prints. Records, arrays and paths become plain JSON."""
     if voice().as_json:
