@@ -47,6 +47,9 @@ from elastica_cad.strip.summary import size_row, strip_rows
 MOST_NAMES = 3
 """Largest number of cutting files that a row on several strips names."""
 
+BETTER_SHARE = 0.8
+"""Expected deviation with compensated widths, as a fraction of the present one, below which they are suggested."""
+
 SUGGESTED_DEVIATION = 3e-4
 """Deviation of the strip, as a fraction of its length, above which corrected widths are suggested."""
 
@@ -226,11 +229,14 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     with suppress(NotConvergedError):
         if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
-            if better.correction is not None and better.held_deviation < strip.held_deviation / 2:
+            if better.correction is None or better.held_deviation >= strip.held_deviation / 2:
+                return
+            # the compensated strip can be more sensitive to its other errors
+            if (expected := better.held().expected) < BETTER_SHARE * strip.held().expected:
                 yield Row(
                     "Change",
                     "use --compensate to correct the widths: the strip is then accurate to about "
-                    f"{about(better.held().expected)}",
+                    f"{about(expected)}",
                 )
 
 

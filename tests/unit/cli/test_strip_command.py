@@ -301,17 +301,12 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("weight", [(), ("--gravity",)], ids=["light", "heavy"])
-def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, weight):
+def test_compensation_is_not_suggested_if_it_hardly_improves_the_accuracy(tmp_path, weight):
     path = tmp_path / "hoop.json"
     path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (50, 120), 0, -0.4, np.pi + 0.4)]))
     asked = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
     told = run(*asked, "-o", tmp_path / "plain").stdout
-    left = float(
-        re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", told, re.MULTILINE)[1]
-    )
-    assert left < 4e-3 * 370  # of which the sheet adds most
-    made_up = run(*asked, "--compensate", "-o", tmp_path / "made up").stdout
-    assert float(re.search(r"^Accuracy +about ([\d.]+) mm", made_up, re.MULTILINE)[1]) == left
+    assert "--compensate" not in told  # the sheet causes most of the deviation
 
 
 @pytest.mark.campaign
