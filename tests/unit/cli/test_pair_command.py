@@ -29,6 +29,8 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
     folder, said = made
     assert said.exit_code == 0, said.output
     assert "bistable" in said.output
+    assert "clip.dxf (cut, 0.2 mm kerf included)" in said.output
+    assert "clip-holder.dxf (holder, cut, 0.2 mm kerf included)" in said.output
     assert {file.name for file in folder.iterdir()} == {
         *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json", "-force.csv")),
         "clip-up.step", "clip-down.step",
