@@ -204,7 +204,7 @@ def assembled_box(strips: Sequence[tuple[Strip, FloatArray]], holders: Sequence[
     corners = list[FloatArray]()
     for strip, patches in strips:
         tapered = [float(size.extremes[1]) for size in strip.tapered.values()]
-        half = max([strip_thickness(strip), *tapered]) / 2 * normals_of(patches)[:, None]
+        half = max([strip_thickness(strip), *tapered]) / 2 * _normals_of(patches)[:, None]
         corners += [(patches - half).reshape(-1, 3), (patches + half).reshape(-1, 3)]
     for holder in single_holders(holders):
         for solid in holder.solid.added if isinstance(holder, EndFixture) else (holder.solid,):
@@ -377,10 +377,10 @@ def lit(patches: FloatArray) -> FloatArray:
 
     Both sides are equally bright.
     """
-    return np.asarray(0.6 + 0.4 * np.abs(normals_of(patches) @ LIGHT)[:, None], dtype=float)
+    return np.asarray(0.6 + 0.4 * np.abs(_normals_of(patches) @ LIGHT)[:, None], dtype=float)
 
 
-def normals_of(patches: FloatArray) -> FloatArray:
+def _normals_of(patches: FloatArray) -> FloatArray:
     """Return the unit normals (n, 3) of patches (n, 3 or 4, 3)."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None])
