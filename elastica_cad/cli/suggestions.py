@@ -125,7 +125,7 @@ def cures_of(
             change = spelled(suggestion).rstrip(".")
             text = (
                 f"Possible, but {suggestion.effect}: {change}."
-                if suggestion.is_far
+                if suggestion.is_far or suggestion.tips
                 else f"This works: {change} ({suggestion.effect})."
             )
             cures.append(suggestion.as_dict() | {"text": text})

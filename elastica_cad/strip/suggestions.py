@@ -89,6 +89,11 @@ class Suggestion:
         return self.deviation > FAR_SHARE * _size(self.requests[0])
 
     @property
+    def tips(self) -> bool:
+        """True if a strip tips over sideways."""
+        return any(strip.sideways.word == "unstable" for strip in self.strips)
+
+    @property
     def effect(self) -> Refusal:
         """Sentence on strain, and on the distance from the drawn curve or the length of an enlarged strip."""
         values: dict[str, Any] = {"used": self.used}
@@ -102,6 +107,8 @@ class Suggestion:
         else:
             text = "the curve as drawn, {used} % of the allowed strain"
         effect = note(text, distance=about(self.deviation), **values)
+        if self.tips:
+            effect = note("{effect}; unstable sideways: guide the strip at the sides", effect=effect)
         match self.change.value:
             case Rail(float(at)) | Pin(float(at)) as element:
                 places = [at]
@@ -179,7 +186,7 @@ def suggest(
     The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
     nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
     size. A strip is suitable if it is stable and strained within the limit of its sheet. Strips farther from the
-    drawn curve than 3 % of the curve's size are suggested last.
+    drawn curve than 3 % of the curve's size, and strips that tip over sideways, are suggested last.
 
     Parameters
     ----------
@@ -216,7 +223,7 @@ def suggest(
         )
         if (suggestion := next(filter(None, held), None)) is not None:
             count += 1
-            if suggestion.is_far:
+            if suggestion.is_far or suggestion.tips:
                 far.append(suggestion)
             else:
                 yield suggestion
