@@ -195,6 +195,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     moved = None
     verdicts: Sequence[Stability]
     change = _bend_keywords(rod if strip is None else strip.rod_to_bend, strip, chosen)
+    if chosen["shorten"] is not None and chosen["start"] is None and chosen["end"] is None:
+        _refuse_fixed_cords(rod, supports, change["between"])
     if strip is None:
         shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
@@ -319,6 +321,16 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dic
     if chosen["point_mass"] and rod.gravity is None and strip is not None:
         change["gravity"] = strip.sheet.gravity(chosen["down"] or (0.0, -1.0))
     return change
+
+
+def _refuse_fixed_cords(rod: Rod, supports: Supports, between: Sequence[Any]) -> None:
+    fixed = all(end.x and end.y for end in supports.ends)
+    for cord in between:
+        if fixed and isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
+            raise InputError(
+                "Both ends of the strip are held, so the cord between them cannot become shorter. "
+                "Add --hold-start free --hold-end free."
+            )
 
 
 def _with_shorter_cord(action: ElementForce, by: float) -> Any:

@@ -22,7 +22,7 @@ from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, distance_of_tips, held_ends
 from elastica_cad.strip.strip import Strip
 
-MOST_DEVIATION = 0.03
+MOST_DEVIATION = 0.05
 """Expected deviation, as a fraction of the length, above which the user is warned before cutting."""
 
 LATER = "…"

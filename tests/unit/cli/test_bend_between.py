@@ -165,6 +165,10 @@ def test_a_strip_without_its_elements_snaps(desk):
         ),
         ("--release --shorten 5", "--shorten needs a cord. Add --tie START END."),
         (
+            "--tie 0 394.4 --shorten 5",
+            "so the cord between them cannot become shorter. Add --hold-start free --hold-end free.",
+        ),
+        (
             "--rail 900",
             "The rail 900 mm from the start is not on the curve. Give a place from 0 to 394.424 mm along",
         ),
