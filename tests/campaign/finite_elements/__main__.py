@@ -6,7 +6,10 @@ Needs ccx (Debian: calculix-ccx) and gmsh.
 """
 
 import argparse
+import json
 from pathlib import Path
+
+import numpy as np
 
 from tests.campaign.finite_elements.between import between_ends
 from tests.campaign.finite_elements.cases import CASES
@@ -60,11 +63,20 @@ def main() -> None:
     for part, found in parts.items():
         for record in found(folder) if wanted(part) else ():
             told(part, record)
+    deviations: dict[str, list[float]] = {widths: [] for widths in asked.widths}
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
             for widths in asked.widths:
                 if WIDTHS[widths] is not None or case.has_default_widths:
-                    told(widths, measured(case, folder, compensated=WIDTHS[widths]))
+                    row = measured(case, folder, compensated=WIDTHS[widths])
+                    told(widths, row)
+                    deviations[widths].append(row.strayed)
+    print(json.dumps({
+        f"deviation of strips, {widths}": {
+            "strips": len(numbers), "median": f"{np.median(numbers):.1e}", "worst": f"{max(numbers):.1e}"
+        }
+        for widths, numbers in deviations.items() if numbers
+    }))  # fmt: skip
 
 
 main()
