@@ -166,10 +166,10 @@ def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Return the least-squares spline for position and curvature, with the knot spans `edges`.
+    """Return the least-squares spline for position and curvature, with the distinct knots `edges`.
 
-    The spline is exact at ends and inflections. The derivative of the curvature is exact at inflections, because it
-    determines the stiffness there.
+    The spline is exact at ends and inflections. At inflections, the derivative of the curvature is exact too,
+    because it determines the stiffness there.
     """
     from scipy.interpolate import BSpline
 
@@ -193,7 +193,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # only a rest curvature requires that the parameter is the arc length at inflections
+    # if the strip has a rest curvature, the parameter must be the arc length at inflections
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -233,7 +233,6 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error at each station, divided by its tolerance."""
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in a panel at which the stiffness is bounded
+# number of stations per panel from which the least stiffness is taken
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"

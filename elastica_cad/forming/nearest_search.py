@@ -232,7 +232,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Complete a search: take an equally near rod of least stiffness ratio, or list all equally near results."""
+    """Return the search with an equally near rod of least stiffness ratio, or with all equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -293,7 +293,8 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
     """Yield initial guesses: pairs of a distance and a function that returns the guess.
 
-    A guess is not needed if an optimum nearer than its distance is known. The unit is the diagonal of the target.
+    The guess is needed only if no known optimum is nearer to the target than this distance, in diagonals of
+    the target.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)

@@ -192,7 +192,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, the rod needs no new scale, so its state is the result
+        # without weight and section law, no new scale is needed
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)

@@ -121,7 +121,6 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
 
 def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """Return x, the multipliers y, True if the method converged, and the number of factorisations."""
     (x, y, _, _), converged, iterations = _native.interior_points(
         p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.penalty, p.one_sided, accuracy
     )

@@ -131,7 +131,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
     ) -> ConstraintRows:
         """Return the linearised constraints.
 
-        If there is a column for the change to equilibrium, the values are those after the change.
+        If the sensitivities include the change to equilibrium, the values are those after the change.
         """
         p = sensitivities.rod.z.size
         if not self.constraints:

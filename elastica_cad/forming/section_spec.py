@@ -439,7 +439,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """Raise InputError for two equal planes. `values` are offsets, or angles with a `period`."""
+    """Raise InputError for two equal planes. `values` are offsets or, with a `period`, angles."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

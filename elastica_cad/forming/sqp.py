@@ -361,7 +361,6 @@ class Iterate(Generic[Point]):
 
     def is_reliable(self, promise: float, highest_penalty: float) -> bool:
         """Return True if the uncertainty of the merit is small compared with the predicted decrease `promise`."""
-        # first test the part of the uncertainty that does not depend on the objective
         if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
@@ -752,7 +751,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
             best, least = point, missed
-        elif least <= SETTINGS.clearance:  # only rounding errors are left
+        elif least <= SETTINGS.clearance:
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break

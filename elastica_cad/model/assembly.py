@@ -237,7 +237,6 @@ def engraved_marks(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
-    """Return, for each tab name, the places that hold the tab, each with a short text."""
     places = defaultdict[str, dict[str, str]](dict)
     for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         places[tab][place] = short

@@ -240,8 +240,6 @@ def _deepest_sample(
 
 @dataclass(frozen=True, eq=False)
 class _Overlap:
-    """Overlap of two strips that are side by side, slotted into each other, or at an angle."""
-
     names: tuple[str, str]
     places: Places
     is_flush: bool = False
@@ -348,7 +346,6 @@ def _crossing_without_slot(
 
 
 def _without_touching_edges(width: Profile) -> Profile:
-    """Return the width, reduced at each edge by the permitted overlap."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 

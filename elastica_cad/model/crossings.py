@@ -283,7 +283,6 @@ class _Heights:
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """Return heights of points of a strip's curve, and derivatives by arc length."""
         across, base = self._height_coefficients[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across

@@ -157,7 +157,6 @@ class CutList:
         return replace(self, rows=cut, printed=printed)
 
     def __str__(self) -> str:
-        """Return a table of the pieces with sums, the stock to buy, and a table of the printed blocks."""
         sums = [TABLE_COLUMNS[name].format(self) if name in SUMMED else "" for name in TABLE_COLUMNS]
         pieces = [[*TABLE_COLUMNS], *_texts(self.rows, TABLE_COLUMNS), ["in all", *sums[1:]]]
         parts = [_table(pieces, right=(2, 3, 4, 5, 6), lines=(1, len(pieces) - 1))]

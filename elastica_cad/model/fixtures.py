@@ -567,7 +567,6 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 def _crossed_blocks(
     placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]
 ) -> list[int]:
-    """Return the indices of the blocks that a strip runs through, except the blocks that hold it."""
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)

@@ -330,7 +330,6 @@ def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
 def _stations_of_ribs(
     rails: Sequence[_RailPlan], across: FloatArray, count: int, space: float
 ) -> list[float]:
-    """Return the stations of ribs before and behind all tabs, and in gaps between tabs."""
     reach = np.concatenate([rail.reach(across) for rail in rails])
     reach = reach[np.argsort(reach[:, 0])]
     first, last = float(reach[:, 0].min()), float(reach[:, 1].max())

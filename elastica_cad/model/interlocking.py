@@ -371,7 +371,6 @@ class _Cutter:
     def refuse_touching(
         self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
     ) -> None:
-        """Refuse strips with parallel rulings that touch anywhere except at their crossings."""
         a, b = ruled
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return

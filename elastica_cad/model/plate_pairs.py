@@ -226,7 +226,6 @@ TESTED_FRACTIONS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 
 
 def _fits(strips_at: StripsAt, plates: Sequence[BasePlate], gap: float) -> bool:
-    """Return True if two plates at this gap can replace each plate."""
     try:
         placed = strips_at(gap)
     except InputError:

@@ -135,7 +135,6 @@ def _bisector_bound(
 
 
 def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
-    """Return twice the smaller of the bounds, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         first, two = bounds
@@ -299,7 +298,6 @@ class _Request:
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
-        """Return all strips about the axis, rings, and warnings about strips that cannot be cut."""
         placed, warnings = self._strips(meridian)
         if self.rings is None:
             return placed, (), warnings
@@ -330,7 +328,6 @@ class _Request:
         return placed, (*rings, *spacers), warnings
 
     def _strips(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[str, ...]]:
-        """Return all strips about the axis, and warnings about strips that cannot be cut."""
         width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
         turn = 2 * np.pi * np.arange(self.strips) / self.strips

@@ -416,7 +416,10 @@ def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
 
 
 def _far_apart(places: FloatArray, thinned: list[int], count: int) -> list[int]:
-    """Return the first of the `thinned` indices, and further indices, each as far as possible from those before."""
+    """Return `count` of the `thinned` indices, each as far as possible from the indices before it.
+
+    The first place has the largest sum of distances from the others.
+    """
     apart = np.linalg.norm(places[thinned, None, :2] - places[thinned, :2], axis=-1)
     chosen = [int(np.argmax(apart.sum(axis=1)))]
     while len(chosen) < count:
@@ -427,10 +430,11 @@ def _far_apart(places: FloatArray, thinned: list[int], count: int) -> list[int]:
 def _spread(
     free: FloatArray, chosen: FloatArray, apart: float, width: float, plates: tuple[BasePlate, BasePlate]
 ) -> tuple[FloatArray, float]:
-    """Return the chosen places, moved to free places around the middle of the tabs, and their extent around it.
+    """Return the chosen places, moved apart around the middle of the tabs, and their relative extent.
 
-    The extent of points is their least reach from the middle in any direction. It is negative if the middle is not
-    between the points. Two spacers support the plates only by their width, and more spacers by their positions.
+    The extent of points is their least reach from the middle in any direction. It is negative if the middle
+    is not between the points. It is divided by the extent of the slots or, if larger, by `width`. Two spacers
+    support the plates only by their width, and more spacers by their positions.
     """
     slots = [loop for plate in plates for loop in plate.tab_loops]
     middle, count = np.mean(slots, axis=(0, 1)), len(chosen)

@@ -159,7 +159,7 @@ SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return factors (n,) on the stiffness at the nodes, for cuts (position, added length), mm."""
+    """Return the stiffness factor (n,) at each node. A cut is given as (position, added length), mm."""
     at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
@@ -239,7 +239,7 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the stiffness factor of a strip that curls, or None. Plates over joints are ignored."""
+    """Return how curling changes the stiffness, or None for no effect. Plates over joints are ignored."""
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
@@ -333,8 +333,7 @@ def _lengths_added_by_tabs(
 ) -> list[tuple[float, float]]:
     """Return (position, added length), mm, for each end that is wider than its tab.
 
-    A tab keeps the strip near it from curling, which reduces the added length by `restraint` (2,) times the
-    width.
+    A tab prevents curling near it. This reduces the added length by `restraint` (2,) times the width.
     """
     places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
@@ -354,7 +353,6 @@ def _lengths_added_by_tabs(
 
 
 def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return (position, added length), mm, for each step of the width."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     places = []
@@ -541,7 +539,6 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
-        """Width (n,), mm, of the strip or of each ligament; None for planed or turned strips."""
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
@@ -577,7 +574,7 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacement (n, 2), mm, of the nodes because shorter plies end; zero for strips without plies.
+        """Displacements (n, 2), mm, of the nodes that the ends of shorter plies cause; zero without plies.
 
         The neutral axis is not at the centre of the full-length ply, so the force in the strip adds a moment.
         """

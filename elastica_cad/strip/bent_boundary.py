@@ -185,7 +185,7 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1  # factor on the computed number of parts of a span
+SAFETY_FACTOR = 1.1
 FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
@@ -298,7 +298,7 @@ class BentMap:
     ) -> tuple[FloatArray, int]:
         """Return knots and degree of a basis for a segment and its bent image.
 
-        `even` is (offset, slope) of x as a linear function of the segment's parameter.
+        `even` is (offset, speed): on the segment, x = offset + speed * parameter.
         """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
@@ -432,7 +432,7 @@ def _fit_spline(
                 "changes too fast there: smooth the curve",
                 at=Length(at),
             )
-        # the error is proportional to the length of the span to the power of degree + 1
+        # the error is proportional to (length of the span) ** (DEGREE + 1)
         parts = np.where(
             bad, np.clip(np.ceil(SAFETY_FACTOR * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1
         )
@@ -447,7 +447,7 @@ def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
 ROUNDED_MM = 1e-12
 """Difference in x between the ends of a line, mm, below which the line is perpendicular to the strip."""
 
-Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent part
+Map: TypeAlias = Frame | BentMap
 
 
 @dataclass
@@ -506,7 +506,6 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the faces at every height. Seen from above, each face is to the left of its loops."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -528,7 +527,7 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
-        """Add a side wall, with the parameters (u, v): the parameter of the piece, and the height."""
+        """Add a side wall. Its parameters are u, the parameter of the piece, and v, the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
@@ -595,8 +594,7 @@ class BoundaryMaker:
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
     """Return the edges of a side wall at `heights`, in the parameters of the wall's surface.
 
-    The edges have the knots of a B-spline surface, because CAD kernels integrate from knot to knot of the
-    edges.
+    The edges get the knots of the wall, because CAD kernels integrate edges from knot to knot.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
@@ -631,7 +629,6 @@ def _y_limits(segment: Segment) -> tuple[float, float]:
 
 
 def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
-    """Return the start and end corners of a piece, in the direction of increasing parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 

@@ -225,6 +225,6 @@ def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # the gap between two control polygons is not a side
+        sides[begins[1:] - 1] = 0.0
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -154,7 +154,7 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # write the longest length at the other edge, clear of the next number
+            # write the longest length at the other edge, where it does not overlap the next number
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # boxes whose four coordinates differ by SAME_MM each are sqrt(4) SAME_MM apart
+    # if each of the four coordinates differs by SAME_MM, two boxes are sqrt(4) SAME_MM apart
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -420,9 +420,9 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the place nearest to `middle` that is at least `width` mm from corners.
+        """Return the arc length nearest to `middle` that is at least `width` mm from corners.
 
-        If there is no such place within `reach` mm, return `middle`.
+        If there is none within `reach` mm, return `middle`.
         """
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):

@@ -173,7 +173,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield the parameters (middle of the joint, end of the part before, start of the part after)."""
+    """Yield (middle, first, last) of each group of kinks closer together than `ramp`, mm."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -281,7 +281,6 @@ class _Cutter:
     """Number of pieces of the outline. Pieces of the outline have smaller indices than pieces of holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
-        """Split a closed loop at the stations. `backward` reverses the loop."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
@@ -340,7 +339,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
-        """Return the interval of a piece; on a station line, the interval on its left."""
+        """Return the interval of a piece. A piece on a station line is in the interval to its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -383,9 +382,9 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line of a corner, in order of y, and a direction on that line.
+        """Return the corners on the station line of a corner, in order of y, and 1 (up) or -1 (down).
 
-        The direction is 1 (up) or -1 (down), with the interval on the left.
+        The interval is on the left of this direction.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
@@ -427,7 +426,6 @@ def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[Seg
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:
-    """Return the parameters, without the ends, at which a segment crosses the line at x."""
     if isinstance(segment, Line):
         a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
         apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0

@@ -112,7 +112,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # for the range of x of each chord: index of the first station, and number of stations
+        # index of the first station below each chord, and number of stations below the chord
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
@@ -149,7 +149,6 @@ def cut_layers(
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
-    # holes in the tabs align the layers of a laminate
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)

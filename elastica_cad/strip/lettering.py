@@ -16,7 +16,7 @@ from elastica_cad.geometry.path import Path
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
 LABEL_MM = 5.0  # largest height of the label of a strip, mm
 LABEL_SHARE = 0.4  # largest height of a label as a fraction of the available height
-_GAP = 1.6  # gap between two letters in units of the alphabet
+_GAP = 1.6
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
 

@@ -36,8 +36,8 @@ from elastica_cad.strip.uncuttable_parts import (
 
 # knot spacing of a width correction as a fraction of the length; wide spacing keeps outlines smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING_PENALTY = 5e-3  # weight of the roughness of a correction relative to the deviation
-SIZE_PENALTY = 7e-3  # weight of the size of a correction relative to the deviation
+SMOOTHING_PENALTY = 5e-3  # weight of a correction's roughness relative to the deviation
+SIZE_PENALTY = 7e-3  # weight of a correction's size relative to the deviation
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
@@ -99,7 +99,6 @@ def _correct_widths(
 
 
 def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
-    """Return displacements (2 n, ...) of points (n, 2) minus the rigid motion that fits them best."""
     x, y = (position - position.mean(axis=0)).T
     ones, none = np.ones(x.size), np.zeros(x.size)
     rigid = np.array([np.column_stack(row).ravel() for row in ((ones, none), (none, ones), (-y, x))])
@@ -109,7 +108,7 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 
 ROUNDS = 8
 LEAST_GAIN = 0.97  # stop if an iteration leaves more than this fraction of the deviation
-LARGEST_GUESS = 0.5  # largest magnitude of the logarithm of the first factors on the width
+LARGEST_GUESS = 0.5  # largest |log(factor on the width)| in the first guess
 SMALL_DEVIATION_FRACTION = 1e-5  # smaller deviations, as fractions of the length, are accepted
 
 
@@ -177,8 +176,6 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _CorrectedStrip(NamedTuple):
-    """Strip with widths corrected by `coefficients`, its rest shape, and its deviation from the design, mm."""
-
     strip: Strip
     coefficients: FloatArray
     rod: Rod

@@ -168,7 +168,7 @@ class Measuring:
         chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
         apart[owners.index("ends apart")] = chord / np.hypot(*chord)
-        if "thinner sheet" in owners:  # for a thickness h, E I varies as h^3 and weight as h
+        if "thinner sheet" in owners:  # weight / E I is proportional to 1 / thickness^2
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)

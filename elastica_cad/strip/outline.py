@@ -381,7 +381,6 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    # all rows are graphs y(x), because they have the same x as the first row
     return [Spline(curve) for curve in first.siblings(points)]
 
 
@@ -453,5 +452,5 @@ def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line 
 
 
 def _tab_to_strip(x: float, direction: int) -> FloatArray:
-    """Return the map from the coordinates of a tab to the strip; `direction` is -1 at the start."""
+    """Return the (3, 3) map from a tab's coordinates to the strip; `direction` is -1 at the start, else 1."""
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

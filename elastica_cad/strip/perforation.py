@@ -230,7 +230,7 @@ class _Row:
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # length, mm, that tabs and slots remove
+    lost: float = 0.0
 
     @property
     def across(self) -> int:
@@ -286,10 +286,7 @@ class _Stretch:
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Return the lower and the upper side of each of `across` holes side by side.
-
-        The upper side runs backwards.
-        """
+        """Return the lower side (along x) and the upper side (against x) of each of `across` holes side by side."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
@@ -481,10 +478,6 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness of the strip where the relative stiffness is 1, N mm2.
-
-        If the rod has no bending stiffness, return the largest value that `max_width` allows.
-        """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes

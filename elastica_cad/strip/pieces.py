@@ -107,7 +107,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}
-    known: dict[int, list[int]] = {}  # a strip that occurs several times is compared once
+    known: dict[int, list[int]] = {}
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)

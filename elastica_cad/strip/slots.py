@@ -330,7 +330,6 @@ class _Edge:
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
             near = ((self.low <= high) & (self.high >= low)).all(axis=1)
-            # a segment may have several chords near the slot
             for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)

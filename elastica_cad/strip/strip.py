@@ -190,7 +190,7 @@ class Shoulder:
 
 
 def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
-    if layout.size is not None:  # the tabs of a planed or turned strip are as wide as the strip
+    if layout.size is not None:
         return ()
     shoulders = []
     for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
@@ -446,7 +446,7 @@ class Strip:
             raise InputError(
                 f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
             )
-        if self.rod.follows_bend:  # the widths follow from the stiffness in the bent shape
+        if self.rod.follows_bend:
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
@@ -486,7 +486,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def _repr_html_(self) -> str:
-        summary = import_module("elastica_cad.strip.summary")  # as `summary` imports this module
+        summary = import_module("elastica_cad.strip.summary")  # `summary` imports this module
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:

@@ -694,7 +694,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Limits of the width, if the strip has no holes and its loads determine its stiffness in N mm2."""
+        """Limits of the width if the loads determine the stiffness in N mm2, else None."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
@@ -738,13 +738,13 @@ class StripSpec(EqualByValue):
     def _section(self, share: float) -> BoundedLaw | None:
         """Return the section law, or None if the width is proportional to the stiffness.
 
-        Its density is multiplied by `share`, the fraction of the weight that acts in the plane of the curve.
+        The density of the law is multiplied by `share`, the fraction of the weight that acts in the plane of
+        the curve.
         """
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            # weight and stability of a strip that bends as a plate follow from the section law
             law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):

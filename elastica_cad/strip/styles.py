@@ -195,7 +195,7 @@ class Layout:
         """Return the surface strain of each layer at stations along the strip."""
         if self.section is not None and self.size is not None:
             return self.section.strains(bends.amount, self.size(bends.s))
-        if self.backing is None:  # the strain of a single sheet does not depend on its width
+        if self.backing is None:
             return PlainSection(self.sheet).strains(bends.amount)
         outer = self.width(bends.s)
         # rounding can make the backing slightly wider than the base

@@ -226,7 +226,6 @@ def hold_row(strip: Strip) -> Row:
             else "set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
             change=Length(abs(shorter)),
         )  # fmt: skip
-        # a change below the mounting error is only added to the details
         if abs(shorter) > MOUNTING_ERROR_MM:
             load = sentences([load, advice])
         else:

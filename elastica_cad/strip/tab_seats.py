@@ -168,7 +168,7 @@ STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the 
 STEP_RAD = 0.15  # largest turn of an end in a step, rad
 # penalty for an overlap, relative to the forces; larger than most contact forces
 OVERLAP_PENALTY = 100.0
-TAB_PIECES = 16  # number of rigid pieces of an elastic tab; the error of its slope at the bent part is 0.5 %
+TAB_PIECES = 16  # number of rigid pieces of an elastic tab, for an error of 0.5 % in its slope
 
 
 @dataclass(frozen=True, eq=False)
@@ -277,15 +277,15 @@ def _constrained_step(
     Parameters
     ----------
     hessian, gradient : (n, n), (n,) arrays
-        Hessian and gradient of the energy over the bending stiffness B.
+        Hessian and gradient of the energy, divided by the bending stiffness B.
     walls : ((k, n), (k,)) arrays
         Gradients of the gaps at all contacts, and the gaps, mm.
     length : float
-        Length of the strip, mm. The largest steps are fractions of it.
+        Length of the strip, mm. The largest steps are fractions of this length.
     shifts : sequence of int
         Indices of the unknowns that are shifts; all others are angles.
     scale : float
-        Scale of the Hessian, 1/mm3: Hessian and gradient are divided by it.
+        Number, 1/mm3, by which Hessian and gradient are divided.
     penalty : float
         Penalty for an overlap, relative to the forces.
     reach : float
@@ -303,9 +303,7 @@ def _constrained_step(
 
 
 MOST_STEPS = 60
-RENEWED_SHARE = (
-    0.003  # step above which the stiffness of the ends is computed again, as a fraction of the length
-)
+RENEWED_SHARE = 0.003  # step, as a fraction of the length, above which the end stiffness is computed again
 SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the step limit after a reversed step, and after other steps
 DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_FRACTION = 1e-9  # iterations stop at a shorter step, as a fraction of the length of the strip
@@ -436,7 +434,6 @@ class _ContactProblem:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """Return the results of `SeatedEnd.load` for all ends, 1/mm2."""
         loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
         return np.array(loads).ravel()
 
@@ -488,9 +485,8 @@ class _ContactProblem:
         penalty: float = OVERLAP_PENALTY,
         reach: float = np.inf,
     ) -> QuadraticSolution:
-        """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
         length = self.design.length
-        # H: Hessian of the energy of the tabs, 1/mm3; the Hessian of the rod is added below
+        # H is the Hessian of the energy of the tabs, 1/mm3; the Hessian of the rod is added below
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )

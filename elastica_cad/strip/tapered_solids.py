@@ -152,10 +152,7 @@ class RoundSolid:
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm.
-
-        Tabs are straight cylinders.
-        """
+        """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm."""
         length, size = self.strip.rod.length, self.strip.layout.size
         assert size is not None
         within = np.clip(s, 0.0, length)
@@ -170,7 +167,7 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Return knots and coefficients (m, 5) of a spline: axis, radius times unit normal, and radius."""
+        """Return knots and coefficients (m, 5) of a spline: axis, unit normal * radius, and radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -204,7 +201,6 @@ class _RoundBoundary:
         z = frame.z_axis
 
         def control_net(rows: FloatArray, sign: float) -> FloatArray:
-            """Return the control points (n, m, 3) of a half surface: n around the axis and m along the axis."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))

@@ -138,7 +138,7 @@ DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
 
-# number of points per least width along a cut, for an error of 1 % in the widths
+# number of points along a cut per least width; the error of a width is then 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
 # least cosine of the angle between a normal and the line to the facing point; in corners wider than 50
@@ -231,8 +231,8 @@ def _opposed_points(
 ) -> tuple[IntArray, IntArray]:
     """Return index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
 
-    The first point of each pair is among `searching`. Points and normals are compared in the same search, because
-    the normals times `least` are appended to the coordinates.
+    The first point of each pair is among `searching`. The normals times `least` are appended to the
+    coordinates, so that one search compares points and normals.
     """
     # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
@@ -326,7 +326,7 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) where the chord in the same row of `others` is within `least` mm across the material."""
+        """For each row (m,), return True if the chord of `others` is within `least` mm across the material."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -347,7 +347,7 @@ LAP_THICKNESSES = 20
 """Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 thicknesses on,
 the glue joint is as strong as the sheet."""
 
-MOST_LISTED = 3  # number of narrow positions of a part that a message lists
+MOST_LISTED = 3
 
 
 @dataclass(frozen=True)
@@ -673,7 +673,7 @@ def _faults_at(
     *,
     of_hole: bool = False,
 ) -> Iterator[Fault]:
-    """Yield a fault for each thin place. `loops` are the names of the loops; those of holes have their position."""
+    """Yield a fault for each thin place. `loops` are the names of the loops, holes with their position."""
     # list equal gaps once, such as those between the slots around a ring
     alike: dict[object, list[ThinPlace]] = {}
     for k, place in enumerate(places):
