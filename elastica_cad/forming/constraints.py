@@ -295,10 +295,10 @@ def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
 
 # values above this fraction of a limit enter the quadratic program, because a step may violate the limit
 _NEAR = 0.6
-_STEP = 1e-5  # relative step of the stiffness in finite differences of the strain
-# reserve for larger curvature between nodes, as a fraction of the largest stiffness
+_STEP = 1e-5  # relative change of the stiffness in finite differences of the strain
+# reserve for larger curvatures between the nodes, as a fraction of the largest stiffness
 _SAFETY_SHARE = 0.01
-# relative step of stiffness and curvature in finite differences, so large that kinks have little effect
+# relative change of stiffness and curvature in finite differences, large enough to average out kinks
 _TANGENT_STEP = 1e-3
 
 

@@ -227,7 +227,7 @@ class LargestDistance:
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
-        # signed distances (negative on the right of the target) after the change to equilibrium
+        # signed distances after the change to equilibrium, negative on the right of the target
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
         # a small fraction of the mean square makes the best step unique

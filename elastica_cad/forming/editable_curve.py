@@ -219,7 +219,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
-    # regularisation without visible effect, larger than rounding errors
+    # regularise the matrix by more than rounding errors, but without visible effect
     band[0] += 1e-14 * band[0].max()
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]

@@ -90,7 +90,7 @@ class Smoothing:
         if self.fairing is None:
             return self.drawn
         provenance, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if provenance is not None:  # report outliers of the measured points for the smoothed curve too
+        if provenance is not None:  # the smoothed curve also reports outliers of the measured points
             provenance = replace(provenance, measured=provenance.measured if outlier else None)
         return self.fairing.curve.drawn_as(provenance)
 

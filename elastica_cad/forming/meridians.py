@@ -181,7 +181,6 @@ class _Equations:
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
-        """Return the unknowns with the angles interpolated at other stations."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
@@ -244,7 +243,6 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return initial unknowns from a spline through the points, and the length of the spline."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position

@@ -137,16 +137,16 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
 
 
 def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
-    """Search from the end `before` of a similar search, or from several initial guesses.
+    """Search from `before`, the end of a similar search, or else from several initial guesses.
 
-    The first initial guess nearly always suffices. Further guesses are tried if the result violates limits, has
-    not converged, or is far from the target.
+    The first guess nearly always suffices. Further guesses are tried if the result violates limits, has not
+    converged, or is far from the target.
     """
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # other initial guesses get fewer steps if the first result violates a limit while a margin is required
+    # if the first result violates a limit while a margin is required, other guesses get fewer steps
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -201,7 +201,8 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 def _narrowed(search: Search, task: NearestTask) -> Search:
     """Repeat the search with the scale of `task`, then with smaller scales, until the limits are met.
 
-    A first search requires only a part of the margin. Narrower strips may meet a margin that wider strips violate.
+    Narrower strips may meet a margin that wider strips violate. Each scale is first tried with a part of the
+    margin.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:

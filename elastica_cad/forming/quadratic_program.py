@@ -142,7 +142,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # u (2, n + m): distances of z = (x, y) from its bounds; v: their multipliers or slacks, with u v = mu
+    # u (2, n + m) are the distances of z = (x, y) from its bounds; v are their multipliers or slacks, with u v = mu
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u
@@ -163,7 +163,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         # stop if rounding has made a distance or multiplier 0, which further steps cannot change
         if info != 0 or not min(u.min(), v.min()) > 0:
             break
-        # predictor step towards mu = 0, then corrector step towards a mu computed from the predictor step
+        # the predictor step aims at mu = 0; the corrector step aims at a mu computed from the predictor step
         aim = -product
         for corrector in (False, True):
             change = aim / u

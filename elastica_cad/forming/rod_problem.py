@@ -150,7 +150,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-# fraction by which the length tolerance of a pre-bent strip is reduced, because of rounding errors
+# fraction by which rounding errors reduce the length tolerance of a pre-bent strip
 _SAME_LENGTH = 1e-6
 # tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
 _SAME_CURVATURE = 1e-6

@@ -139,7 +139,6 @@ class _Cut:
         return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
-        """Return the least stiffness ratio of a piece, or infinity if no strip can take the piece."""
         try:
             piece, held, tolerance = self._held(start, end)
             if piece.is_straight:
@@ -149,7 +148,6 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
-        """Return a piece, the supports of its ends, and the tolerance as a fraction of the piece's length."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)

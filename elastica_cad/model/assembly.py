@@ -259,7 +259,6 @@ def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
-    """Yield the name of each held tab, its place in the holder, and a short text for the place."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

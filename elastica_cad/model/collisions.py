@@ -33,7 +33,7 @@ EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
 """Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
-"""Largest overlap, mm, at which slotted strips only touch."""
+"""Largest overlap, mm, of slotted strips that counts as contact."""
 
 EDGES_TOUCH_MM = 0.1
 """Largest permitted overlap, mm, of strips that meet edge to edge. Such an overlap can be filed off."""

@@ -372,9 +372,9 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield points of equal height, as arc lengths on both strips, if a strip has constant height.
+    """Yield arc lengths on both strips at equal heights, if the height is constant on one of two stretches.
 
-    The arc length on the other strip is then constant.
+    The arc length on the other stretch is then constant.
     """
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
@@ -412,11 +412,11 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 def _extreme_at_end(
     k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
 ) -> tuple[str, int, int] | None:
-    """Return the height extreme at the end of a piece of equal height, or None where the surfaces touch.
+    """Return the height extreme at which a line of equal height ends, or None where the surfaces touch.
 
-    The piece is in stretch k of strip a and in stretch m of strip b. The heights of the strips are c_a and c_b, and
-    the piece ends at the height `bound`. The result is the strip with the extreme ("a" or "b"), the index of its
-    stretch that begins there, and the index of the other strip's stretch.
+    The line is on stretch k of strip a, with heights c_a, and on stretch m of strip b, with heights c_b. It ends at
+    the height `bound`. The result is the strip with the extreme ("a" or "b"), the index of its stretch that begins
+    there, and the index of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
@@ -512,7 +512,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing and may be outside."""
+        """Return the points at parameters x (n,). Outside 0..1, they are beyond the ends of the crossing."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves

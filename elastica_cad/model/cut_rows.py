@@ -228,7 +228,6 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
 
 
 def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
-    """Yield a row for each group of equal printed blocks, with the file of one block of the group."""
     stems = distinct(file_word(block.label) for block in blocks)
     same: dict[object, list[int]] = {}
     for k, block in enumerate(blocks):

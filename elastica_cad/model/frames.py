@@ -239,7 +239,7 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return where a rib, `station` mm along `across`, meets the rail in line with the slots."""
+        """Return the seat of a rib on the rail, in line with the slots, at `station` mm along `across`."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -427,7 +427,6 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet. A number is added to equal names of feet with different shapes."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:

@@ -223,7 +223,7 @@ def interlock(
 
 _joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
 _joined = WeakKeyDictionary()
-"""Cache of joints and their options for pairs of placed strips."""
+"""Cache of joints for pairs of placed strips, with the options that were used."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
 """Cache of slotted strips. An unchanged strip stays the same object and keeps its results."""
@@ -298,7 +298,7 @@ class _Cutter:
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
         """Return the joint of an equal pair of strips, moved to the pair with the indices `members`.
 
-        `frames` are the frames of the first strip of each pair: of the pair with the joint, then of `members`.
+        `frames` are those of the first strip of the old pair and of the first strip of `members`.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)

@@ -249,7 +249,6 @@ def _nested_group(
 def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
     x, y = (side + margin for side in piece.size)
     boxes = []
-    # the grain of a sheet is along x
     turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
     for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)

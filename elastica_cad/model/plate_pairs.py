@@ -199,7 +199,7 @@ def _tested_cures(
     sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
     if length < np.inf and len(slotted) == len(plates):
-        # if tabs depend on the gap, a tab of a given length has no width unless the suggestion includes it
+        # a tab of given length has no default width, so also suggest a width if tabs depend on the gap
         sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:
         long, wide = sized

@@ -154,9 +154,9 @@ def add_spacers(
 def _with_slots(
     plate: Plate, tried: BasePlate, slots: tuple[TabSlot, ...], bodies: Sequence[FloatArray]
 ) -> Plate:
-    """Return the plate with slots for spacers. A round plate is made wide enough for the slots and the bodies.
+    """Return the plate with slots for spacers. A round plate is made wide enough for slots and bodies.
 
-    `tried` is the plate in which the places of the spacers are free. The opening is not smaller than there.
+    Its opening is at least as large as in `tried`, the plate for which the places of the spacers were found.
     """
     options = plate.options or PlateOptions()
     if plate.is_round:
@@ -209,7 +209,7 @@ class _Placement(NamedTuple):
 def _places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> _Placement:
-    """Return the first placement whose spacers are spread around the middle of the tabs, or the most spread one."""
+    """Return the first placement that is spread around the middle of the tabs, or else the most spread one."""
     most, best, sheet = 0, None, plates[0].sheet
     bridge = limits_or_default((plates[0].options or PlateOptions()).shop).bridge_for(sheet)
     for tried in _sizes(plates):

@@ -237,7 +237,7 @@ class BentMap:
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
     ) -> list[list[SpaceCurve]]:
-        """Return the curves in space into which parts of flat segments are bent, at every height.
+        """Return the curves in space of bent parts of flat segments, at every height.
 
         Each part is a segment with its first and last parameter. Its curves have the same B-spline basis at
         all heights.

@@ -162,7 +162,7 @@ class _Corners:
 def _corners(
     table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
-    """Return the arcs between the sides `before` (n,) and the sides `after` (n,).
+    """Return the corners between sides `before` (n,) and `after` (n,), with their arcs of `radius` mm.
 
     `gaps` (n,) is True for corners at which sides were omitted.
     """

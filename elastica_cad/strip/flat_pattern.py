@@ -318,10 +318,7 @@ class _Cutter:
         return self.count - 1
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
-        """Yield the parts of a segment between the stations.
-
-        A segment `alone` in its loop has at least two parts.
-        """
+        """Yield the parts of a segment between stations; at least two if the segment is `alone` in its loop."""
         forward = True
         if isinstance(segment, Arc):
             forward = segment.sweep > 0

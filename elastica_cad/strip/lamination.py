@@ -26,7 +26,7 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""Fraction by which a stiffness may exceed its limits, because they are computed only at stations."""
+"""Fraction by which a stiffness may exceed its limits, because the limits are computed only at stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""

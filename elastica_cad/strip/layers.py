@@ -165,10 +165,6 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Return the plies as rectangular layers, the full-length ply first.
-
-    A ply that reaches an end includes its tab.
-    """
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
     for leaf, name in zip(section.leaves, section.names, strict=True):
@@ -326,7 +322,6 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # a node represents the strip between the midpoints of its two edges
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width

@@ -85,7 +85,6 @@ def _correct_widths(
         )
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
-    # penalize the roughness and size of the whole correction, not only of this step
     whole = scale * np.concatenate(
         [SMOOTHING_PENALTY * np.diff(identity, n=2, axis=0), SIZE_PENALTY * identity]
     )

@@ -399,7 +399,7 @@ class Perforated:
     def tip_zone(self, layout: Layout) -> float:
         """Return half the length, mm, of the zones where rounded tips of holes leave extra material.
 
-        Their centres are `layout.pattern.joints`.
+        The centres of the zones are `layout.pattern.joints`.
         """
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0

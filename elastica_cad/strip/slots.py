@@ -420,7 +420,7 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
 class Cut:
     """Line that engraved letters avoid.
 
-    `gone` is the side of a closed line without material: "inside" or "outside".
+    `gone` is the side of a closed line on which there is no material: "inside" or "outside".
     """
 
     def __init__(self, line: Path, gone: str = "") -> None:

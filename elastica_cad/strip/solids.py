@@ -52,7 +52,6 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
-    """Return the joints, and for every hole two more joints, on the "top" and "bottom" face of the strip."""
     frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -333,10 +332,7 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return the body of a closed strip without its lap.
-
-        A gap separates the two ends, because CAD kernels fail on touching faces.
-        """
+        """Return a closed strip without its lap. Its ends do not touch, because CAD kernels fail on touching faces."""
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(
@@ -424,7 +420,6 @@ def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | P
 
 
 def _moved_apart(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
-    """Return a sheet moved by `gap` mm away from the curve; a flat sheet is moved along z."""
     if not gap or isinstance(record, PrismSolid):
         return record
     if isinstance(record, BentSolid):

@@ -412,8 +412,7 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # `with_stiffness` divides the relative stiffness K by its minimum, so the stiffness for K = 1 is divided
-    # too
+    # `with_stiffness` divides K by its minimum, so divide the stiffness for K = 1 by the same number
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

@@ -213,7 +213,7 @@ def suggest(
         return
     count, far = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
-    # after a refused width, other fields are tested without a change of width
+    # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)
@@ -244,7 +244,7 @@ def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
 
 
 def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
-    """Yield the possible changes, field by field. The first suitable change of each field is suggested."""
+    """Yield possible changes by field. Only the first suitable change of each field is suggested."""
     named = problem.refusal.changes
     fields = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
     exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)

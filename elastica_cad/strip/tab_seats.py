@@ -303,13 +303,13 @@ def _constrained_step(
 
 
 MOST_STEPS = 60
-RENEWED_SHARE = 0.003  # step, as a fraction of the length, above which the end stiffness is computed again
+RENEWED_SHARE = 0.003  # step, as a fraction of the length, after which the stiffness of the ends is renewed
 SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the step limit after a reversed step, and after other steps
 DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_FRACTION = 1e-9  # iterations stop at a shorter step, as a fraction of the length of the strip
 LEAST_EIGENVALUE_FRACTION = 1e-6  # least eigenvalue of a stiffness matrix, relative to the largest eigenvalue
 PENALTY_FACTOR = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
-LARGEST_PENALTY = 1e6  # iterations stop at a larger penalty, because the tab does not fit into its holder
+LARGEST_PENALTY = 1e6  # a larger penalty means that the tab does not fit into its holder
 OVERLAP_FRACTION = 1e-7  # largest overlap, as a fraction of the length, that counts as a rounding error
 SEATING_STEPS = 3
 SEATING_FACTOR = 1e4  # factor on the stiffness of the ends in the initial steps, in which only tabs bend

@@ -240,7 +240,6 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before the ends are moved. The weight of the rod may differ from the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:

@@ -29,8 +29,8 @@ LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip as a multiple of the thi
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot that holds its tab, divided by the tab's thickness; for example, a tab of 0.8 mm may meet
-# a plate of 3 mm at 32 degrees
+# largest width of a slot that holds its tab, divided by the tab's thickness; for example, a plate of 3 mm may hold
+# a tab of 0.8 mm at 32 degrees
 WIDEST_SLOT_THICKNESSES = 8.0
 FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
