@@ -407,7 +407,7 @@ class LargestSection(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return allowed / present stiffness - 1 at the nodes (n+1,), minus the reserve `_SAFETY_SHARE`."""
+        """Return (allowed / present stiffness) - 1 - reserve at the nodes (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 

@@ -35,7 +35,7 @@ LEAST_SHARE = 1e-3
 
 SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
 LONGEST = 1.5
-"""Largest length of a meridian / length of a smooth curve through the points; longer meridians have extra turns."""
+"""Largest ratio of the lengths of a meridian and of a smooth curve through the points, to exclude extra turns."""
 
 GOOD = 1e-7
 """Residual below which a meridian is accepted, as a fraction of the extent of the points."""
@@ -357,7 +357,7 @@ ACCURACY = 1e-12
 CURVE_TOLERANCE = 1e-10
 """Tolerance of the spline, as a fraction of the length of the meridian."""
 
-NODES = 601  # number of nodes of the rod of a meridian
+NODES = 601
 SOUGHT = 25
 """Number of points of a profile curve that the search uses."""
 
@@ -373,7 +373,7 @@ NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 
 NARROW_SHARE = 1e-3
-"""Default distance of a meridian's end from the axis, as a fraction of the length + the start's distance."""
+"""Default distance of a meridian's end from the axis, as a fraction of length plus distance of the start."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -50,7 +50,6 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
-    """Return the weight with the positions of its masses multiplied by `factor`."""
     if weight is None:
         return None
     return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))

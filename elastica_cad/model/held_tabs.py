@@ -50,7 +50,7 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
-    """Return the seat of each tab that is not glued: the walls that limit it, by the `key` of the tab.
+    """Return the seat of each tab that is not glued, by the `key` of the tab.
 
     If two plates hold a tab, their slots form a single seat.
     """

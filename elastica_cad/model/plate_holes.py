@@ -81,7 +81,7 @@ class PlateHoles:
     def cut(
         self, center: FloatArray, opening: Path | None, border: float
     ) -> tuple[Path | None, tuple[Path, ...]]:
-        """Return the round opening, or None if holes or a bridge replace it, and the loops of all holes."""
+        """Return the round opening (None if holes or a bridge replace it) and the loops of all holes."""
         round_hole = (self.bulb or 0.0) / 2
         circle = (self.circle or self.bulb_and_border(border)) / 2
         turns = 2 * np.pi * np.arange(self.screws) / max(self.screws, 1)

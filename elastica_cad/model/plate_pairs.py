@@ -171,7 +171,7 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 
 
 Cures = Callable[[float], str]
-"""Function that returns an instruction for tabs that need a length, mm, or that bend too far (infinity)."""
+"""Function from the length that a tab needs, mm (infinity if it bends too far), to an instruction."""
 
 
 def _with_endless_tabs(plate: Plate) -> Plate:

@@ -177,7 +177,7 @@ class Boundary:
         return all(sorted(directions) == [-1, 1] for directions in ways)
 
 
-DEGREE = 5  # degree of the spline faces of the bent strip
+DEGREE = 5
 POSITION_TOLERANCE = 1e-6  # largest error of the centre line, mm
 SURFACE_TOLERANCE = 5e-8  # largest error of edges on the bent faces, mm
 MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more is refused
@@ -445,7 +445,7 @@ def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""Difference in x between the ends of a line, mm, below which the line is perpendicular to the strip."""
+"""Difference in x between the ends of a line, mm, below which the line counts as perpendicular to the strip."""
 
 Map: TypeAlias = Frame | BentMap
 

@@ -19,14 +19,14 @@ smaller angles."""
 MOST_NEWTON_STEPS = 40
 
 MOST_SHORTENED_STEPS = 6
-"""Number of Newton steps that may be shortened before a side counts as too short. A step is shortened if it
-would pass the end of the side."""
+"""Number of shortened Newton steps after which a side counts as too short. A step that would pass the end of the
+side is shortened."""
 
 CLOSE_MM = 1e-9
 """Length, mm, that counts as zero: the overlap of two arcs, or the gap between the two centres of one arc."""
 
 PARALLEL = 1e-200
-"""Value that replaces the determinant 0 of parallel sides. The computed arc then ends beyond the sides."""
+"""Value that replaces the determinant 0 of parallel sides, so that the computed arc ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
 """Tolerance of the test whether an arc crosses a side, as a fraction of the arc's radius.

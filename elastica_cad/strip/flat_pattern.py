@@ -25,7 +25,7 @@ RAMP_FRACTION = 2e-5
 """Length, relative to the extent in x, below which a piece between two kinks counts as a step of the width."""
 
 NO_JUMP = 1e-4
-"""Largest jump of the second derivative that is smoothed, times the square of the span length, mm.
+"""A jump of the second derivative is smoothed if jump * (span length)^2 is at most this value, mm.
 
 The smoothing moves the spline by at most 1 % of this value."""
 

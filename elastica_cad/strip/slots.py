@@ -401,7 +401,7 @@ COARSE_MM = 0.02
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
-    """Return the corners (4, 2) of the box around a text, anticlockwise, enlarged by `distance`, mm."""
+    """Return the anticlockwise corners (4, 2) of the box around a text, enlarged by `distance`, mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])

@@ -332,7 +332,7 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return a closed strip without its lap. Its ends do not touch, because CAD kernels fail on touching faces."""
+        """Return a closed strip without its lap and with a gap between its ends, because CAD kernels need a gap."""
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(

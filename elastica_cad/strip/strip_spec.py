@@ -855,7 +855,6 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """Return the layers for the rod of a laminate. Gravity must act fully in the plane of the curve."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "the own weight of a laminate acts fully in the plane of the curve and follows from its "

@@ -135,7 +135,9 @@ class Travel:
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm; turn, degrees, if the ends only turn; percent of the steps if they do not move."""
+        """Travel (k,), mm, or the turn in degrees if the ends only turn, or percent of the steps if they do not
+        move.
+        """
         if self.is_still:
             return 100 * self._movement.progress[1:]
         return np.degrees(self.turn) if self.is_turn else self.travel
