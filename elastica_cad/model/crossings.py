@@ -564,7 +564,7 @@ class Crossing:
 
     @cached_property
     def width_beyond(self) -> FloatArray:
-        """Distances (2, 2), mm, of both ends of the crossing (columns) from the nearer edge of each strip (rows)."""
+        """Distances (2, 2), mm, of the crossing's ends (columns) from the nearer edge of each strip (rows)."""
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 
