@@ -445,7 +445,7 @@ class BendLimit(Constraint):
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / limit (n+1,), divided by the target's length, at nodes of this stiffness (n+1,)."""
+        """Return 1 / (limit * length of the target), (n+1,), for nodes of this stiffness (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""

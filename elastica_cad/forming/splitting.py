@@ -242,7 +242,7 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
 
 
 def _forwards(cut: _Cut) -> list[float]:
-    """Return the last possible positions of the fewest supports."""
+    """Return the fewest possible supports, each as late along the curve as possible."""
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
@@ -256,7 +256,7 @@ def _forwards(cut: _Cut) -> list[float]:
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
-    """Return the first possible positions of the supports, searched from the end of the curve to its start."""
+    """Return the same number of supports, each as early as possible, searched from the end of the curve."""
     curve = cut.curve
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)

@@ -278,7 +278,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Keys (k,) of the active constraint rows, and the values `aim` (k,) of these rows in equilibrium."""
+    """Keys (k,) of the active constraint rows. In equilibrium, these rows have the values `aim` (k,)."""
 
     keys: IntArray
     aim: FloatArray

@@ -343,8 +343,8 @@ class _Cutter:
     def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
         """Return the end (0 or 1) of the crossing from which each strip is cut.
 
-        If both ends are possible, the slot of the earlier strip opens towards `above`, by default the
-        direction of its rulings.
+        If both ends are possible, the slot of the earlier strip opens towards `above` or, by default, along its
+        rulings.
         """
         costs = []
         for ends in ((0, 1), (1, 0)):

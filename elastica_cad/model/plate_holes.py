@@ -136,7 +136,7 @@ def is_window(path: Path) -> bool:
 
 
 def hole_name(path: Path) -> str:
-    """Return the name of a hole with its centre in the plate, in messages."""
+    """Return the name of a hole for messages, with the position of its centre."""
     arc, center = path.segments[0], Point(path.bounds.mean(axis=0).tolist())
     if isinstance(arc, Arc) and not is_window(path):
         return note("the hole of {diameter} at {center}", diameter=Length(2 * arc.radius), center=center)

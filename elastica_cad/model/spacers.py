@@ -63,8 +63,8 @@ DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
 """Angles, rad, of the directions in which a plate may tilt over its spacers."""
 
 LEAST_SPREAD = 0.25
-"""Least extent of the spacers around the middle of the tabs, as a fraction of the width of a spacer. For more than
-two spacers, it is also a fraction of the extent of the slots. Three spacers at equal angles have about 0.5."""
+"""Least extent of the spacers around the middle of the tabs, as a fraction of the slots' extent or, if larger, of a
+spacer's width. For two spacers, only the width counts. Three spacers at equal angles have about 0.5."""
 
 LABEL_MM = 4.0
 """Height of the engraved word on a spacer, mm, if the spacer is large enough."""
@@ -405,7 +405,7 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
 
 
 def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
-    """Return indices of places `apart` mm from each other. Large margins are preferred, then outer places."""
+    """Return indices of places at least `apart` mm from each other. Large margins are preferred, then outer places."""
     radius = np.hypot(*(places[:, :2] - places[:, :2].mean(axis=0)).T) if len(places) else margin
     rest = np.lexsort((-radius, -margin.round(1)))
     kept = list[int]()

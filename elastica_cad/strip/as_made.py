@@ -145,7 +145,7 @@ width. For narrower tabs the length is proportional to the square of the tab's w
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Reduction of the width in torsion due to both free edges, as a multiple of the thickness (Saint-Venant)."""
+"""Reduction of the effective width in torsion, because both edges are free, in thicknesses (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
 """Least width assumed beside a slot, as a fraction of the strip's width, to avoid a division by zero."""

@@ -179,7 +179,7 @@ def _two_digits(value: float) -> float:
 
 
 def about(mm: float) -> Length:
-    """Return a length in mm, rounded to whole micrometres and to two digits."""
+    """Return a length in mm, rounded to whole micrometres, then to two digits."""
     return Length(_two_digits(round(mm, 3)))
 
 

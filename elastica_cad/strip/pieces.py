@@ -40,7 +40,7 @@ SAME_BEND_RAD = 1e-4
 """Largest difference between the natural curvatures of equal strips, multiplied by their length, rad."""
 
 SLOT_DIGITS = 6
-"""Number of decimals of sizes of slots, mm, that are compared. Copies of a slot differ by rounding errors."""
+"""Decimals to which sizes of slots, mm, are compared, because copies of a slot differ by rounding errors."""
 
 POINTS_PER_SEGMENT = 6
 """Number of points of each segment at which two loops are compared."""

@@ -486,7 +486,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def _repr_html_(self) -> str:
-        summary = import_module("elastica_cad.strip.summary")  # `summary` imports this module
+        summary = import_module("elastica_cad.strip.summary")  # avoid a circular import
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:
