@@ -405,7 +405,7 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
 
 
 def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
-    """Return indices of places at least `apart` mm from each other. Large margins are preferred, then outer places."""
+    """Return indices of places at least `apart` mm apart. Large margins are preferred, then outer places."""
     radius = np.hypot(*(places[:, :2] - places[:, :2].mean(axis=0)).T) if len(places) else margin
     rest = np.lexsort((-radius, -margin.round(1)))
     kept = list[int]()
