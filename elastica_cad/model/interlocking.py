@@ -101,7 +101,7 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Slots open to the less preferred side if they are then shorter by at least this fraction of the crossing."""
+"""Slots open to the less preferred side if this shortens them by at least this fraction of the crossing."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
