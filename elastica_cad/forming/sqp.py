@@ -614,7 +614,6 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
-        """Return an iterate nearer to equilibrium than the present iterate, or None."""
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:

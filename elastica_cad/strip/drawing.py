@@ -432,7 +432,6 @@ class _Loop:
         return middle
 
     def _between(self, a: float, b: float) -> list[Segment]:
-        """Return the segments from arc length a to b, mm. If b exceeds the length, continue from the start."""
         pieces: list[Segment] = []
         for turn in (0.0, self.length):
             for segment, end in zip(self.segments, self.ends + turn, strict=True):

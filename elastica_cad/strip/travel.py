@@ -365,7 +365,6 @@ def bend_strip(
 
 
 def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    """Return unit vectors (k, 2) along the path of the end relative to the start; zero without movement."""
     first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
