@@ -69,7 +69,7 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
 
 
 def _readme(repository: str | None) -> str:
-    """Return the README with absolute links and pictures or, without a repository, with none."""
+    """Return the README with absolute links. Without a repository, links and pictures are removed."""
     text = (ROOT / "freecad_workbench" / "README.md").read_text(encoding="utf-8")
     if repository:
         text = re.sub(r"!\[([^]]*)\]\(\.\./", rf"![\1]({repository}/raw/main/", text)

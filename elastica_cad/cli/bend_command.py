@@ -201,7 +201,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # a straight strip does not start at zero, where its force is undetermined up to the buckling load
+        # skip position zero of a straight strip, where its force is undetermined up to the buckling load
         from_zero = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(
             strip,
@@ -378,7 +378,7 @@ def _keywords_of_steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return the report of a shape. Its forces are in N, or in 1/mm2 if `bending_stiffness` is 1."""
+    """Return the report of a shape. Forces are in N, or in 1/mm2 if `bending_stiffness` is 1."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),

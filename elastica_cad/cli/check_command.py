@@ -152,7 +152,7 @@ def check(
 
 @dataclass(frozen=True)
 class _Request:
-    """Options for every curve that is checked. `smooth` is the largest movement of a curve by smoothing, mm."""
+    """Options for every checked curve. `smooth` is the largest movement by smoothing, mm."""
 
     supports: Supports
     natural_curvature: NaturalCurvature
@@ -308,7 +308,7 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
         rod = solve_rod(spec)
     except NotRealizable as problem:
         return cast(EquilibriumCheck, problem.check)
-    # the reason is printed with the verdict
+    # the verdict already contains this reason
     undecided = str(spec.check.undecided)
     return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 

@@ -120,8 +120,6 @@ class _UsageRow(click.ClickException):
 
 
 class _Sentences(click.Group):
-    """Command group that prints errors as sentences with suggestions."""
-
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
             return super().make_context(*args, **options)

@@ -48,7 +48,6 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
-    """Remove earlier values of added options that can occur only once."""
     remaining = list(words)
     for option in click.get_current_context().command.params:
         single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)

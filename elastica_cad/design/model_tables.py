@@ -235,7 +235,7 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
     options = reader.given(HOLDERS[kind], table)
-    options.pop("thickness", None)  # the sheet has this thickness already
+    options.pop("thickness", None)
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
     laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
     if number and kind in ("base", "rings"):

@@ -126,7 +126,7 @@ WRITTEN: dict[Record, Kind] = {
     Supports: kind_of(tuple[EndName, EndName]),
     RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
-"""Kind of value that a file has for a record that is not written as a table of its fields; see `reads`."""
+"""Kind of value in a file for each record class that is not written as a table; see `reads`."""
 
 
 def written(kind: Kind) -> Kind:

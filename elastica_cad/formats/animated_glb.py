@@ -102,8 +102,6 @@ def _linear_color(color: tuple[float, ...]) -> list[float]:
 
 
 class _Buffers:
-    """Binary chunk of a GLB file, with buffer views and accessors."""
-
     def __init__(self) -> None:
         self.binary = bytearray()
         self.views: list[dict[str, Any]] = []

@@ -196,7 +196,6 @@ class _Tables:
         return len(self.shapes)
 
     def edges(self, boundary: Boundary, traces: Sequence[Iterable[bytes]], gap: float) -> list[int]:
-        """Add the edges of a boundary with their (u, v) curves on the faces. Return the indices of the edges."""
         ends = [self.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
         numbers = []
         for edge, rows in zip(boundary.edges, traces, strict=True):
@@ -240,7 +239,6 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
-    """Return the number of distinct knots, and bytes with each knot and its multiplicity."""
     places, counts = knot_runs(np.asarray(knots, dtype=float))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts

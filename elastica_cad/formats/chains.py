@@ -376,8 +376,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with an end part of a longer run.
 
-    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of an end of
-    the longer run.
+    Each entry contains the end of the run (0 or 1), and an end of the longer run: its position on the run,
+    and its point (d,).
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]
@@ -443,7 +443,6 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _sample_points(run: Run) -> FloatArray:
-    """Return points along the run, enough to distinguish runs with the same ends."""
     return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
 
 

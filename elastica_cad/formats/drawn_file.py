@@ -569,7 +569,6 @@ def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:
 
 
 def _alternative_names(curve: DrawnCurve) -> set[str]:
-    """Return other names of a curve: its id, and both parts of the name of a clone ("use1/path3")."""
     return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 

@@ -155,7 +155,6 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
     if stated:
         separator = stated[1]
     else:
-        # ignore separators in quotes
         outside = [re.sub('"[^"]*"', "", line) for _, line in numbered]
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
@@ -180,7 +179,7 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """Cell of a heading: axis, name and unit; missing parts are empty."""
+    """Cell of a heading. Missing parts are empty."""
 
     axis: str
     name: str
@@ -202,8 +201,6 @@ class _Head(NamedTuple):
 
 @dataclass(frozen=True)
 class _Layout:
-    """Curves of a table, with the units in its heading and the texts (`titles`) above the heading."""
-
     columns: list[Column]
     units: list[str]
     titles: list[str]
@@ -234,7 +231,6 @@ class _Layout:
     def _of_axes(
         cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
     ) -> "_Layout":
-        """Return the layout with a curve for every pair of columns x and y, or triple x, y and z."""
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
         for axis, indices in places.items():
@@ -304,7 +300,7 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
-    """Return the units in the heading or, without units in the heading, in titles and remarks."""
+    """Return the units in the heading or, if there are none, in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
@@ -488,7 +484,6 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
-    # denominators of the fractions of an inch
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
@@ -586,7 +581,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
-    """Return the points (n, 2), mm, of each block of rows between blank rows."""
+    """Return the points (n, 2), mm, of each block between blank rows."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):

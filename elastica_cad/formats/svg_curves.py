@@ -188,7 +188,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """Subpaths of a shape in its coordinates, and the matrix (2, 2) and offset (2,) of their map to user units."""
+    """Subpaths of a shape, and the matrix (2, 2) and offset (2,) that map them to user units."""
 
     runs: Sequence[Run]
     source: Source
@@ -262,7 +262,7 @@ class _Shapes:
         return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
-        """Return the subpaths of a shape, and half a unit of the last digit of their coordinates."""
+        """Return the subpaths of a shape, and half a unit of their last digit."""
         source = self.tree.shapes[mark]
         if source.data is None:
             return list(_subpaths(shape.segments(transformed=False))), source.rounding

@@ -350,7 +350,6 @@ def _origin(word: str, whole: float) -> float:
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return the width and height of a clone, by default of its drawing `view`, else of `around`."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -656,7 +655,6 @@ def _check_expanded_count(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for node in below:
                 if node is links.get(element) and node in state and not state[node][0]:
-                    # the clone contains no shapes
                     unlink(element)
                 elif node in state:
                     shapes, elements, size = (

@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
-"""Fractions of a knot span at which the error is measured; their spacing is uneven."""
+"""Fractions of a knot span at which the error is measured."""
 
 _MOST_SPANS = 20_000
 
@@ -229,7 +229,6 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
             start = a, spline.tangent_at(a)
             b, biarc = _longest_biarc(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
-                # make two pieces of similar size instead of a very short last piece
                 middle = (a + end) / 2
                 shorter, off = _biarc(spline, start, middle)
                 b, biarc = (middle, shorter) if off <= _USED_SHARE * tolerance else (b, biarc)
@@ -241,7 +240,6 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the end parameter and the segments of the longest biarc within the tolerance."""
     allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -268,7 +266,6 @@ def _longest_biarc(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
-    """Return the biarc from `start` to parameter b, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]

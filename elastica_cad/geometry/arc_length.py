@@ -18,13 +18,13 @@ _FINE = 1e-14
 _NOISE_SHARE = 1e-8
 """Last Chebyshev coefficients below this fraction of the mean speed may be rounding errors.
 
-Coefficients that do not decrease when the panel is halved are rounding errors.
+They are rounding errors if halving the panel does not reduce them.
 """
 
 _NARROWEST = 2.0**-40
 """Panels narrower than this fraction of the parameter range are not halved."""
 
-# largest number of Newton steps; three are usual, and more are needed only where the speed is almost 0
+# largest number of Newton steps; three are usual, except where the speed is almost 0
 _NEWTON_STEPS = 40
 
 _SITES = chebyshev.chebpts1(_DEGREE + 1)

@@ -21,7 +21,6 @@ ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
-"""Degree of the polynomials that approximate a function on each interval."""
 
 _FOLLOWED = 1e-13
 """A polynomial is accepted if its last coefficients are below this fraction of the size of the function."""
@@ -135,9 +134,9 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return flags (k - 1,), True for smooth joints between pieces that start at `starts` (k,).
+    """Return flags (k - 1,) of smooth joints between pieces that start at `starts` (k,).
 
-    The flags at inner edges are taken from `smooth`. All other flags are True.
+    Flags at inner edges are those in `smooth`. All other flags are True.
     """
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
@@ -248,7 +247,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return a list with the zero, or the interval of zeros, that starts where piece i starts."""
+    """Return a list with the zero, or the interval of zeros, at the start of piece i."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

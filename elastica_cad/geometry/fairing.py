@@ -434,7 +434,6 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """Remove the corners that disappear if ends of handles move by at most `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

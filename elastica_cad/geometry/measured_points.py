@@ -43,7 +43,7 @@ For fewer points, the largest distance is smaller.
 """
 
 OUTLIER_TIMES = 4.0
-"""An outlier is this many times farther from its neighbours' curve than other points, and than rounding errors."""
+"""Smallest distance of an outlier, as a multiple of the distance of other points and of rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,19 +203,19 @@ def estimate_noise(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Return the noise, mm, as the scaled median of divided differences of an order, normal to the curve."""
+    """Estimate the noise, mm, from divided differences of order `order`, normal to the curve."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
 def _off_nearest(points: FloatArray) -> FloatArray:
-    """Return distances (n,), mm, of points from the cubics through their four nearest points; 0 at the ends."""
+    """Return the distance (n,), mm, of each point from a cubic through four neighbours, or 0 at the ends."""
     across, weights = _differences(points, 4)
     middle = across / weights[:, 2]
     return np.abs([0.0, across[0] / weights[0, 1], *middle, across[-1] / weights[-1, 3], 0.0])
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Return divided differences (m,) normal to the curve, and the weights (m, order + 1) of their points."""
+    """Return normal components (m,) of divided differences, and the weights (m, order + 1) of their points."""
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)

@@ -270,7 +270,7 @@ class RationalPieces:
         return self._known[order]
 
     def _series(self, order: int) -> FloatArray:
-        """Return the derivatives d/dt of one order, as coefficients (p, degree + 1, 2 or 3) of `scaled_bernstein`.
+        """Return derivatives of one order as coefficients (p, degree + 1, 2 or 3) of `scaled_bernstein`.
 
         The polynomials are raised to the degree of the curve.
         """
@@ -520,7 +520,6 @@ class NurbsCurve:
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
-        """Return a part or a moved copy of this curve without checks."""
         curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
@@ -794,7 +793,7 @@ class NurbsCurve:
 
 
 def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
-    """Return the rows of De Boor's triangle for t, from `degree` points to 1 point; `span` is the knot before t."""
+    """Return the rows of De Boor's triangle for parameter t in span `span`. The last row is the curve point."""
     degree = knots.size - len(points) - 1
     rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
     for level in range(1, degree + 1):

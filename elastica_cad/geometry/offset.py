@@ -131,7 +131,6 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 
 
 def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
-    """Return the arc between the offsets of two segments, or None at an inner corner."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
     turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -142,7 +141,7 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Pieces of the offset path in order. Vanished pieces are removed, others are trimmed at their crossings."""
+    """Pieces of the offset path in order, trimmed at their crossings. Vanished pieces are removed."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements

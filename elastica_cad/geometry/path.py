@@ -74,7 +74,6 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return distances (n, m) of n points from m chords, and the nearest places (n, m) on the chords, in 0..1."""
     (x, y), (dx, dy) = a.T, (b - a).T
-    # x and y are separate, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y
     square = dx**2 + dy**2
     where = left * dx

@@ -120,7 +120,6 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return the index pairs of chords whose bounding boxes overlap, in order."""
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
     while True:
@@ -190,7 +189,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
             _point_and_velocity(a, inside_u),
             _point_and_velocity(b, inside_v),
         )
-        # extend both segments along their tangents, so that a step may leave them and return
+        # extend both segments along their tangents, so that Newton's method can leave and return
         gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
         gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
         det = adx * bdy - ady * bdx
@@ -214,7 +213,7 @@ def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float
 
 
 FLAT_MM = 0.002
-"""To find points inside a closed path, a polygon within this distance, mm, replaces the path."""
+"""Largest distance, mm, between a closed path and the polygon that replaces it to find points inside."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:

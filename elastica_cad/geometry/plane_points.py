@@ -195,7 +195,7 @@ def near_pairs(
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]
-    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # `einsum` is faster than a sum over a short axis
+    close = np.einsum("ij,ij->i", gap, gap) <= reach**2
     return i[close], j[close]
 
 

@@ -337,7 +337,7 @@ Each step reduces the error to about its third power.
 """
 
 _REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
-# extremes closer to the largest or smallest sample than this fraction of the range are computed
+# an extreme is computed if it is within this fraction of the range from the largest or smallest sample
 _NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -483,7 +483,6 @@ _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
 _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
-"""First, second and third derivatives of every Legendre polynomial at the samples."""
 
 
 @lru_cache(maxsize=64)

@@ -508,7 +508,6 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
 
 
 def _kind(segment: Segment) -> Hashable:
-    """Return a key that is equal for segments that can be evaluated together."""
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain

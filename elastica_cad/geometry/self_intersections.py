@@ -28,7 +28,7 @@ _MOST_HALVINGS = 40
 
 _NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
-"""More pairs of pieces than this mean overlapping parts. Only a tenth of this number is then examined."""
+"""Number of pairs of pieces above which parts overlap. Then only a tenth of this number is examined."""
 
 
 def find_self_intersections(
@@ -198,10 +198,11 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 
 
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
-    """Return Bezier pieces (k, n, 2) of the directions from the point p at t, their edges (k + 1,), and p.
+    """Return Bezier pieces (k, n, 2) of the directions between the point p at t and all other points.
 
-    The direction to a point q of the curve is q - p, or p - q before t. In both pieces that end at p, the factor
-    that is zero at p (u or 1 - u) is divided out.
+    The direction between p and a point q is q - p after t, and p - q before t. In both pieces that end at p,
+    the factor that is zero at p (u or 1 - u) is divided out. Also return the edges (k + 1,) of the pieces,
+    and p.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

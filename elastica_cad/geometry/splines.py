@@ -94,7 +94,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Check knots that are given as bytes, so that the result is cached."""
+    """Cache the check of knots, which are given as bytes."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -202,7 +202,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Return the spans for knots that are given as bytes, so that the result is cached."""
+    """Cache the spans of knots, which are given as bytes."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
@@ -211,7 +211,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # this argument of the blossom is the start of the span for Bezier points j < level, and else its end
+        # blossom argument: the start of the span for Bezier points j < level, the end of the span for others
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -414,7 +414,7 @@ _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated by a dense linear system."""
 
-# largest move of a parameter, as a fraction of the distance to the next, if moves would change the order
+# largest move of a parameter, as a fraction of the distance to the next, where moves could change the order
 _STRIDE_SHARE = 0.4
 # penalty that has no visible effect, but determines the coefficients where there are no data
 _LEAST_PENALTY = 1e-11
@@ -685,7 +685,6 @@ class _Problem:
         return control, t
 
     def at(self, t: FloatArray, weight: float) -> FloatArray:
-        """Return the control points (m, 2) of the least-squares spline for data at parameters t (n,)."""
         basis = self._basis(t)
         weighted = basis.T * self._end_emphasis(t)
         normal = weighted @ basis + weight * self.penalty
@@ -735,7 +734,9 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points of the smoothest spline with errors up to `tolerance` and an RMS up to `mean`."""
+    """Return the control points of the smoothest spline with errors up to `tolerance` and RMS error up to
+    `mean`.
+    """
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2

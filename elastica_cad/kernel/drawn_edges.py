@@ -47,7 +47,7 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
-    """Return the rotation (3, 3) of the first edge since it was drawn, or None if the edge was not moved."""
+    """Return the rotation (3, 3) of the first edge since it was drawn, or None without rotation."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):

@@ -110,7 +110,7 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return evenly spaced points of a line, and further points where the chords would deviate from it."""
+    """Return evenly spaced points of a line, and more points where chords would deviate."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

@@ -157,7 +157,6 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 
 
 def _touching(wires: list[Shape]) -> list[int]:
-    """Return the indices of wires of a face that share a vertex with another wire."""
     if len(wires) < 2:
         return []
     k = kernel()
@@ -287,7 +286,7 @@ def _is_elementary(shape: Shape) -> bool:
 
 @contextmanager
 def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
-    """Suppress the output of OpenCASCADE and set the format of STEP files in a `with` block.
+    """Silence OpenCASCADE and set the format of STEP files in a `with` block.
 
     The previous settings are restored at the end of the block.
     """

@@ -106,7 +106,6 @@ class MadePair:
         write_flexure_step(self.part, path, state=state, name=self.name)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return a function that draws the picture and can be pickled."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.pair_pictures import pair_sheet
 

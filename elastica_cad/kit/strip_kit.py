@@ -175,7 +175,7 @@ class StripResult:
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return a function that draws the picture, and can be unpickled without importing kits and designs."""
+        """Return a function that draws the picture. Unpickling the function imports no kits and designs."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 

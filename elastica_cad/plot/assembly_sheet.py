@@ -60,7 +60,7 @@ LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its let
 LABEL_OFF = 3.0  # distance of a label from its position, points
 LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and at the top and bottom, points
 LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # places of a label, as fractions of the line from tab to holder
-GAP_LETTERS = 2  # width of the space between columns, in letters
+GAP_LETTERS = 2
 # directions to the viewer, and to the right and upwards in the picture
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 # distance by which plates and blocks are moved away from the strips, as a fraction of the model's size
@@ -417,7 +417,7 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _translated(table: Table, words: Wording) -> Table:
-    """Return the table in another language. Names and numbers, which are plain texts, are unchanged."""
+    """Translate a table, except names and numbers, which are plain texts."""
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]
@@ -653,7 +653,7 @@ class View:
 
 
 def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
-    """Draw a dimension line with its text, and return the box (2, 2) around the text."""
+    """Draw a dimension line with its text. Return the box (2, 2) around the text."""
     center, way = line.mean(axis=0), line[1] - line[0]
     arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": INK, "lw": 0.6, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", line[0], line[1], arrowprops=arrow)

@@ -43,7 +43,9 @@ END_LABEL_INCHES = 0.3
 """Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Limits between which a displacement is also drawn enlarged, and its size then, as fractions of the length."""
+"""Least and largest displacement that is also drawn enlarged, and its enlarged size, as fractions of the
+length.
+"""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Panel for a drawing with two axes, a title, and a legend below the title."""
@@ -105,7 +107,7 @@ def drawing(drawing: Drawing) -> Figure:
     lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
-        # snapping to pixels would remove dots of letters
+        # do not snap to pixels, because snapping removes dots of letters
         axes.add_collection(
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )

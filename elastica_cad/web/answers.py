@@ -333,7 +333,6 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
-    """Return rails, pins, ties and loads with their positions and, if known, forces in N."""
     curve = spec.rod_spec.curve_to_bend
     drawn_curve = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
@@ -384,7 +383,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod, not of the drawn curve, and the line through them."""
+    """Return the inflections of a rod, not of the drawn curve, and their line."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
@@ -482,7 +481,6 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
 
 
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
-    """Return the sides of a model's sheets, mm, or None for a strip alone."""
     if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
         return None
     strips_and_nest = {key: value for key, value in design.items() if key not in OF_MODELS}
@@ -778,8 +776,6 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
 
 
 def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
-    """Return the refusal with the name of the dropped file in place of the path of its temporary copy."""
-
     def shown(values: Mapping[str, Any]) -> Record:
         return {
             key: _with_name(value, path, name) if isinstance(value, Refusal)

@@ -39,7 +39,7 @@ def has_curve() -> bool:
 
 
 def answers(question: Callable[..., Any], **options: Any) -> bool:
-    """Return True if a function of the selection returns a true value without an error."""
+    """Return True if the function `question` returns a true value without an error."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(**options))
     return False
@@ -62,7 +62,6 @@ def _close_sketch() -> None:
 
 
 def _begin_step(name: str) -> None:
-    """Begin an undo step and close the open sketch in it."""
     if (sketch := edited_sketch()) is not None:
         # FreeCAD hides an open sketch, which must be visible after an undo
         sketch.Visibility = True

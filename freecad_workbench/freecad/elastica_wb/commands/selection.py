@@ -29,7 +29,6 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 from elastica_cad.errors import InputError
 
 LINE = "Part::GeomLine"
-# types of shapes that may be curves
 OPEN = ("Edge", "Wire", "Compound")
 
 
@@ -89,7 +88,7 @@ def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any
 
 
 def _only_sketch_in(body: Any) -> Any:
-    """Return the unused sketch of a body. Without an unused sketch, return the sketch that only strips use."""
+    """Return the sketch of a body that no feature uses or, if there is none, that only strips use."""
     sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
     ours = [sketch for sketch in sketches if all(map(is_ours, users[sketch]))]
@@ -120,7 +119,6 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the chains of picked edges. Sections are already split, so each edge is a chain."""
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
@@ -177,7 +175,7 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True for objects to be cut, and for broken links, so that an error reports them."""
+    """Return True if an object can be cut. A broken link counts, so that an error reports it."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 

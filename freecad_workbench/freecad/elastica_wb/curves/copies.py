@@ -170,7 +170,6 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return the contents of a container and of nested containers, placed relative to the container."""
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         place = _placement_of(child)

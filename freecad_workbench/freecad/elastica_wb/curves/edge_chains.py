@@ -25,7 +25,7 @@ End = tuple[App.Vector, App.Vector]
 
 
 def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the names of edges, grouped in connected chains."""
+    """Return the names of edges, grouped in chains."""
     return _chained([(name, edge_called(source, name)) for name in names], MEET_MM)
 
 

@@ -236,7 +236,7 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return vertices, in document coordinates, and triangles of a mesh or a link to a mesh, or None."""
+    """Return the vertices, in document coordinates, and triangles of a mesh or linked mesh, or None."""
     source = _mesh_object(obj)
     if source is None:
         return None

@@ -35,11 +35,10 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""Overlaps of models, computed in another thread. Entries live as long as the models in the cache."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""Shape, placement of the container, and model, for each proxy that displays a model."""
+"""Displayed shape, placement of its container, and model of each feature."""
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
@@ -191,7 +190,6 @@ def strips_model(
 
 
 def _placed_strips(obj: Any, as_displayed: bool) -> Iterator[tuple[Strip, App.Placement]]:
-    """Yield the strips that an object displays, with the placements of their curves in the document."""
     strip_in, model_in = (shown_strip, shown_model) if as_displayed else (strip_of, model_of)
     standing = list(shown_strips(obj))
     if not any(is_strip(original) or is_model(original) for original, *_ in standing):
@@ -218,7 +216,7 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """Return the strip in a position. Equal arguments return the same object, with its cached joints."""
+    """Cache placed strips, so that equal arguments share the cached joints."""
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 

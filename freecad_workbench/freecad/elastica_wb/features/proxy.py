@@ -77,9 +77,8 @@ class Feature(Unsaved):
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """Names of the properties with the data of sheets, by the properties with the names of the sheets."""
+    """Names of the properties with sheet data, by the properties with sheet names."""
     choices: ClassVar[frozenset[str]] = frozenset()
-    """Names of the enumeration properties."""
     chosen: str | None = None
     """Choice before the current change; None if a formula had set an invalid choice."""
 
@@ -222,7 +221,6 @@ def _show_title(obj: Any, name: str) -> None:
 
 
 def _recolor(obj: Any, before: str) -> None:
-    """Set the colour of the new sheet on an object and its users, except where the user chose a colour."""
     with suppress(InputError):
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
@@ -379,7 +377,7 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move the sources of a feature, except its containers and dependents."""
+    """Return the containers that move a feature's sources, except containers and dependents of the feature."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container

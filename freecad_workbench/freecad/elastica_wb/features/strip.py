@@ -55,7 +55,7 @@ DRAWN = ("point", "size")
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request, while the caches of solved strips contain them."""
+"""Strips by the hash of their request."""
 
 
 class StripFeature(Feature):
@@ -249,7 +249,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a change makes the strip possible. Switches are accepted without a test."""
+    """Return True if a change makes the strip possible. Switches are not tested."""
     if change.field == "nearest" and (spec.between or spec.rod_spec.point_forces):
         return False  # `nearest_rod` ignores rails, pins, ties and point forces
     if isinstance(change.value, bool):
@@ -310,7 +310,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
 
 
 def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
-    """Return a hash of a request as text. It is valid only in the current session of FreeCAD."""
+    """Return a hash of a request that is valid only in the current session of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 

@@ -78,7 +78,6 @@ def put_choices(box: Any, choices: list[str]) -> None:
 def put_sheets(box: Any, names: list[str]) -> None:
     """Fill a combo box with sheets, grouped under titles that cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
-    # the box must fit into a narrow panel
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(SHEET_LETTERS)
     box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
@@ -250,7 +249,7 @@ class _InputFilter(QtCore.QObject):
 
 
 def _settle(box: Any) -> None:
-    """Send the signal of a changed box, which is silent if its rounded value is the same."""
+    """Send the change signal, which Qt omits if the rounded value is the same."""
     with suppress(RuntimeError):  # the panel may already be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)

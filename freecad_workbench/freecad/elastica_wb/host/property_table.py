@@ -157,7 +157,7 @@ def is_misread(obj: Any, name: str) -> bool:
     choices = obj.getEnumerationsOfProperty(name)
     if present != choices[0]:
         return False
-    with suppress(Exception):  # the formula may not be computable
+    with suppress(Exception):
         return not _is_choice(obj.evalExpression(formula), choices)
     return False
 

@@ -88,7 +88,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Write the slow results of an object. Return False if they are still being computed."""
+        """Write the slow results of an object. Return False while they are being computed."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 
@@ -326,7 +326,6 @@ def _call_in_proxy(work: str, *subject: Any) -> None:
 
 
 def _rename_users(obj: Any, old: str) -> None:
-    """Rename features that are named after an object, and update the messages that contain its name."""
     module = _module_if_imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
@@ -346,7 +345,7 @@ def _hide_failed(sketch: Any) -> None:
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
     """Return the features whose shape does not match their properties, and their dependent features.
 
-    `half` has the names of objects of which an undo restored either the shape or the properties.
+    `half` contains the names of features for which `_is_half_undone` is True.
     """
     from freecad.elastica_wb.features.strip import is_stale
 

@@ -148,7 +148,7 @@ def _label() -> Any:
 
 
 class _Points:
-    """Lines or marks of one colour. Fields of Coin nodes are cached, because finding them is slow."""
+    """Lines or marks of one colour. Coin nodes are cached, because finding them is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
         points, paint = coin.SoCoordinate3(), coin.SoBaseColor()

@@ -82,8 +82,6 @@ class Preview:
 
 
 class _Ribbon:
-    """Surface of a strip without thickness, centred on the plane of the curve."""
-
     def __init__(self, root: Any) -> None:
         material, hints = coin.SoMaterial(), coin.SoShapeHints()
         material.diffuseColor, material.transparency = AFTER, GLASS
@@ -256,7 +254,6 @@ class _Mouse(QtCore.QObject):
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """Remove the event filter. The view may already be closed."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)

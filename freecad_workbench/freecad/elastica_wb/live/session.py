@@ -297,7 +297,6 @@ class Session:
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        """Return the request for the strip along these edges, which is read once per drag."""
         if names not in self._asks_along:
             spec = default_spec(curve)
             for strip in sketches.followers(self.sketch):
@@ -363,7 +362,6 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """Return the request for the strip, which is read once per drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
@@ -392,7 +390,6 @@ class _Possible:
     constraints: list[tuple[str, float]]
 
     def is_dragged_to(self, other: "_Possible") -> bool:
-        """Return True if another curve of the sketch differs only in its poles."""
         same = self.curve.control_points.shape == other.curve.control_points.shape
         return same and self.constraints == other.constraints
 

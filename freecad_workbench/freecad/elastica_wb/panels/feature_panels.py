@@ -76,7 +76,7 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """Return the row on accuracy. It shows "…" before the computation and "-" after a failure."""
+    """Return the row on accuracy: "…" before the computation, "-" after a failure."""
     if strip.rod.acting:
         return not_computed_row()
     shape = held_shape(strip) if obj.Held else None
@@ -298,7 +298,6 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """Return the chart of the force over the travel of the moved end, or of the pushed point if bistable."""
     travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
     if travel.unit == "mm":
         unit = shown_unit()

@@ -221,7 +221,6 @@ class PropertyPanel(Panel):
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Return the pairs of feature and property that no formula sets."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 

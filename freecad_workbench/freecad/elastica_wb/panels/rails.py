@@ -195,7 +195,7 @@ class RailsPanel(Panel):
         self.show_message(answer.sentence)
 
     def _distance(self, point: tuple[float, float]) -> float:
-        """Return the position along the drawn curve, mm, that is nearest to a point."""
+        """Return the position, mm along the drawn curve, nearest to a point."""
         curve = self._along()
         return round(float(PlacedElement.on(Pin(point), curve, curve).s[0]), PLACE_DIGITS)
 
@@ -208,7 +208,6 @@ class RailsPanel(Panel):
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return, for each mark, the index of its item and the field with its position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:

@@ -119,7 +119,7 @@ def moved_by_smoothing(spec: StripSpec) -> float:
 
 @remembered
 def _shared_request(spec: StripSpec) -> StripSpec:
-    """Return the first of all equal requests, because its smoothing is already computed."""
+    """Cache requests, so that equal requests share the computed smoothing."""
     return spec
 
 
@@ -206,7 +206,6 @@ def _is_within_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        # `find_rod` is slow, so it is called last
         again = find_rod(spec)
     except ElasticaError:
         return False
