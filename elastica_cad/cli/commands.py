@@ -50,8 +50,7 @@ COMMANDS = {
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
-"""Options in fixed units, to which `--units` does not apply: keys of a design file (mm), and curvatures
-(1/mm)."""
+"""Options in fixed units, to which `--units` does not apply: keys in mm, and curvatures in 1/mm."""
 
 ALIKE = {"name": "label"}
 """First and second name of each option that has different names in different commands."""

@@ -243,7 +243,6 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
 def _report_briefly(
     result: StripResult, written: Sequence[Path], alike: dict[str, list[tuple[str, Row]]]
 ) -> None:
-    """Print size and deviation of a strip. Collect its warnings in `alike`."""
     strip, near = result.strip, result.near
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     for row in _rows(result):

@@ -280,7 +280,7 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets of a design by name, and sheet files in the folder of the design by file name."""
+    """Sheets of a design by name, and sheet files beside the design by file name."""
 
     folder = Path()
 

@@ -154,7 +154,7 @@ _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> _Parsed:
-    """Return the syntax tree of a formula and its names, cached because many strips have the same formulae."""
+    """Cache the syntax tree and the names of a formula, because many strips have the same formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 

@@ -41,7 +41,7 @@ LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
 # least length, as a multiple of the tolerance, of a polyline side that is meant to be straight
 _STRAIGHT_SIDE_TOLERANCES = 20.0
-# largest error of an end point, in units of the coordinates' rounding; 1.1 allows for rounded angles
+# largest error of an end point, as a multiple of the coordinates' rounding; 1.1 allows for rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
 # a spline with more inner knots was interpolated through points
 _DENSE_KNOTS = 50
@@ -224,9 +224,10 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Return the runs that are joined one after another to the end `side` (0 start, 1 end) of a run.
+    """Return the runs that are joined one after another to an end of a run.
 
-    Each entry has the index of a run, and the end at which the chain leaves this run.
+    `side` is 0 for the start and 1 for the end. Each entry has the index of a run, and the end at which the
+    chain leaves this run.
     """
     used[first] = True
     path: list[tuple[int, int]] = []

@@ -70,7 +70,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
 
 
 KEYS_OF_FILES = ("$INSUNITS", "a comment", "width and height", "units", "STEP")
-"""Sources of a unit that reports call "the file"."""
+"""Sources of a unit for which reports say "the file"."""
 
 EXACT_MM = 1e-3
 """Largest distance from the drawing, mm, at which a curve counts as exact."""

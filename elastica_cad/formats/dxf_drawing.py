@@ -237,7 +237,6 @@ def _circle(path: Path) -> Arc | None:
 
 
 def _angles(arc: Arc) -> tuple[float, float]:
-    """Return the start and end angle, degrees, of the arc in anticlockwise direction."""
     first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
     return first, last
 

@@ -165,7 +165,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 # programs that write a fixed number of significant digits write at least this many digits
 _LEAST_DIGITS = 6
-# least number of large coordinates, without multiples of 10, from which decimals are inferred
+# least number of large coordinates, without multiples of 10, from which the decimals are determined
 _LEAST_LARGE_NUMBERS = 2
 
 

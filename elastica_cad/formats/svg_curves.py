@@ -151,7 +151,6 @@ def _scale(tree: SvgTree) -> FloatArray:
 
 
 def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
-    """Yield the subpaths, mm, of all visible shapes; `to_mm` (2, 2) maps user units to mm."""
     try:
         from svgelements import SVG, Shape
     except ImportError as error:
@@ -336,7 +335,6 @@ def _in_user_units(tree: SvgTree) -> bytes:
         root.attrib.pop(name, None)
     root.set("width", size[0])
     root.set("height", size[1])
-    # names of attributes may contain non-ASCII letters
     return bytes(ElementTree.tostring(root, encoding="utf-8"))
 
 

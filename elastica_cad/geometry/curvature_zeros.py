@@ -178,7 +178,7 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    # equal weights count as 1, so that D is the cross product of `step` and `bend`
+    # equal weights count as 1, which makes D the cross product of `step` and `bend`
     if np.ptp(bezier[..., 2]) == 0:
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])

@@ -61,9 +61,9 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
 
 @dataclass(frozen=True, eq=False)
 class _Element:
-    """Piece of the offset path before trimming: a moved segment, or an arc at a corner.
+    """Piece of the offset path before trimming.
 
-    `piece` is None if the segment vanishes.
+    `piece` is a moved segment, an arc at a corner, or None for a vanished segment.
     """
 
     piece: Segment | None

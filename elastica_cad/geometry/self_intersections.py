@@ -138,7 +138,6 @@ def _polished(
 
 
 def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
-    """Return each self-intersection once, in order, without the two ends of a closed curve."""
     close = 1e-7 * (edges[-1] - edges[0])
     distinct: list[FloatArray] = []
     for pair in pairs[np.lexsort(pairs.T[::-1])]:

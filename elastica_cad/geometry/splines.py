@@ -734,8 +734,9 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points of the smoothest spline with errors up to `tolerance` and RMS error up to
-    `mean`.
+    """Return the control points of the smoothest spline.
+
+    The largest error is at most `tolerance`, and the root mean square error at most `mean`.
     """
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):

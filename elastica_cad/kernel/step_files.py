@@ -144,9 +144,9 @@ def _with_wires_apart(shape: Shape) -> Shape:
 
 
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
-    """Convert shapes to STEP entities without the check of their wires.
+    """Convert shapes to STEP entities without checking their wires, for which a new controller is needed.
 
-    The later transfer of the document reuses these entities. Only a new controller skips the check.
+    The later transfer of the document reuses these entities.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()

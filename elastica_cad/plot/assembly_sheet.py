@@ -352,7 +352,6 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each plate and rib, with its middle and the distance from the previous middle."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
         # positions of rings are in the text of the sheet, and positions of spacers follow from their slots
@@ -682,7 +681,7 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield the loops (n, 3) of a plate, each with a point for depth sorting and a colour."""
+    """Yield the loops (n, 3) of a plate, with a point for depth sorting and a colour."""
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
         points = path.points(EDGE_MM)

@@ -190,7 +190,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Return the strip. With `hold`, a dragged control point stops at the last possible position."""
+    """Return the strip. With `hold`, a dragged control point stops at its last possible position."""
     try:
         spec, scaled = _scaled_request(request)
     except ElasticaError as problem:
@@ -307,7 +307,6 @@ def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | 
 
 
 def _curve_breaks_strip(spec: StripSpec) -> bool:
-    """Return True if the drawn curve alone shows that the strip would break, without a rod."""
     bends = spec.smooth or spec.natural_curvature or spec.loads or spec.gravity is not None
     if spec.may_change or spec.ignore_limits or bends or not isinstance(spec.style, Plain):
         return False
@@ -460,7 +459,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
-    """Yield changes that each remove one of two conflicting settings."""
+    """Yield changes that remove one of two conflicting settings."""
     design, k = request["design"], request.get("strip", 0)
     for change in changes:
         removed = REMOVED.get(change.field, ())

@@ -45,7 +45,7 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def later_feature_messages(obj: Any) -> list[str]:
-    """Return a warning if a later feature of a body changes the object. The files omit this change."""
+    """Return a warning if a later feature of a body changes the object, because the files omit this change."""
     words = translate(
         "Elastica",
         "The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs "

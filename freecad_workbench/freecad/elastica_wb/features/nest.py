@@ -75,9 +75,7 @@ def report_left_out(obj: Any) -> None:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a nest of strips, models and base plates at smaller y than all objects, without recomputing the
-    document.
-    """
+    """Make a nest in front of all objects, without recomputing the document."""
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)
     obj = added(document, "Nest", NestFeature, Sources=sources)
     obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM

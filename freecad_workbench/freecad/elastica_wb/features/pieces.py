@@ -34,7 +34,7 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Properties that contain the changed objects, for operations of the Part workbench."""
+"""Properties with the changed objects, for each operation of the Part workbench."""
 
 BODY = "PartDesign::Body"
 

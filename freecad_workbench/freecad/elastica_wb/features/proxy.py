@@ -80,7 +80,7 @@ class Feature(Unsaved):
     """Names of the properties with sheet data, by the properties with sheet names."""
     choices: ClassVar[frozenset[str]] = frozenset()
     chosen: str | None = None
-    """Choice before the current change; None if a formula had set an invalid choice."""
+    """Choice before the current change, or None after an invalid choice."""
 
     def __init_subclass__(cls) -> None:
         groups = {entry.name: entry.group for entry in cls.properties}
@@ -193,10 +193,10 @@ class Feature(Unsaved):
         hide(obj)
 
     def show_error(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results; without results, do nothing."""
+        """Write the error into the results, if the feature has results."""
 
     def covered(self, _obj: Any) -> list[Any]:
-        """Return the features that are hidden because this feature displays them; by default none."""
+        """Return the features that are hidden because this feature displays them."""
         return []
 
 
@@ -293,7 +293,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and its dependents, except those that depend only on a container's placement."""
+    """Return an object and its dependents. Dependence on the placement of a container does not count."""
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]

@@ -293,7 +293,7 @@ def show_held(obj: Any) -> None:
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
-    """Return True if the shape was made from other options. `changed` has the names of changed objects."""
+    """Return True if the shape is outdated. `changed` contains the names of changed objects."""
     source = obj.Curve[0] if obj.Curve else None
     touched = {
         watched.Name for watched in (obj, *parents(obj), source, *parents(source)) if watched is not None

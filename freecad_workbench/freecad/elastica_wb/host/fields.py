@@ -206,7 +206,10 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True for an emptied box with a special text for its minimum. Qt would restore the old text."""
+    """Return True for an emptied box with a special text for its minimum.
+
+    Qt would restore the old text.
+    """
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 

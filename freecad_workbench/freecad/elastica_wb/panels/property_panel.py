@@ -225,7 +225,7 @@ class PropertyPanel(Panel):
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
-        """Stop observing the document, and delete the widgets before the object that they are bound to."""
+        """Stop observing the document, and delete the widgets, which must not outlive the object."""
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
