@@ -119,7 +119,7 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # the builder has already placed its pending edges
+        # a bent strip needs no location, because the builder has placed the pending edges
         location = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with location:
             strips: list[Any] = [

@@ -30,7 +30,7 @@ def main(arguments: list[str] | None = None) -> None:
     """
     if arguments is None:
         if not sys.warnoptions:
-            # Python's warnings are for programmers
+            # hide Python's warnings, which are for programmers
             warnings.simplefilter("ignore")
         # OpenBLAS with one thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

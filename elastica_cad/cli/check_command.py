@@ -308,7 +308,6 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
         rod = solve_rod(spec)
     except NotRealizable as problem:
         return cast(EquilibriumCheck, problem.check)
-    # the verdict already contains this reason
     undecided = str(spec.check.undecided)
     return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 

@@ -146,7 +146,7 @@ def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # the measured thickness must not become part of the name
+    if thickness is not None:  # keep the measured thickness out of the name
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 

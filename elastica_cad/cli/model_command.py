@@ -165,7 +165,7 @@ def _design_line(suggestion: "Suggestion") -> str:
 def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
     curves = read_curves(path, unit=unit)
     message = f"{path.name}: {curves.file.unit.note}"
-    # several strips may use the same file
+    # print the note once, because several strips may use the same file
     if curves.file.unit.note and message not in voice().notes:
         warn(message)
     return curves

@@ -27,7 +27,7 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
-"""Distance, mm, of a meridian from its points below which no deviation is reported, because cuts vary more.
+"""Largest distance, mm, of a meridian from its points that is not reported, because cuts are less accurate.
 """
 
 

@@ -183,5 +183,5 @@ def _split_keys(split: Split) -> dict[str, Any]:
 
 def _formula_in_degrees(angle: float) -> str:
     """Return an angle in rad as a formula in degrees, so that the file has no rounded multiples of pi."""
-    # removes rounding errors of the conversion
+    # remove rounding errors of the conversion
     return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"

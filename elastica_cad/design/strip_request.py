@@ -143,7 +143,7 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            # the stiffness determines all widths, and therefore the largest width
+            # the stiffness also determines the largest width
             if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)

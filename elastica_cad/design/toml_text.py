@@ -62,5 +62,5 @@ def seen_from(path: str | Path, folder: Path) -> str:
     """Return the path of a file relative to a folder, or its absolute path on another drive."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
-    except ValueError:  # there is no relative path between drives
+    except ValueError:  # no relative path exists between drives
         return Path(path).resolve().as_posix()

@@ -37,13 +37,13 @@ HOLE_ASIDE = 0.1
 SAME_POINT = 1e-13
 # least angle of a corner, degrees: in a curve through points, and in a polyline that no smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
-# ends whose directions differ by less than 1 degree are tangent
+# ends are tangent if their directions differ by less than 1 degree
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
 # least length, as a multiple of the tolerance, of a polyline side that is meant to be straight
 _STRAIGHT_SIDE_TOLERANCES = 20.0
 # largest error of an end point, as a multiple of the coordinates' rounding; 1.1 allows for rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
-# a spline with more inner knots was interpolated through points
+# a spline with more inner knots than this was interpolated through points
 _DENSE_KNOTS = 50
 # points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
 _LEAST_ROUGHNESS = 0.2
@@ -262,7 +262,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    # a joined end touches the other end and itself
+    # each joined end touches itself and one other end
     paired = np.bincount(i, minlength=len(ends)) == 2
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
@@ -352,7 +352,7 @@ def _without_overlaps(
             elif partly:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
-    # shorter common parts are due to rounding
+    # ignore shorter common parts, which are due to rounding
     least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:

@@ -49,7 +49,7 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     >>> path_data(Path.rectangle(40, 10), np.array([-1.0, 11.0]))
     'M1,11L41,11L41,1L1,1Z'
     """
-    # the SVG command Z draws the closing line
+    # omit a closing line, which the SVG command Z draws
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
 

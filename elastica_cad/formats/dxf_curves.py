@@ -39,7 +39,6 @@ DEEPEST_BLOCK = 20
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-# placement of entities outside of blocks: the identity
 MODEL_SPACE = np.eye(4)
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
@@ -444,7 +443,7 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        # `Edge` raises an error for a wrong number of weights
+        # let `Edge` raise the error for a wrong number of weights
         return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)

@@ -29,7 +29,7 @@ from elastica_cad.strip.drawing import SHEET, Drawing
 DxfVersion: TypeAlias = Literal["R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018"]
 DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
 
-# bits of the flags of a SPLINE
+# flag bits of a SPLINE
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8
 _OPTIONS = Lock()
 

@@ -53,7 +53,7 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     centred = points - points.mean(axis=0)
     _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
     normal = directions[-1]
-    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points are drawn in the vertical plane
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # draw collinear points in the vertical plane
         normal = np.cross(directions[0], (0.0, 0.0, 1.0))
         if np.linalg.norm(normal) < 1e-9:
             normal = np.array([0.0, 1.0, 0.0])

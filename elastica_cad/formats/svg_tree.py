@@ -187,7 +187,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        # elements that are not the first child
+        # elements that have a previous sibling
         self.after = set(self.before.values())
 
     def matches(self, element: Element, steps: _Steps) -> bool:

@@ -265,7 +265,7 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
-            with suppress(OSError):  # another process may use or remove the folder
+            with suppress(OSError):  # another process may be using or removing the folder
                 _remove_stale(old)
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()

@@ -184,7 +184,7 @@ class CurvatureAt:
     size: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the excess curvature times `size`^2, mm."""
+        """Return the differences from the required curvature, times `size`^2, mm."""
         excess = curve.curvature_at(self.t) - self.curvature
         return excess * self.size**2, curvature_rows(curve, self.t) * self.size**2
 

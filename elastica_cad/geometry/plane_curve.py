@@ -348,7 +348,7 @@ class PlaneCurve(NurbsCurve):
     def self_intersections(self) -> FloatArray:
         """Return pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
         if self._turning.spread <= np.pi * (1 + _ROUNDING):
-            return np.zeros((0, 2))  # a curve that meets itself turns by more than 180 degrees
+            return np.zeros((0, 2))  # a curve that turns by 180 degrees or less cannot meet itself
         bezier, edges = self._pieces.bezier, self._pieces.edges
         return self.arc_length(find_self_intersections(bezier, edges, lambda t: self.derivatives(t, 1)))
 

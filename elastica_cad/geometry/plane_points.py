@@ -43,7 +43,7 @@ def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
 
 def place(p: ArrayLike) -> str:
     """Return the coordinates of a point (2,), mm, as text for messages."""
-    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # turn -0.0 into 0.0
+    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # convert -0.0 to 0.0
     return f"({x:.6g}, {y:.6g}) mm"
 
 

@@ -215,7 +215,7 @@ class Profile:
         return self._changed(least, (high - low) / (most - least), low)
 
     def _changed(self, least: float, factor: float, low: float) -> "Profile":
-        """Return the profile with the values low + (value - least) factor.
+        """Return the profile with its values mapped to low + (value - least) * factor.
 
         If the factor is positive, the arc lengths of the extremes do not change.
         """

@@ -23,7 +23,7 @@ def bare(shape: Any) -> Any:
     """
     try:
         inside = getattr(shape, "wrapped", shape)
-    except AssertionError:  # build123d raises this error for an empty shape
+    except AssertionError:  # error of build123d for an empty shape
         return ()
     return () if inside is None and shape is not None else inside
 

@@ -223,7 +223,7 @@ def _instability_notes(model: Model) -> list[str]:
 
 def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
     curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
-    deviations = dict[PlaneCurve, float]()  # deviations by curve, because equal strips share a curve
+    deviations = dict[PlaneCurve, float]()
     for part in model.parts:
         curve = part.strip.rod.curve
         if part.strip.label in curves and curve not in deviations:

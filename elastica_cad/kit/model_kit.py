@@ -131,7 +131,7 @@ def model_kit(
         )
     files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
     files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
-    shapes = cache(partial(_shapes, contents))  # computed once for the assembly and the blocks
+    shapes = cache(partial(_shapes, contents))
     if step:
         files += _assemblies(contents, f"{MODEL}/{name}", shapes)
     if pictures:
@@ -382,7 +382,7 @@ def _pack(files: Sequence[str], path: Path) -> None:
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            # without permissions, only root could read the unpacked files on Unix
+            # otherwise only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 

@@ -77,7 +77,7 @@ class DrawingProcess:
                 for file in in_writing_order(files)
             ]
         except BaseException:
-            self.end()  # the remaining pictures are not needed
+            self.end()
             raise
 
     def end(self) -> None:
@@ -102,7 +102,7 @@ class DrawingProcess:
             OSError,
             ValueError,
             pickle.UnpicklingError,
-        ):  # if the second process has ended, draw the picture here
+        ):  # the second process has ended, so draw the picture here
             file.write(path)
         else:
             path.write_bytes(content)

@@ -180,7 +180,9 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     try:
         return design_of(alone, FilePath("design"), _no_file).entries[0].spec
     except InputError as problem:
-        while {"place", "why"} == set(problem.refusal.values):  # the page shows the strip's name
+        while {"place", "why"} == set(
+            problem.refusal.values
+        ):  # remove the name, which the page shows
             problem.refusal = problem.refusal.values["why"]
         raise
 
@@ -382,7 +384,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod, not of the drawn curve, and their line."""
+    """Return the inflections of a rod, not of the drawn curve, and the line through them."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]

@@ -26,7 +26,7 @@ def page_words() -> dict[str, Any]:
     return {
         "fields": fields,
         "pair_fields": pair_fields,
-        "words": {  # only texts without placeholders, because the page cannot insert values
+        "words": {  # omit texts with placeholders, because the page cannot insert values
             language: {text: translation for text, translation in catalogue(name).items() if "{" not in text}
             for language, name in CATALOGUES.items()
         },

@@ -102,7 +102,7 @@ def _translated(value: Any, words: Wording) -> Any:
 
 
 def _limit_memory() -> None:
-    # Windows cannot limit the address space
+    # ignore errors on Windows, which cannot limit the address space
     with suppress(ImportError, OSError, ValueError):
         import resource
 

@@ -104,7 +104,7 @@ class LiveManipulator:
     """Adds the commands for an open sketch to the sketcher's toolbar and menu (FreeCAD 1.0 and later)."""
 
     def modifyToolBars(self) -> list[dict[str, str]]:
-        """Insert the commands before the sketcher's command for the section view."""
+        """Insert the commands before the sketcher's button for the section view."""
         return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _registered_names()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:

@@ -119,7 +119,6 @@ def write_cutting_files(
         cut_from = {
             piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
         }
-        # a strip and its model have the same blocks
         blocks = {block.tab.key: (block, word) for word, obj in bodies.items() for block in blocks_for(obj)}
         cut_from |= {
             block.label: f"{word}.step" if "step" in kinds else "" for block, word in blocks.values()

@@ -120,7 +120,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
             paths.append((choice.Object, edges))
         else:
             bodies.append(choice.Object)
-    if not bodies:  # edges selected as the path also select their body
+    if not bodies:  # selecting edges of a path also selects their body
         bodies = [obj for obj, edges in paths if edges]
     return chosen_bodies(bodies), paths[0] if paths else None
 

@@ -156,7 +156,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        # `BoundBox` is too large, because it contains the poles of splines
+        # `BoundBox` also contains the poles of splines
         return _shape(source).optimalBoundingBox(False)
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:

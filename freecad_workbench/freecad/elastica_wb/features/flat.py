@@ -90,7 +90,7 @@ def _free_placement(strip: Any) -> App.Placement:
     source = strip.Curve[0] if strip.Curve else None
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
-        # the sketch may be outdated, for example after an undo
+        # update the sketch, which may be outdated after an undo
         source.recompute()
     box = _box(source)
     if not is_bounded(box):

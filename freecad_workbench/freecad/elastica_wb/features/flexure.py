@@ -160,7 +160,7 @@ def flexure_of(obj: Any) -> Flexure:
 @remembered
 def _flexure(spec: FlexureSpec) -> Flexure:
     part = spec.make()
-    # compute slow results in the background
+    # computed here, in the background, because they are slow
     _ = part.warnings, part.force_text
     return part
 

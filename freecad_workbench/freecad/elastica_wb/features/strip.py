@@ -55,7 +55,7 @@ DRAWN = ("point", "size")
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request."""
+"""Displayed strips, by the hash of their request."""
 
 
 class StripFeature(Feature):
@@ -238,7 +238,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
             return acting_lines(())
         case Change("nearest"):
             has_width = obj.MaxWidth.Value or obj.MinWidth.Value
-            # the suggested curve was found without a limit of the ratio
+            # no ratio limit, because the suggestion was found without a limit
             return {"Follow": FOLLOW[1], "RatioLimit": 0.0} if obj.Follow == FOLLOW[0] and has_width else {}
         case Change("join", gap):
             return {"JoinGaps": gap}

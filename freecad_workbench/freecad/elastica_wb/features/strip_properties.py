@@ -380,7 +380,6 @@ def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    # a width law contains the limits of the width
     if path in ("max_width", "min_width"):
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest

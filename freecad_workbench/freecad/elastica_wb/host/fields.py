@@ -14,7 +14,6 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import titled_sheets
 from freecad.elastica_wb.host.words import worded
 
-# limit of a number box without a declared limit
 LARGEST = 1e9
 WHOLE = 1_000_000
 # visible letters of a sheet's name in a narrow panel
@@ -25,7 +24,7 @@ TRIES = 10
 
 _aside: list[Any] = []
 
-# text of keys that type nothing: arrows, Tab, Enter, Escape
+# text of keys that type nothing, such as arrows, Tab, Enter and Escape
 UNTYPED = ("", "\t", "\r", "\x1b")
 # properties of a box: the exact value, and the rounded value that it shows
 EXACT, SHOWN = "exactValue", "shownValue"

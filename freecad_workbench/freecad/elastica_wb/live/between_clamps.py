@@ -51,7 +51,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # start with the tangents of a strip whose ends rotate freely
+        # start with the tangents that were found for freely rotating ends
         if self.angles is None and self.found is not None:
             angles = self.found.rod.angle
             self.angles = [float(angles[0]), float(angles[-1])]

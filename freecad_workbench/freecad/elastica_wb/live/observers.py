@@ -77,7 +77,7 @@ class LaterResults:
         if not self._waiting:
             return
         first, obj = next(iter(self._waiting.items()))
-        # timers also run while the user drags, and during a recompute
+        # wait while the user drags, and during a recompute, because timers run then too
         if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
@@ -268,7 +268,7 @@ class Changes:
     def _after_paste(self) -> None:
         """Recompute pasted features, whose sources may be missing. FreeCAD 0.20 does not recompute them."""
         pasted = [obj for obj in self._pasted if lives(obj)]
-        # timers also run during an import
+        # wait during an import, because timers run then too
         if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return

@@ -186,7 +186,7 @@ class Session:
             return False
         start = poles = last.curve.control_points
         geometry = drawn_in(self.sketch, None)
-        # curves other than a single spline return to their initial position
+        # restore the initial position of curves other than a single spline
         is_spline = len(geometry) == 1 and hasattr(geometry[0], "getPoles")
         for _ in range(MOVES if is_spline else 0):
             step = LEAST_STEP * curve.length
@@ -238,7 +238,7 @@ class Session:
                 self._dragged = None
 
     def _show(self, geometry: list[Any] | None) -> None:
-        # CPU time of this thread, which other processes do not affect
+        # CPU time of this thread, independent of other processes
         began = time.thread_time()
         self._rest.stop()
         self._answer.stop()

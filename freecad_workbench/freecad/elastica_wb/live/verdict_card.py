@@ -81,7 +81,7 @@ class VerdictCard(QtCore.QObject):
 
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
         """Show a verdict. `counts` has the number of points of each part of the overlay."""
-        with suppress(RuntimeError):  # the view may be closed
+        with suppress(RuntimeError):  # the view may already be closed
             self._show(answer, sentence, _legend(counts))
         self.answer = answer
 

@@ -104,7 +104,7 @@ class ExportPanel(Panel):
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
-        # users do not know FreeCAD's working folder
+        # refuse relative paths, because users do not know FreeCAD's working folder
         if not folder.is_absolute():
             raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
         with progress(

@@ -249,7 +249,7 @@ class PropertyPanel(Panel):
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # the value of a formula is newer than the typed value
+            # discard the typed value, because the value of a formula is newer
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()

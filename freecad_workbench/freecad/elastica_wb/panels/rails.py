@@ -134,7 +134,7 @@ class RailsPanel(Panel):
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
         """Use a point of the curve that the user clicks in the view."""
-        # the click is in the tree, or in another document
+        # ignore clicks in the tree and in other documents
         if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))

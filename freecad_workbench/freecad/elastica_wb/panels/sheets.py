@@ -61,9 +61,9 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets define."""
-        # widgets round numbers, so only changed numbers are read
+        # read only changed numbers, because widgets round numbers
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # a number that the user typed has no range of values
+        # remove the range of values of a typed number
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
         # an empty field has the value 0 and means that the modulus is estimated
@@ -79,7 +79,7 @@ class SheetsPanel(Panel):
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
-            # another window may have saved sheets meanwhile
+            # read the file again, because another window may have saved sheets
             now = own_sheets() | changed
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()
