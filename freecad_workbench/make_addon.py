@@ -79,7 +79,7 @@ def _readme(repository: str | None) -> str:
 
 
 def write_addon(folder: Path, maintainer: tuple[str, str] | None, repository: str | None) -> None:
-    """Write the folder; an existing folder is replaced."""
+    """Write the folder, and replace an existing folder."""
     shutil.rmtree(folder, ignore_errors=True)
     inside = folder / WORKBENCH
     shutil.copytree(ROOT / "freecad_workbench" / WORKBENCH, inside, ignore=LEFT_OUT)

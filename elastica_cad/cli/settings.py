@@ -73,7 +73,7 @@ class BentKeys(StripKeys):
 
 
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
-    """Return the table that `KEY=VALUE` texts define. Values are TOML; a word without quotes is a string.
+    """Return the table that `KEY=VALUE` texts define. Values are TOML, or a word without quotes.
 
     Examples
     --------

@@ -123,7 +123,7 @@ def say(text: str = "") -> None:
 
 
 def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
-    """Print a warning to stderr; `in_notes` adds it to the notes of the JSON record.
+    """Print a warning to stderr. With `in_notes`, it is added to the notes of the JSON record.
 
     Without `printed`, the warning is printed only with -v.
     """
@@ -191,7 +191,7 @@ def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """Report the current step on stderr; with -v, in a line of its own."""
+    """Report the current step on stderr, and with -v in a line of its own."""
     speaker = voice()
     speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:

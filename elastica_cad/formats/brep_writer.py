@@ -121,7 +121,7 @@ def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> Binar
 
 
 def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame | None = None) -> BinaryBrep:
-    """Encode a plane face with holes as a shell; its normal is the z axis of the frame.
+    """Encode a plane face with holes as a shell. The normal is the z axis of the frame.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ _DIGIT = 1.1 * np.sqrt(2.0)
 _DENSE_KNOTS = 50
 # points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
 _LEAST_ROUGHNESS = 0.2
-# rounds of the search for the nearest point; each round quarters the interval
+# number of rounds of the search for the nearest point, each of which quarters the interval
 _REFINEMENTS = 10
 # largest number of ends, of all layers, at a place where ends are joined
 _MOST_ENDS = 50
@@ -531,7 +531,7 @@ def curve_from_points(
     noise: float = 0.0,
     sides: bool = False,
 ) -> PlaneCurve:
-    """Return a curve within `tolerance` mm of points (n, 2); it is a line if they are collinear.
+    """Return a curve within `tolerance` mm of points (n, 2), or a line if they are collinear.
 
     Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
     two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve

@@ -178,7 +178,7 @@ def _kind(degree: int, count: int, weights: FloatArray | None) -> str:
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A curve of a file; it is computed on first access.
+    """A curve of a file, computed on first access.
 
     Attributes
     ----------
@@ -235,7 +235,7 @@ class DrawnCurve:
 
     @cached_property
     def problem(self) -> str:
-        """Reason why the curve is not valid; empty if it is valid."""
+        """Reason why the curve is not valid, or "" if it is valid."""
         try:
             _ = self.curve
         except (InputError, NotConvergedError) as error:
@@ -315,7 +315,7 @@ class DrawnFile:
         return report_on(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
-        """Return the curves selected by `which` (number or id) and by layer; by default all curves."""
+        """Return the curves selected by `which` (number or id) and by layer, by default all curves."""
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             named = [curve for curve in curves if which and curve.name == which]

@@ -105,7 +105,7 @@ class Edge:
 
     @classmethod
     def polyline(cls, vertices: ArrayLike) -> "Edge":
-        """Make a polyline through vertices (n, d), mm; two vertices make a line."""
+        """Make a polyline through vertices (n, d), mm. Two vertices make a line."""
         vertices = np.asarray(vertices, dtype=float)
         inner = np.arange(len(vertices), dtype=float)
         return cls(np.concatenate([inner[:1], inner, inner[-1:]]), vertices, 1)
@@ -160,7 +160,7 @@ class Edge:
 
     @cached_property
     def size(self) -> float:
-        """Length of the control polygon, mm; the curve is not longer."""
+        """Length of the control polygon, mm, which is an upper bound of the length of the curve."""
         return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
 
     @cached_property
@@ -191,7 +191,7 @@ class Edge:
         )
 
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
-        """Return the edge with every point p moved to matrix @ p + offset; the matrix may drop a dimension."""
+        """Return the edge with every point p moved to matrix @ p + offset. The matrix may drop a dimension."""
         points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)
         source = source or self.source
         if not np.isfinite(points).all():

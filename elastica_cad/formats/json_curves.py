@@ -19,7 +19,7 @@ CURVES_SCHEMA = "elastica-curves/1"
 
 
 def curve_record(curve: PlaneCurve) -> dict[str, Any]:
-    """Return the curve as a dict for JSON, without rounding; `weights` is None for a polynomial spline."""
+    """Return the curve as a dict for JSON, without rounding. `weights` is None for a polynomial spline."""
     require_record(curve, PlaneCurve, "a curve to write", "a PlaneCurve")
     return {
         "degree": curve.degree,

@@ -25,7 +25,7 @@ GUESSES = ("um", "cm", "in", "m")
 
 
 def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
-    """Read the triangles of a mesh file, in mm; larger faces are cut into triangles.
+    """Read the triangles of a mesh file, in mm. Larger faces are cut into triangles.
 
     Parameters
     ----------

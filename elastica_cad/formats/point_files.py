@@ -116,7 +116,7 @@ class PointTable:
 
     @classmethod
     def read(cls, file: Path, *, unit: str | None) -> "PointTable":
-        """Read a table; `unit` overrides the unit that the table names."""
+        """Read a table. `unit` overrides the unit in the table."""
         rows, remarks, separator = _split_rows(read_text(file))
         layout = _Layout.of(rows)
         units = [] if unit else _units(layout.units, [*remarks, *layout.titles])
@@ -466,7 +466,7 @@ _DIGITS = 20_000
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Fit curves to measured points, one "x, y" in each row; blank rows separate curves.
+    """Fit curves to measured points, one "x, y" in each row. Blank rows separate curves.
 
     Columns are separated by commas, semicolons, tabs or blanks, or by the sign defined in a row such as
     Excel's `sep=;`. Rows that start with # are remarks. Titles, a heading and a row of units may precede the

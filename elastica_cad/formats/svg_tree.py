@@ -453,11 +453,11 @@ chose may look the same."""
 _GZIP_MARK = b"\x1f\x8b"
 # number of bytes that are read at a time to find the first element
 _HEAD = 4096
-# largest length of an XML entity, characters; the parser expat limits their total length
+# largest length of an XML entity, characters (the parser expat limits the total length)
 _LONGEST_ENTITY = 1000
 # largest depth of nested elements
 _DEEPEST = 200
-# largest number of elements including those of clones; groups and texts count too
+# largest number of elements, including groups, texts and elements of clones
 _MOST_ELEMENTS = 5 * MOST_SHAPES
 # largest number of characters including those of clones
 _MOST_TEXT = 64 * 2**20

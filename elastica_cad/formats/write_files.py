@@ -311,7 +311,7 @@ def _take(lock: BinaryIO | FileIO) -> None:
     if sys.platform == "win32":
         import msvcrt
 
-        # lock the byte after the text; the text stays readable for other processes
+        # lock the byte after the text, so that other processes can read the text
         lock.seek(len(_OURS))
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:

@@ -102,7 +102,7 @@ def _raised(rows: FloatArray) -> FloatArray:
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
-    """Cut a curve into parts with `continuity` continuous derivatives; return the distinct knots (k,) of each part.
+    """Return the distinct knots (k,) of each part of a curve with `continuity` continuous derivatives.
 
     The last knot of a part is the first knot of the next part.
 
@@ -275,7 +275,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
         return [], np.inf  # no biarc: the chord points backwards, or the ends coincide
-    # d is the positive root of bend d^2 + 2 along d = square; this formula is also valid for bend = 0
+    # d is the positive root of bend d^2 + 2 along d = square, also for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]

@@ -177,7 +177,10 @@ class PointsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class CurvatureAt:
-    """Constraint on the `curvature`, 1/mm, at parameters `t` (k,); `size`, mm, converts residuals to lengths."""
+    """Constraint on the `curvature`, 1/mm, at parameters `t` (k,).
+
+    The length `size`, mm, scales the residuals.
+    """
 
     t: FloatArray
     curvature: float | FloatArray

@@ -31,7 +31,7 @@ _FOLLOWED_NOISE = 1e-12
 _FLAT = 1e-7
 """A function is zero on an interval if all its values there are below this fraction of its size."""
 
-_MOST_CUTS = 12  # largest number of halvings of an interval; any remaining error is a rounding error
+_MOST_CUTS = 12  # largest number of halvings of an interval, after which errors are rounding errors
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))

@@ -115,7 +115,7 @@ class Frame:
 
 
 def frame_or_plain(frame: Frame | None) -> Frame:
-    """Return the frame, or the xy plane for None; refuse other types."""
+    """Return the frame, or the xy plane for None. Refuse other types."""
     if frame is None:
         return Frame()
     require_record(frame, Frame, "the frame", "a Frame")

@@ -28,10 +28,10 @@ If all points were used, noise could change the order of neighbouring points alo
 """
 
 REPORTED_MM = 0.01
-"""Smallest noise that is reported, mm; a fit removes smaller noise."""
+"""Smallest noise that is reported, mm, because a fit removes smaller noise."""
 
 FINEST_MM = 1e-3
-"""Finest resolution of points, mm; a finer resolution has no effect on the widths of a strip."""
+"""Finest resolution of points, mm, that affects the widths of a strip."""
 
 MOST_DECIMALS = 9
 """Largest number of decimals of millimetres that points may have."""
@@ -82,7 +82,7 @@ class MeasuredPoints:
 
     @property
     def resolution(self) -> float:
-        """Distance, mm, by which rounding may move a point; at least `FINEST_MM`."""
+        """Distance, mm, by which rounding may move a point, but at least `FINEST_MM`."""
         return max(float(np.sqrt(2.0)) * self.rounding, FINEST_MM)
 
     @property

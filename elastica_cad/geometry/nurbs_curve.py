@@ -44,7 +44,7 @@ _STANDSTILL_SHARE = 1e-9
 _STILL_SPAN = 1e-14
 # a tangent cone contains a velocity if the component along its axis exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9
-# largest number of halvings of a knot span; a part that still does not fit in a tangent cone has a cusp
+# largest number of halvings of a knot span, after which a part without tangent cone has a cusp
 _MOST_HALVINGS = 27
 
 
@@ -277,7 +277,7 @@ class RationalPieces:
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
             return np.zeros_like(self._local)
-        # nearly equal knots cause an overflow; callers that use the result refuse such curves
+        # ignore overflows of nearly equal knots, because callers refuse such curves
         with np.errstate(over="ignore", invalid="ignore"):
             rate = perm(degree, order) / widths**order
             return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
@@ -337,7 +337,8 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
 
 
 ORDERS_OF_SIDES = 3
-"""Number of derivatives that `KnotSides` compares; higher derivatives follow from the multiplicity of a knot."""
+"""Number of derivatives that `KnotSides` compares. Higher derivatives follow from the multiplicity of a knot.
+"""
 
 SHORT_SPAN_SHARE = 1e-6
 """Knot multiplicities prove continuity only if knots are at least this fraction of the domain apart."""
@@ -710,7 +711,10 @@ class NurbsCurve:
 
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:
-        """Ends (p + 1,) and homogeneous control points (p, degree + 1, 3) of the knot spans; do not modify them."""
+        """Ends (p + 1,) and homogeneous control points (p, degree + 1, 3) of the knot spans.
+
+        The arrays must not be modified.
+        """
         return self._pieces.edges, self._pieces.bezier
 
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:

@@ -32,7 +32,7 @@ _ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a leng
 # Newton's method stops at a step below this fraction of the domain
 _SETTLED = 1e-12
 _UNSETTLED = 1e-7  # Newton's method failed if its last step exceeds this fraction of the domain
-_SEARCHES = 20  # number of rounds of sampling; each round reduces an interval to a quarter or less
+_SEARCHES = 20  # number of rounds of sampling, each of which reduces an interval to a quarter or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -268,7 +268,10 @@ class Path:
         return Path([segment.reversed() for segment in reversed(self.segments)], self.closed)
 
     def transformed(self, matrix: ArrayLike) -> "Path":
-        """Return the image of the path under a 3x3 affine matrix; arcs become splines unless it is a similarity."""
+        """Return the image of the path under a 3x3 affine matrix.
+
+        Arcs become splines unless the matrix is a similarity.
+        """
         m = require_affine(matrix)
         even = is_similarity(m)
         plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
@@ -279,7 +282,7 @@ class Path:
         return self.transformed([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
 
     def points(self, tolerance: float) -> FloatArray:
-        """Return points (n, 2) on the path; the polyline through them is within `tolerance` mm of the path.
+        """Return points (n, 2) on the path, whose polyline is within `tolerance` mm of the path.
 
         The first point of a closed path is not repeated at the end.
         """
@@ -291,7 +294,7 @@ class Path:
         return points
 
     def closed_points(self, tolerance: float) -> FloatArray:
-        """Return `points`; for a closed path, the first point is repeated at the end."""
+        """Return `points`, with the first point of a closed path repeated at the end."""
         points = self.points(tolerance)
         return np.concatenate([points, points[:1]]) if self.closed else points
 

@@ -232,7 +232,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def survey(self) -> CurveSamples:
-        """Samples at `SURVEY_POINTS` equal distances, computed once; their arrays are read-only."""
+        """Samples at `SURVEY_POINTS` equal distances, computed once, with read-only arrays."""
         nodes = self.sample(SURVEY_POINTS)
         for values in (nodes.s, nodes.position, nodes.angle, nodes.curvature, nodes.t):
             values.setflags(write=False)

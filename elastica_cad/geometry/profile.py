@@ -28,7 +28,7 @@ The ramp keeps the edge of an outline continuous.
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """B-spline function of arc length; its graph is exactly a B-spline curve.
+    """B-spline function of arc length, whose graph is exactly a B-spline curve.
 
     Parameters
     ----------

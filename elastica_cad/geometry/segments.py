@@ -294,7 +294,7 @@ class Spline:
         return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Return points (..., 2) at u in [0, 1]; u is proportional to the parameter of the curve."""
+        """Return points (..., 2) at u in [0, 1], which is proportional to the parameter of the curve."""
         return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
@@ -347,7 +347,7 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
 
 
 def point(value: ArrayLike, name: str) -> FloatArray:
-    """Return a point (2,), mm, as a read-only array; refuse other values."""
+    """Return a point (2,), mm, as a read-only array. Refuse other values."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
         raise InputError(f"{name} is {value!r}: give two finite numbers, in mm")

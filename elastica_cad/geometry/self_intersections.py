@@ -114,7 +114,7 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Solve gamma(t1) = gamma(t2) by Newton's method from each pair; omit pairs that do not converge."""
+    """Solve gamma(t1) = gamma(t2) by Newton's method from each pair. Omit pairs that do not converge."""
     start = pairs
     for _ in range(12):
         if not pairs.size:

@@ -64,7 +64,7 @@ def greville(knots: FloatArray, degree: int) -> FloatArray:
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
-    """Return a read-only float array of `values`; refuse NaN, infinity and other types."""
+    """Return a read-only float array of `values`. Refuse NaN, infinity and other types."""
     given = as_floats(values)
     if given is None:
         raise InputError(f"{name} cannot be read: give numbers")
@@ -79,7 +79,7 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
 
 
 def whole_degree(degree: int) -> int:
-    """Return the degree as an int; refuse anything except an integer of at least 2."""
+    """Return the degree as an int. Refuse all values except integers of at least 2."""
     if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
         raise InputError(f"the degree of a curve is {degree!r}: use 2 or more")
     if not (degree == np.floor(degree) and 2 <= degree < 100):
@@ -252,7 +252,7 @@ class SplineFunction:
         return np.asarray(rows[0])
 
     def value_and_slope(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return values and first derivatives at x; this takes half the time of two calls."""
+        """Return values and first derivatives at x, in half the time of two calls."""
         rows, u, width = self._at(x)
         while len(rows) > 2:
             rows = rows[:-1] + (rows[1:] - rows[:-1]) * u

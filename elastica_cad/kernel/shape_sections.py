@@ -19,7 +19,7 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Number of points on each span of an edge of a section; fewer if the edge has more than four spans."""
+"""Number of points on each span of an edge of a section, or fewer for an edge with more than four spans."""
 
 MOST = 1000
 """Number of points above which a line is thinned. Evenly spaced points and points at bends remain."""
@@ -52,7 +52,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # request splines; without this request, a freeform face would give a polyline of 10,000 points
+        # request splines, because a freeform face would otherwise give a polyline of 10,000 points
         section.Approximation(True)
         section.Build()
         return section.Shape()

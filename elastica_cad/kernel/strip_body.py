@@ -146,7 +146,7 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Difference of a component above which two colours differ; larger than rounding errors."""
+"""Difference of a component above which two colours differ, larger than rounding errors."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:

@@ -51,9 +51,9 @@ class KitContents:
     holders: tuple[Holder, ...]
     """Holders of the strips: bases, rails, ribs and fixtures."""
     entries: tuple[StripEntry, ...] = ()
-    """Entries of the design file from which the strips were made; empty without a design file."""
+    """Entries of the design file from which the strips were made, if there is a design file."""
     held: dict[str, HeldShape] = field(default_factory=dict)
-    """Shape of each finished strip in its holders, by the name of the strip; empty if not requested."""
+    """Shape of each finished strip in its holders, by the name of the strip, if requested."""
     notes: tuple[str, ...] = ()
     """Notes for the user, such as on strips that rock in their holders, or on parts that cannot be cut."""
     deviations: dict[str, float] = field(default_factory=dict)
@@ -200,7 +200,7 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     messages: list[str] = []
-    # pairs of layers and limits without faults; equal strips share their layers
+    # pairs of layers and limits without faults, shared by equal strips
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)

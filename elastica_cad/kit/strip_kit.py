@@ -28,7 +28,7 @@ UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
 
 @dataclass(frozen=True)
 class StripFiles:
-    """Request for the files of a strip; cutting files and report are always included.
+    """Request for the files of a strip. Cutting files and report are always included.
 
     Attributes
     ----------

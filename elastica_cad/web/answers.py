@@ -180,9 +180,7 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     try:
         return design_of(alone, FilePath("design"), _no_file).entries[0].spec
     except InputError as problem:
-        while {"place", "why"} == set(
-            problem.refusal.values
-        ):  # remove the name, which the page shows
+        while {"place", "why"} == set(problem.refusal.values):  # the page shows the strip's name
             problem.refusal = problem.refusal.values["why"]
         raise
 

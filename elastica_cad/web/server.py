@@ -56,7 +56,7 @@ class Entrance:
 
     @property
     def address(self) -> str:
-        """Address of the page for a browser; it contains the token."""
+        """Address of the page for a browser, with the token."""
         return f"http://{HOST}:{self.port}/?token={self.token}"
 
     @property

@@ -41,7 +41,7 @@ class Workers:
         self._tasks: list[asyncio.Task[None]] = []
 
     def start(self) -> None:
-        """Start the processes; they take a second to be ready."""
+        """Start the processes, which are ready after a second."""
         self._tasks = [asyncio.create_task(self._work()) for _ in range(WORKERS)]
 
     async def stop(self) -> None:

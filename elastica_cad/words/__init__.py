@@ -18,7 +18,7 @@ Language: TypeAlias = Literal["en", "de", "zh-CN"]
 
 @cache
 def catalogue(language: str) -> dict[str, str]:
-    """Return the translations by their English texts; empty for a language without a catalogue."""
+    """Return the translations by their English texts, or {} for a language without a catalogue."""
     if language not in LANGUAGES:
         return {}
     words: dict[str, str] = json.loads(
@@ -49,5 +49,5 @@ class Translated(Wording):
         return self._catalogue.get(text, text)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Format a value; words that the program chooses, such as "start", are translated."""
+        """Format a value. Words that the program chooses, such as "start", are translated."""
         return super().format_field(self.template(value) if type(value) is str else value, spec)

@@ -14,7 +14,7 @@ __all__ = ["make_strip"]
 TESTS = "freecad.elastica_wb.tests"
 
 CORE = Path(__file__).parent / "core"
-"""Folder to which `make addon` copies the package elastica_cad; a checkout has no such folder."""
+"""Copy of the package elastica_cad in an addon. A checkout has no such folder."""
 
 if CORE.is_dir():
     sys.path.insert(0, str(CORE))

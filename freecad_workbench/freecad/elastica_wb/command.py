@@ -61,7 +61,7 @@ class Command:
         return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:
-        """Return True if the command can be used now; FreeCAD calls this method several times a second."""
+        """Return True if the command can be used now. FreeCAD calls this method several times a second."""
         if Gui.Control.activeDialog() and not (self.in_sketch and sketches.is_sketch_open()):
             return False
         return self.has_subject()

@@ -24,8 +24,7 @@ PATTERNS = tuple(
     f"PartDesign::{kind}"
     for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
 )
-"""Types that repeat features inside a body. Copies that touch the solid are fused to it; other copies are
-lost."""
+"""Types that repeat features inside a body. Only copies that touch the solid are fused to it."""
 
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
 """Built-in types of FreeCAD that display copies of other objects."""

@@ -130,7 +130,7 @@ def plane_curve(
 
 
 def report_on_edges(geometry: Iterable[Any], gap: float = 0.0) -> ReadReport | None:
-    """Return the report on the curve of edges or of Part geometry; see `plane_curve`."""
+    """Return the report on the curve that `plane_curve` returns for edges or Part geometry."""
     geometry = list(geometry)
     edges = _exact_edges(geometry)
     join = max(JOIN, gap)

@@ -41,7 +41,7 @@ CLOSED = ("left out", "left and right", "above and below")
 SECTION_POINTS = 240
 # number of points along a path, so that planes are perpendicular within a fraction of a degree
 PATH_POINTS = 400
-# largest gap, mm, that is closed; OpenCASCADE's sections have gaps of up to 1e-5 mm
+# largest gap, mm, that is closed, because OpenCASCADE's sections have gaps of up to 1e-5 mm
 JOIN_MM = 1e-4
 
 STOPPED = "nothing was changed; take fewer planes, or try again"

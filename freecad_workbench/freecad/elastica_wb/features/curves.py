@@ -156,8 +156,9 @@ def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
-    """Make the curve of a strip with moved ends; `moves` are displacements (mm) and angles (degrees), named
-    as in `MOVES`.
+    """Make the curve of a strip with moved ends.
+
+    `moves` are displacements (mm) and angles (degrees), named as in `MOVES`.
     """
     label = f"{strip.Label} {translate('Elastica', 'bent further')}"
     return _add_curve(document, "Bent", BentFeature, [strip], Label=label, Strip=strip, **moves)

@@ -250,7 +250,7 @@ NEAREST = tuple(
 """Options and results of the nearest curve as a separate feature."""
 
 
-# largest and smallest accepted length; no foil is thinner than the smallest
+# largest and smallest accepted length, mm; all foils are thicker than the smallest
 LONGEST_MM, THINNEST_MM = 1e5, 1e-3
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
@@ -340,7 +340,7 @@ def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def acting_words(item: Acting, places: Sequence[float]) -> str:
-    """Return a description of a rail, pin, tie or load; `places` are its positions, mm along the curve."""
+    """Describe a rail, pin, tie or load in words. `places` are its positions, mm along the curve."""
     at = {"at": Length(places[0])}
     match item:
         case Rail(one_sided=True):

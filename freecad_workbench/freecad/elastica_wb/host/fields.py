@@ -82,7 +82,8 @@ def put_sheets(box: Any, names: list[str]) -> None:
     box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
     for i in range(box.count()):
         if box.itemData(i) is None:
-            # Qt keeps an item's flags under this role; the item itself has the wrong type at times in PySide
+            # set the flags under the role that Qt uses, because the item sometimes has the wrong type in
+            # PySide
             box.setItemData(i, 0, int(QtCore.Qt.UserRole) - 1)
 
 
@@ -96,7 +97,7 @@ def _put_items(box: Any, items: list[tuple[str, str | None]]) -> None:
 
 
 def value_of(widget: Any) -> Any:
-    """Return the value that a widget shows; lengths are in mm."""
+    """Return the value that a widget shows, with lengths in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):

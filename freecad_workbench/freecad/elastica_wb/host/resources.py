@@ -26,7 +26,7 @@ def translate(context: str, words: str) -> str:
 
 
 def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
-    """Mark a text for lupdate; `translate` translates it later."""
+    """Mark a text for lupdate, so that `translate` can translate it later."""
     return words
 
 

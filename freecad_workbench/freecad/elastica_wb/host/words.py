@@ -77,7 +77,7 @@ class Words(Translated):
 
 
 def user_language() -> str:
-    """Return the name of the user's catalogue; the user can change the language while FreeCAD runs."""
+    """Return the name of the user's catalogue, which can change while FreeCAD runs."""
     return translate("Elastica", "en")
 
 

@@ -40,7 +40,7 @@ def followers(sketch: Any) -> list[Any]:
 
 
 def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
-    """Store a state in a property of the sketch; by default, whether the overlay is on."""
+    """Store a state in a property of the sketch, by default whether the overlay is on."""
     if name not in sketch.PropertiesList:
         words = {
             MEMORY: App.Qt.translate("App::Property", "Show live feedback while this sketch is open"),

@@ -68,7 +68,7 @@ class Panel:
         return form
 
     def value(self, name: str) -> Any:
-        """Return the value that a widget shows; lengths are in mm."""
+        """Return the value that a widget shows, with lengths in mm."""
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:

@@ -476,7 +476,7 @@ def _title(suggestion: Suggestion) -> Refusal:
 
 
 def table_of(rows: Sequence[Row]) -> str:
-    """Return rows as an HTML table for a label; "" if there are none."""
+    """Return rows as an HTML table for a label, or "" without rows."""
     table = "".join(
         f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
         f"{html_text(worded(row.text))}</td></tr>"
