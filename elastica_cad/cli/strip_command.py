@@ -48,7 +48,7 @@ MOST_NAMES = 3
 """Largest number of cutting files that a row on several strips names."""
 
 BETTER_SHARE = 0.8
-"""Expected deviation with compensated widths, as a fraction of the present one, below which they are suggested."""
+"""Compensated widths are suggested if they reduce the expected deviation to less than this fraction."""
 
 SUGGESTED_DEVIATION = 3e-4
 """Deviation of the strip, as a fraction of its length, above which corrected widths are suggested."""

@@ -58,9 +58,9 @@ def allowed_distance(vertices: FloatArray) -> float:
 
 
 def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
-    """Return the line through points (n, 2) if they are collinear.
+    """Return the line through points (n, 2), or a spline if the points are not collinear.
 
-    For other points, return the spline whose distance from the points is at most `tolerance` mm.
+    The distance of the spline from the points is at most `tolerance` mm.
     """
     chord = points[-1] - points[0]
     x, y = chord / max(float(np.hypot(*chord)), 1e-300)

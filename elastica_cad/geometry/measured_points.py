@@ -22,9 +22,9 @@ SETTLED = 0.7
 """Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise."""
 
 CROWDED_SHARE = 0.1
-"""If the noise exceeds this fraction of the point spacing, every other point is omitted.
+"""Least noise, as a fraction of the point spacing, at which every other point is omitted.
 
-If all points were used, noise could change the order of neighbouring points along the curve.
+With all points, noise could change the order of neighbouring points along the curve.
 """
 
 REPORTED_MM = 0.01

@@ -288,7 +288,7 @@ class RationalPieces:
 
     @cached_property
     def _local(self) -> FloatArray:
-        """Bezier points (p, degree + 1, 2 or 3) of the pieces. If weights differ, they are the third column.
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces, with different weights as the third column.
 
         Coordinates are relative to the middle control point of each piece. With coordinates relative to the origin,
         second derivatives of short, distant pieces would have large rounding errors.
@@ -457,7 +457,9 @@ FAR_SIZES = 1e6
 """Coordinates above this multiple of the size of a transformed curve lose digits, so the curve is checked."""
 
 _AHEAD_SHARE = 1e-6
-"""If all sides of the control polygon advance by more than this fraction of the chord, the speed is never zero."""
+"""The speed is never zero if all sides of the control polygon advance by more than this fraction of the
+chord.
+"""
 
 MOST_TURNS = 100
 

@@ -26,7 +26,7 @@ POINTS = 601
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Distance of inflections from the line, as a fraction of the length, up to which they count as on the line."""
+"""Inflections closer to the line than this fraction of the length count as on the line."""
 
 LETTERS = 96
 """Largest number of characters in a line above the picture."""

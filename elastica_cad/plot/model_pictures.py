@@ -173,8 +173,9 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges, as a fraction of the strip width, and its largest width, as a fraction of
-the model's size."""
+"""Width of the dark line along edges, as a fraction of the strip width, and its limit, as a fraction of the
+model.
+"""
 
 ROUNDED_MM = 6
 """Decimals to which heights of patches above a face, mm, are rounded. A patch at height 0.0 is on the face."""

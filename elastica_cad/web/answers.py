@@ -257,8 +257,9 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     """Return the strip for the last possible position of a dragged control point.
 
     `request["hold"]` has the indices of the points that move together, their last possible positions `from`,
-    the tolerance `step`, mm, and the index `turn` of the first direction to try. If the points cannot move,
-    the answer has the positions `from`. If more directions are left to try, the answer has the next `turn`.
+    and the tolerance `step`, mm. Its key `turn` is the index of the first direction to try. If the points
+    cannot move, the answer has the positions `from`. If more directions are left, the answer has the next
+    `turn`.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]

@@ -68,7 +68,7 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
             raise AttributeError(f"a strip has no property {name}: see its PropertiesList")
         setattr(feature, name, value)
     for layer in flat.layers_of(feature) if flat_part else ():
-        # the earlier parts need shapes, because the new part must not overlap them
+        # give the earlier parts their shapes, because the new part must not overlap them
         document.recompute()
         flat.create(document, feature, layer)
     document.recompute()

@@ -180,7 +180,7 @@ def _may_be_cut(obj: Any) -> bool:
 
 
 def _all_sources() -> list[Any]:
-    """Return models, plates, two-state parts and strips on plates. Without these, return the only strip."""
+    """Return models, plates, two-state parts and strips on plates, or else the only strip."""
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)

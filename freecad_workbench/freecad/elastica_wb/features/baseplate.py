@@ -68,8 +68,9 @@ class BasePlateFeature(Feature):
 
 
 class RingsFeature(Feature):
-    """A ring for the tabs at each end of the strips, or a pair of rings that also fixes the angle of inclined
-    tabs.
+    """A ring for the tabs at each end of the strips.
+
+    A pair of rings at each end also fixes the angle of inclined tabs.
     """
 
     properties = (

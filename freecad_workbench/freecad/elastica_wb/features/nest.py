@@ -54,7 +54,7 @@ class NestFeature(Feature):
 
 
 def report_left_out(obj: Any) -> None:
-    """Report later features that change the nested pieces, because the nest does not include them."""
+    """Report later features that change the nested pieces and are not in the nest."""
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
     except FAILURES:  # the recompute has reported the error

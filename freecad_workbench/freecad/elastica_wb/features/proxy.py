@@ -326,7 +326,7 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Update features after objects with these names moved into or out of a container.
+    """Update features after the objects named in `moved` entered or left a container.
 
     A feature inside a container must not depend on this container.
     """

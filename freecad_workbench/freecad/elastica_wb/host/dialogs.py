@@ -29,7 +29,7 @@ def show_message(sentence: str) -> None:
 
 
 def show_files(files: list[Path], notes: Sequence[str] = ()) -> None:
-    """Show the written files and notes on them, with a button that opens their folder."""
+    """Show the written files and notes, with a button that opens the folder."""
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
     heading = f"{translate('Elastica', 'Written to')} {folder}:"
