@@ -74,7 +74,6 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 
 
 def _unprinted(problem: OSError) -> int:
-    """Discard unwritten text, report an error of standard output, and return the exit code."""
     _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
     return 2

@@ -555,7 +555,6 @@ def _stability_row(
 
 
 def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
-    """Return the position of a step, or its number if loads, rails, pins or ties change."""
     if moved is None or change:
         return f"step {step + 1} of {len(shapes)}"
     return moved.place_message(moved.path_length[step])

@@ -280,8 +280,6 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets of a design by name, and sheet files beside the design by file name."""
-
     folder = Path()
 
     def __contains__(self, name: object) -> bool:

@@ -600,7 +600,6 @@ def _polyline(points: FloatArray) -> PlaneCurve:
 
 
 def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
-    """Return indices of the vertices where sides longer than `least` mm turn by more than `angle` degrees."""
     step = np.diff(points, axis=0)
     size = np.hypot(step[:, 0], step[:, 1])
     cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])

@@ -422,7 +422,6 @@ _LEAST_SLOPE = 1e-3
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
-    """Return True if a curve has other coordinates in its plane (`flat`) than x and y in the drawing (`chain`)."""
     drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
     return bool(np.abs(drawn - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max())
 

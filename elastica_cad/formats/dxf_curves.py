@@ -86,7 +86,6 @@ def _refuse_many_inserts(document: "Drawing") -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
-    """Return the number of entities of a layout with expanded blocks, but not more than `_MOST_COUNTED`."""
     if depth > DEEPEST_BLOCK:
         raise InputError(
             "blocks are nested more than {deepest_block} deep: explode them before export",
@@ -178,7 +177,6 @@ def _curves_on_paper(document: "Drawing") -> Counter[str]:
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
-    """Yield the edges, mm, of every curve. Other and unreadable entities are counted in `skipped`."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []

@@ -214,7 +214,6 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    """Return the plane of the edges. Its z axis points to the side that `placed_curve` describes."""
     points = np.concatenate([edge.points for edge in run])
     heights = points[:, 2]
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:

@@ -300,7 +300,6 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
-    """Return the units in the heading or, if there are none, in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
@@ -321,7 +320,6 @@ def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]
 
 
 def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
-    """Return the columns without the units of numbers such as "12.5 mm", and these units."""
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:

@@ -261,7 +261,6 @@ class _Shapes:
         return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
-        """Return the subpaths of a shape, and half a unit of their last digit."""
         source = self.tree.shapes[mark]
         if source.data is None:
             return list(_subpaths(shape.segments(transformed=False))), source.rounding
@@ -271,7 +270,6 @@ class _Shapes:
         return [_with_polylines(run) for run in path.runs], path.rounding
 
     def report_left_out(self) -> None:
-        """Count hidden and invalid shapes as skipped. Raise an error if all shapes are invalid."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
         for kind, marks in (

@@ -380,7 +380,6 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that changes the fit `own` of a drawing to the fit `requested` by its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]

@@ -247,7 +247,6 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return a list with the zero, or the interval of zeros, at the start of piece i."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

@@ -325,7 +325,6 @@ class _Problem:
         return np.asarray(self.held + (self.chosen @ unknowns).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
-        """Return the largest distance, mm, of the samples from the drawn curve, along its normals."""
         return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 

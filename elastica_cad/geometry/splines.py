@@ -260,7 +260,6 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients, local coordinates and widths of the pieces that contain x."""
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
         after = x.shape + (1,) * (self.coefficients.ndim - 1)
@@ -662,8 +661,6 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
 
 
 class _Problem:
-    """Least squares problem for the control points of a spline with given knots."""
-
     def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
         self.knots = knots
         self.spans = bezier_spans(knots, degree)

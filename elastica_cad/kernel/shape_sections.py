@@ -110,7 +110,6 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return evenly spaced points of a line, and more points where chords would deviate."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

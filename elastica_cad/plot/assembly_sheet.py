@@ -652,7 +652,6 @@ class View:
 
 
 def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
-    """Draw a dimension line with its text. Return the box (2, 2) around the text."""
     center, way = line.mean(axis=0), line[1] - line[0]
     arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": INK, "lw": 0.6, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", line[0], line[1], arrowprops=arrow)
@@ -681,7 +680,6 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield the loops (n, 3) of a plate, with a point for depth sorting and a colour."""
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
         points = path.points(EDGE_MM)

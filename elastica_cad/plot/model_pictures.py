@@ -173,8 +173,8 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges, as a fraction of the strip width, and its limit, as a fraction of the
-model.
+"""Width of the dark line along edges as a fraction of the strip width, and its upper limit as a fraction of the
+model's size.
 """
 
 ROUNDED_MM = 6

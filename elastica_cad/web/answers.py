@@ -633,7 +633,6 @@ def _model(request: Mapping[str, Any]) -> Record:
 
 
 def _placed_strips(placed: Iterable[Placed]) -> Record:
-    """Return the shapes of a model's strips and, for each strip, the index of its shape and its position."""
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []

@@ -80,7 +80,6 @@ class PreferencesPage:
             preferences.put(name, value_of(widget))
 
     def _widgets(self) -> Iterator[tuple[str, Any]]:
-        """Yield the name and the widget of each preference. Names of widgets begin with a small letter."""
         for name in preferences.DEFAULTS:
             widget = getattr(self.form, name[0].lower() + name[1:], None)
             if widget is not None:

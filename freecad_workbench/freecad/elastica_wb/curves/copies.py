@@ -125,7 +125,6 @@ def _placement_of(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object displays, or None. Placements are relative to the object."""
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _placement_of(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)

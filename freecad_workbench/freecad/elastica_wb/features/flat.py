@@ -86,7 +86,6 @@ def _strip_with_slots(obj: Any) -> Strip:
 
 
 def _free_placement(strip: Any) -> App.Placement:
-    """Return a placement in the plane z = 0, in front of the curve and clear of other parts."""
     source = strip.Curve[0] if strip.Curve else None
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():

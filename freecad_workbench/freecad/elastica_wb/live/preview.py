@@ -194,7 +194,6 @@ class Handles:
             self._moved(self._held, (float(x), float(y)))
 
     def _in_plane(self, pixel: FloatArray) -> FloatArray | None:
-        """Return the point of the plane under a pixel, or None if the plane is seen edge-on."""
         back = self._placement.inverse()
         start, end = (
             np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))

@@ -384,8 +384,6 @@ class Session:
 
 @dataclass(frozen=True, eq=False)
 class _Possible:
-    """A curve that a strip can take, and the values of the constraints of the sketch."""
-
     curve: PlaneCurve
     constraints: list[tuple[str, float]]
 

@@ -101,7 +101,6 @@ class Dragged:
         return pole_circles
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
-        """Return True if the points from index `shift` on match the geometry in the document."""
         for i, circles in self._poles.items():
             for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
                 x, y = points[shift + self._first[circle]][:2]

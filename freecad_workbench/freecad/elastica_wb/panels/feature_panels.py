@@ -70,13 +70,11 @@ def strip_rows(obj: Any) -> Sequence[Row]:
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
-    """Mark the rows as errors if one of the properties `results` is beyond its limit."""
     failed = bool({*results} & {*obj.Fails})
     return [replace(row, severity="error") if failed else row for row in rows]
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """Return the row on accuracy: "…" before the computation, "-" after a failure."""
     if strip.rod.acting:
         return not_computed_row()
     shape = held_shape(strip) if obj.Held else None

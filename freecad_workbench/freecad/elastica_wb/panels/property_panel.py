@@ -453,8 +453,6 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change. The button calls `preview` with its index, or None when the mouse leaves."""
-
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
         super().__init__()
         self._number, self._preview = number, preview

@@ -195,7 +195,6 @@ class RailsPanel(Panel):
         self.show_message(answer.sentence)
 
     def _distance(self, point: tuple[float, float]) -> float:
-        """Return the position, mm along the drawn curve, nearest to a point."""
         curve = self._along()
         return round(float(PlacedElement.on(Pin(point), curve, curve).s[0]), PLACE_DIGITS)
 
