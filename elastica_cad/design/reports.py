@@ -89,7 +89,6 @@ def pre_bend_message(strip: Strip) -> str:
 
 REPORT_SCHEMA = "elastica-report/1"
 MOST_STATIONS = 100_000
-"""Largest number of stations in a report."""
 
 _UNITS = {
     "length": "mm",

@@ -51,7 +51,6 @@ SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_p
 """Fields of `StripSpec` without effect on a finished strip."""
 
 STIFFNESS_TOLERANCE = 1e-6
-"""Relative difference below which two stiffnesses count as equal."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -85,7 +85,6 @@ class StripKeys(SharedKeys):
 
 
 DOWN = (0.0, 0.0, -1.0)
-"""Default direction of gravity in space."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +233,6 @@ def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dic
 
 
 PLANE = ("origin", "x_axis", "y_axis")
-"""Keys for the position of the drawing in space."""
 
 
 def _plane(reader: Reader, table: Table) -> Frame:

@@ -152,7 +152,6 @@ MOST_EDGES = 120_000
 """Largest number of pieces of all curves of a file."""
 
 MOST_CURVES = 5_000
-"""Largest number of curves of a file."""
 
 MOST_PIECES = 3_000
 """Largest number of pieces of a curve.

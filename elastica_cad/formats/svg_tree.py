@@ -464,7 +464,6 @@ MARK = "data-shape"
 """Attribute that numbers the shapes, so that copies in clones are recognized."""
 
 CLIPPED = "data-clipped"
-"""Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
 """Prefix of the attributes that number nested clones, the outermost first."""

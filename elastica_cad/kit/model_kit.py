@@ -48,7 +48,6 @@ NOT_WRITTEN = "not written"
 """Text in the lists instead of the file name of a block, if no solids are written."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
-"""Suffixes of the files from which parts are made."""
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,6 @@ from elastica_cad.plot.strip_pictures import (
 from elastica_cad.refusals import number_text
 
 POINTS = 601
-"""Number of drawn points along the curve."""
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6

@@ -34,7 +34,6 @@ LAYER_COLORS = {
 COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
 LOAD = "#c77700"
 MARKERS = {Rail: "^", Pin: "o", Tie: "s"}
-"""Markers of rails, pins and ties."""
 
 ARROW_SHARE = 0.08
 """Length of the arrow of a load, as a fraction of the size of the drawing."""

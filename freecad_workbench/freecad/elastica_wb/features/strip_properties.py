@@ -293,7 +293,6 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 Acting: TypeAlias = Element | PointForce | PointMass
-"""An element (rail, pin or tie) or a load."""
 
 
 def is_load(item: Acting) -> bool:

@@ -32,7 +32,7 @@ LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
 
 
 FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
-"""FreeCAD's message on a formula that cannot be computed."""
+"""Pattern of FreeCAD's message on a formula that cannot be computed."""
 
 
 class _ErrorName(type):

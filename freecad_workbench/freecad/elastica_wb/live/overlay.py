@@ -68,7 +68,6 @@ PARTS = {
         marker=DIAMOND,
     ),
 }
-"""Parts of the overlay in drawing order."""
 
 
 class Overlay:
