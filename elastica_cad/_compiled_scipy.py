@@ -70,7 +70,7 @@ def _compiled_module(package: str, name: str, needed: str) -> Any | None:
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    # do not import scipy, because its import loads many modules
+    # `find_spec` avoids the slow import of scipy
     scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(

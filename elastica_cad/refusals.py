@@ -197,7 +197,7 @@ class Wording(Formatter):
         return self._digits(mm, spec or (".0f" if 999.5 <= abs(mm) < 1e9 else ".3g"))
 
     def _digits(self, value: float, spec: str) -> str:
-        """Format a number: no exponent for usual sizes, no sign before 0."""
+        """Format a number without an exponent at usual sizes, and without a sign before 0."""
         text = float.__format__(float(value), spec)
         text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:

@@ -304,7 +304,7 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
 
 
 def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
-    """Return the edge angles (n,), rad, of the arc into which a shortened tie bends a straight rod, or None."""
+    """Return the edge angles of an arc, rad, if a shortened tie bends the straight rod, or else None."""
     shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
     shorter = [
         action for action in elements
@@ -319,7 +319,7 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
             field=FieldName("side"),
         )
     start, end = np.sort(shorter[0].s)
-    # length of the tie / length of the arc = sin(x) / x, about 1 - x^2 / 6, if the arc turns by 2 x
+    # chord / arc length = sin(half) / half, about 1 - half^2 / 6, for an arc that turns by 2 * half
     half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
     return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))
@@ -341,7 +341,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distance, mm, by which each slack rail still moves, or each slack tie shortens, before the end of the path
+    # distance, mm, that each slack rail has yet to move, or each slack tie to shorten, on the path
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -357,7 +357,8 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
-        # after a rail or tie became slack or taut, use short steps, because the branch of equilibria may end soon
+        # use short steps after a rail or tie became slack or taut, because the branch of equilibria may end
+        # soon
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
@@ -406,7 +407,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Return `taut` with its most wrong flag corrected, or None if all flags agree with forces and gaps."""
+    """Correct the flag in `taut` that contradicts forces and gaps most, or return None if no flag does."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -639,7 +640,6 @@ def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> Ro
 
 
 def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
-    """Return the system with the present loads of the rod. Reactions of released supports become loads."""
     released = replace(rod, supports=system.supports)
     return replace(
         system,
@@ -759,7 +759,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # lambda is the negative internal force: the applied force is lambda at the first node, -lambda at the last
+        # the applied force is the edge force at the first node, and its negative at the last
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

@@ -20,8 +20,8 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
-# loads as force * length^2 / stiffness; a straight strip buckles at 2.5. Loads grow in equal steps of
-# `FIRST_LOAD` to `LAST_EVEN_LOAD`. Each further load is `LOAD_GROWTH` times the previous load
+# loads are force * length^2 / stiffness (a straight strip buckles at 2.5); beyond `LAST_EVEN_LOAD`, each load
+# is `LOAD_GROWTH` times the load before
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
@@ -261,7 +261,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """Add whole turns to `angle` (rad), so that it differs from `near` by at most half a turn."""
+    """Return the angle plus whole turns, within half a turn of `near`, rad."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 

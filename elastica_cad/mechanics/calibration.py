@@ -252,13 +252,12 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
-    # elasto-gravity length = overhang * G(droop / overhang), and G1 is the derivative of the function G
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 
 
 def _length_for(part: float) -> float:
-    """Return the elasto-gravity length divided by the overhang, for the ratio `part` of droop to overhang."""
+    """Return elasto-gravity length / overhang for `part` = droop / overhang."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:

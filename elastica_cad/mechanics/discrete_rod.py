@@ -173,7 +173,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # if A - shift is almost singular, rounding errors may change the count, so lower the shift slightly
+        # lower an almost singular shift slightly, because rounding errors may change the count
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
@@ -251,7 +251,6 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
     step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
     shift = lowest[0] - step
     d, e, info = lapack().dpttrf(diagonal - shift, off)
-    # if rounding makes the matrix indefinite, lower the shift
     while info != 0 and shift > -2 * reach - step:
         step *= 2
         shift -= step
@@ -384,7 +383,7 @@ def _shoot_in_python(
     n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
     pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]
-    for i in range(n):  # use plain floats, because array operations in each step take twenty times longer
+    for i in range(n):  # plain floats are twenty times faster here than arrays
         alpha += bend[i] * M + rest[i]
         if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
             alpha = M = nan
@@ -736,9 +735,9 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
-        """Return the constraints of ends, rails, pins and ties, and the terms that are added to the Hessian.
+        """Return the constraints, and the terms that are added to the Hessian.
 
-        For an axially elastic rod, every constraint becomes a term.
+        An axially elastic rod has only terms.
         """
         bracing = self.bracing
         if self.compression is not None:

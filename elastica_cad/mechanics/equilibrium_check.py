@@ -204,7 +204,6 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as unbent, but have a curvature above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -236,9 +235,9 @@ _WIDEST_RATIO = 1e4
 """Largest stiffness ratio of a realizable curve; above it, the result would depend on rounding errors."""
 
 _TANGENT_RAD = 1e-6
-"""A line is tangent to the curve if the sine of the angle between them is smaller."""
+"""Sine of the angle between line and curve below which the line is tangent to the curve."""
 
-# closer than this fraction of the length to a zero of the curvature, the stiffness 0 / 0 is replaced by its limit
+# fraction of the length around a zero of the curvature in which the stiffness 0 / 0 is replaced by its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -317,7 +316,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the line of zero moment through the zeros of the curvature, perpendicular to `normal` if not None."""
+    """Check the line of zero moment through the inflections; `normal` fixes its direction if not None."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -454,10 +453,9 @@ def _place_of_extreme_ratio(
 ) -> float | None:
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
-    The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural
-    curvature kappa_0. At a zero of kappa - kappa_0, the limit of K is the sine of the angle between curve
-    and line, divided by the slope of kappa - kappa_0. A line through a single zero may turn by up to `spare`
-    rad in both directions.
+    The stiffness is the distance from the line divided by the excess curvature. At a zero of the excess
+    curvature, the limit is the sine of the angle between curve and line, divided by the slope of the excess
+    curvature. A line through a single zero may turn by `spare` rad in both directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -509,7 +507,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
     x, y = views.point
-    # the normal of the line is the middle of the directions in which the curve is seen
+    # the line is perpendicular to the middle of the directions from the inflection to the curve
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
     line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))

@@ -74,7 +74,7 @@ CELLS = 8
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
 _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
-"""Matrix from Legendre coefficients on a panel to fourth derivatives at the midpoints of its parts."""
+"""Matrix from Legendre coefficients on a panel to fourth derivatives at the midpoints of its cells."""
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline, divided by h^4 times the fourth derivative, for knot spacing h.
@@ -107,7 +107,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fit each ramp separately, because a short ramp would spoil the fit beside the ramp
+    # fit ramps separately, so that they do not spoil the fit beside them
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -179,7 +179,6 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Scale the profile slightly, so that its extremes equal the extremes `exact` (2,) of the stiffness."""
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
@@ -395,7 +394,6 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:
-    """Refuse an unloaded free end, because its shape depends on the weight alone."""
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
     acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
@@ -459,7 +457,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # each load increases the negative internal force; the held end carries the whole weight
+    # negative internal force: sum of the loads before each node, and half of the load at this node
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -504,7 +502,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # the weight beta K does not change when K is divided by its least value
+    if weight is not None:  # keep the weight beta K, because K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -526,7 +524,7 @@ KINK_SHARE = 0.005
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
-    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # places where the width jumps
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
 
     def expected(warning: str) -> bool:
         if not (isinstance(warning, Refusal) and warning.kind == "kinks"):
@@ -566,7 +564,7 @@ def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator
 
 
 def _elements_loaded_by(request: RodRequest, support: EndName) -> tuple[Element | PointForce, ...]:
-    """Return the elements that are not slack if both ends are clamped now and the end is held by `support`."""
+    """Return the elements that are not slack if the end support of a clamped rod changes to `support`."""
     if not request.supports.clamped:
         return ()
     try:
@@ -775,7 +773,7 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate, or None without convergence, and the last relative change of the stiffness."""
+    """Return the laminate (None without convergence) and the last relative change of the stiffness."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
@@ -804,7 +802,6 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 
 
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
-    """Return the rod of least stiffness ratio on a base of uniform width, by a nonlinear search."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
         weight = Weight(masses=request.masses, own=True)
@@ -826,7 +823,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`. Values below 1 are errors of the spline and become 1."""
+    """Return the relative stiffness at arc lengths `s`, without errors of the spline below 1."""
     return np.maximum(rod.profile(s), 1.0)
 
 

@@ -646,6 +646,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Largest sum of the absolute curvature and natural curvature, 1/mm; the scale of rounding errors."""
+        """Largest sum of |curvature| and |natural curvature|, 1/mm, as the scale of rounding errors."""
         t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

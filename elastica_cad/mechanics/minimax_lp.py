@@ -168,7 +168,8 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # conditions rows @ (x, R) >= limits: x >= -box and R >= 0, which meet in the first vertex, then x <= box
+        # in the form rows @ (x, R) >= limits: first x >= -box and R >= 0, which meet in the first vertex, then
+        # x <= box
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -207,7 +208,7 @@ class MinimaxProgram:
     def _exchanged(self) -> FloatArray | None:
         """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate.
 
-        Because R never decreases, the search also ends at the first vertex with R above `most`.
+        The search also ends at the first vertex with R above `most`, because R never decreases.
         """
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
@@ -216,8 +217,8 @@ class MinimaxProgram:
                 inverse = np.linalg.inv(rows)
             except np.linalg.LinAlgError:
                 return None
-            vertex = inverse.dot(limits)  # `dot` takes half the time of `@` for arrays of this size
-            # one step of iterative refinement reduces the error to rounding errors
+            vertex = inverse.dot(limits)  # `dot` is twice as fast as `@` for such small arrays
+            # iterative refinement removes rounding errors
             vertex += inverse.dot(limits - rows.dot(vertex))
             if vertex[-1] > self.most:
                 return np.asarray(vertex)
@@ -228,7 +229,7 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # the new condition is `parts` times the active conditions, and R is `share` times the active conditions
+            # coefficients of the active conditions: `parts` for the new condition, `share` for R
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
@@ -248,7 +249,7 @@ def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return a basis (m, k) of the unknowns. In this basis, coefficients of order 1 give stiffnesses of order 1."""
+    """Return a basis (m, k) of the unknowns in which coefficients of order 1 give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -273,7 +274,7 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
             if result.status == 2:
                 return None
     else:
-        # the base class of `Highs` does not print a banner
+        # `Highs` prints a banner, its base class does not
         highs = highspy.Highs.__bases__[0]()
         silent = {"output_flag": False, "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
@@ -339,7 +340,7 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift the conditions that the start violates, then shift all planes so that at most m planes meet in a point
+    # make the start feasible, then shift all planes so that at most m planes meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
     shifted = limits.size - len(side_rows)
     limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)

@@ -149,7 +149,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
         units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
-    # a far too large weight causes an overflow, which the caller checks
+    # the caller checks for the overflow of a far too large weight
     with np.errstate(over="ignore", invalid="ignore"):
         return _weighted(panels, load, units)
 
@@ -183,7 +183,6 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
 
 
 def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
-    """Set the stiffness (N, p, m) of straight tails to its value where the bent part begins."""
     bent = np.flatnonzero(~panels.flat)
     ends = PanelFunction.through(stiffness[bent[[0, -1]]]).at(np.arange(2), np.array([-1.0, 1.0]))
     stiffness[: bent[0]], stiffness[bent[-1] + 1 :] = ends
@@ -270,7 +269,7 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 _SETTLED = 1e-9
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Solutions of a linear program that differ by a smaller fraction are equal."""
+"""Relative difference below which solutions of a linear program are equal."""
 
 # rounding error of a sum, relative to the sum of the absolute values of its terms
 _ROUNDING = 16 * float(np.finfo(float).eps)
@@ -395,9 +394,9 @@ def _continuous_ratio(
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
-            # the solution no longer changes: accept the accuracy of the solver
+            # the solution has converged to the accuracy of the solver
             tolerance = BOUNDED
-            # large terms may cancel in the sum, so allow for its rounding errors
+            # allow for rounding errors of the sum, because large terms may cancel
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
@@ -425,9 +424,8 @@ def _smoothest(
 ) -> FloatArray:
     """Return the parameters y of the smoothest stiffness K between 1 and `ratio` (paper, section 5.3).
 
-    K is bounded at the samples `places`, or by default on the continuous curve. The stiffness for the parameters
-    `start` is within these bounds. With `keep_largest`, K remains `ratio` where the stiffness for `start` is
-    `ratio`.
+    K is bounded at the samples `places`, or by default everywhere. The parameters `start` are a feasible
+    solution. With `keep_largest`, K remains `ratio` where `start` gives `ratio`.
     """
     panels = family.panels
     count, order = panels.t.shape
@@ -446,7 +444,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # the condition 1 <= pins @ y + pin_offset means that the stiffness is at least that for `start`
+        # the stiffness must not be less than that for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -474,8 +472,8 @@ def _bounded(
 ) -> FloatArray:
     """Return the parameters y from `best` for which the stiffness K is between 1 and `ratio` on the whole curve.
 
-    The function `best` computes y such that K = rows @ y + offsets is within the bounds at samples. The extremes of
-    K are added as samples until K exceeds its bounds by at most the relative `tolerance`.
+    The function `best` keeps K = rows @ y + offsets within the bounds at samples. Extremes of K are added as
+    samples until K exceeds its bounds by at most the relative `tolerance`.
     """
     rows, offset = (samples[:: METHOD.first_step] for samples in family.dense)
     for _ in range(METHOD.most_rounds):
@@ -701,7 +699,7 @@ class ConditionedRows:
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
         rows = [self.rows.edge_moment[at]]
-        # a rail, pin or tie may push at the start of a straight tail, where the stiffness does not jump
+        # exclude the starts of straight tails, where an element may push although the stiffness does not jump
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
@@ -713,7 +711,7 @@ class ConditionedRows:
             rows.append(normal[normal.any(axis=1)])
         forces = self.rows.start_force, self.rows.end_force
         for end, force in zip(self.request.supports.ends, forces, strict=True):
-            # the force has the components x = -b_y and y = b_x
+            # the x component of the force is -b_y, and its y component is b_x
             rows += [] if end.x else [force[1:2]]
             rows += [] if end.y else [force[0:1]]
         return np.concatenate(rows)
@@ -755,7 +753,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows of the conditions that the numbers with indices `sides` are 0 or more."""
+        """Return the conditions that the numbers with the indices `sides` are at least 0."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length
 
-_ROUNDING_SHARE = 1e-12  # rounding error, as a fraction of the moment
+_ROUNDING_SHARE = 1e-12
 
 
 class MaterialLaw(ABC):
@@ -264,7 +264,7 @@ class ElasticPlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 1),)
 
     def _core(self, kappa: FloatArray) -> FloatArray:
-        """Return the fraction of the thickness that is still elastic at curvatures `kappa`, 1/mm."""
+        """Return the elastic fraction of the thickness at curvatures `kappa`, 1/mm."""
         return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
 
 
@@ -353,7 +353,7 @@ class TabulatedLaw(MaterialLaw):
 
     @cached_property
     def _curve(self) -> Any:
-        """Moment / initial stiffness as a piecewise cubic of the curvature, from 0 and with slope 1 there."""
+        """Moment / initial stiffness as a piecewise cubic of the curvature, starting at 0 with slope 1."""
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])

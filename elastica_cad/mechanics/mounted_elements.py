@@ -218,7 +218,7 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 from the start."""
+        """Flags (2,) for x and y: 1 if measured from the end of the rod, 0 if measured from the start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
@@ -284,7 +284,7 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     points.
     """
     if not (rod.between if between is None else between):
-        return ()  # `rod.curve` is not used, because a rod with jumps of the curvature has no spline
+        return ()  # do not compute `rod.curve`, which does not exist if the curvature jumps
     curve = rod.curve
     shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
     if between is None:
@@ -322,7 +322,7 @@ def _new(
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # the new rail or tie is initially taut if the old one exerted a force
+        force = before.force  # a rail or tie that exerted a force is initially taut
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve, shape)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):

@@ -72,7 +72,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacements (n, 2) of the nodes per mm of position error in the residuals `rows`."""
+    """Return the displacements (n, 2) of the nodes per mm of position error along `direction`."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

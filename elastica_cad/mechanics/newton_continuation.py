@@ -16,7 +16,7 @@ from elastica_cad.refusals import Length
 
 # largest relative error of moments and positions in a rest shape
 TOLERANCE = 1e-10
-# largest rotation of an edge in a step; linear approximations of cos and sin then have an error of one eighth
+# largest rotation of an edge in a step, at which linearised cos and sin are wrong by one eighth
 LARGEST_TURN_RAD = 0.5
 # largest rotation of an edge in a step near a crossing of two branches of equilibria
 SMALL_TURN_RAD = 0.02
@@ -24,9 +24,9 @@ SMALL_TURN_RAD = 0.02
 SADDLE_PUSH_RAD = 0.05
 # largest rotation of an edge in a step of a minimisation before the line search
 ASTRAY_RAD = float(np.pi)
-# if a step of a minimisation turns all edges by less, Newton's method replaces the minimisation
+# rotation of all edges below which Newton's method replaces the minimisation
 NEAR_REST_RAD = 1e-2
-# if a Newton step turns all edges by less, the method ends; the next step would be about its square
+# rotation of all edges in the last Newton step; the next rotation would be about its square
 CONVERGED_RAD = 1e-9
 MOST_DESCENT_STEPS = 300
 # accuracy, as a fraction of the path, of the point at which a rail or tie becomes slack or taut
@@ -171,7 +171,7 @@ def follow(
     )
 
     def loaded(t: float) -> RodSystem:
-        # a state caches results for its system, so constant loads must return the same system
+        # constant loads must return the same system, because a state caches results for its system
         return between_loads(before, final, t) if before is not None and changes else final
 
     start = state.under(loaded(0.0)).residual
@@ -277,7 +277,7 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        # also step along the unstable mode, because the minimisation must not end at a saddle point
+        # also step along the unstable mode, so that the minimisation does not end at a saddle point
         if inertia:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
@@ -300,7 +300,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state after the smallest change of angles that moves supports and ties to their positions."""
+    """Turn the edges as little as possible to move supports and ties to their positions. Return None on failure."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length
@@ -341,9 +341,9 @@ def _relative_error(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# edge angles of a straight rod differ by less; an end then moves by a micrometre in 10 m
+# largest difference of edge angles of a straight rod; it moves an end by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
-# if the held end angles differ by more, the sign of their difference determines the default side
+# difference of the held end angles above which its sign determines the default side
 DECIDING_TURN_RAD = 0.5
 # least distance between the ends of the first buckled rod, as a fraction of the length
 FIRST_CHORD = 0.9
@@ -392,7 +392,7 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _direction(state: RodState) -> float:
-    """Return the angle of the straight rod: the mean of the held angles, or else the angle of the chord."""
+    """Return the angle of the straight rod: the mean held angle, or else the angle of the chord."""
     system = state.system
     held = [angle for angle in system.held_angles if angle is not None]
     if held:
@@ -405,7 +405,7 @@ def _direction(state: RodState) -> float:
 
 
 def _nearest_angle(near: float, chord: FloatArray) -> float:
-    """Return the angle of the vector `chord`, within half a turn of the angle `near`."""
+    """Return the angle of `chord` plus whole turns, within half a turn of `near`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
@@ -482,7 +482,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium in which `shape` has the given amplitude, and the load factor."""
+    """Return the equilibrium in which `shape` has the given amplitude, and its load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))
@@ -505,7 +505,7 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return eigenvalue (1/mm2) and eigenvector of the second variation per length; `mode` is the index from 1.
+    """Return eigenvalue number `mode` (from 1), 1/mm2, of the second variation per length, and its eigenvector.
 
     The first half-wave is to the left for `side` 1, and to the right for `side` -1.
     """

@@ -205,9 +205,10 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return the inverse tau of the least bending stiffness for which the stiffness ratio is least.
+    """Return tau, the inverse of the least bending stiffness, at the least stiffness ratio.
 
-    If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best ratio.
+    If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best
+    ratio.
     """
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
@@ -222,7 +223,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     else:
         y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
         tau = float(numbers.basis[3] @ y)
-    if tau <= 0:  # rounding errors of very large coefficients can make tau negative
+    if tau <= 0:  # rounding errors of large coefficients can make tau negative
         load.refuse()
     return tau
 
@@ -280,7 +281,7 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
     """Return the stiffness of least ratio with the largest value `most`, N mm2, and the inverse of its least value.
 
-    The method is iterative, because a weight proportional to the relative stiffness depends on the least value.
+    The method iterates, because a weight proportional to the stiffness depends on the least value.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -307,13 +308,13 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening_factor(load, least, most)
-    except NotConvergedError:  # the error then suggests no thicker sheet
+    except NotConvergedError:  # then suggest no thicker sheet
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
 
 def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the factor by which the sheet must be thicker to carry the weight at the same widths, or None."""
+    """Return the factor on the thickness with which the sheet carries the weight at the same widths, or None."""
     factor = 1.0
     for _ in range(MOST_ROUNDS):
         thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))
@@ -463,7 +464,7 @@ def _balance_by_descent(
     """
     deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1 if the section has an upper limit, which E I must not exceed; 1 if it has none
+    # -1 if E I has an upper limit, or else 1
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
@@ -555,9 +556,9 @@ def _deciding_limit(law: BoundedLaw) -> float:
 
 
 def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the factor B, N mm2, with which a rod of bending stiffness B K just fits the limits of a section.
+    """Return the factor B, N mm2, with which the bending stiffness B K just fits the limits of a section.
 
-    The largest section is then at the upper limit. Without an upper limit, the least section is at the lower limit.
+    The largest section is at the upper limit or, without an upper limit, the least section at the lower limit.
     """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding_limit(law)))
     extremes = share.extremes

@@ -32,15 +32,15 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000
-# a function is resolved if its last Legendre coefficients are below this fraction of its largest value
+# last Legendre coefficients of a resolved function, as a fraction of its largest value
 RESOLVED = 1e-11
 # last Legendre coefficients below this fraction of the largest value may be rounding errors
 NOISE = 1e-6
 
-# if two cuts are closer than this fraction of the width of a panel, one of the cuts is omitted
+# least distance between cuts, as a fraction of the width of a panel
 APART_SHARE = 0.25
 
-# panels narrower than this fraction of the parameter range of the curve are not cut further
+# least width of a panel that is cut, as a fraction of the parameter range of the curve
 NARROWEST_SHARE = 1e-7
 
 ROUGH_AT_ZERO = 2
@@ -150,7 +150,7 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # least width of a panel beside a zero; in a narrower panel, the values would be rounding errors
+    # least width of a panel beside a zero, because values on narrower panels would be rounding errors
     narrow = NARROWEST_SHARE * (high - low)
     breaks = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     breaks += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
@@ -203,7 +203,7 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels at whose nodes nothing is evaluated yet.
+    """Panels before evaluation.
 
     Each panel is a part of a larger panel, whose last Legendre coefficients have the relative size `tail`.
     """
@@ -299,7 +299,7 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        # at a double zero, the computed slope is a rounding error, so subtract it from the slopes nearby
+        # at a double zero, the computed slope is a rounding error, so subtract it from slopes nearby
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
@@ -345,9 +345,9 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
-# a panel is cut if its last Legendre coefficients are larger than this fraction of the largest coefficient
+# relative size of the last Legendre coefficients above which a panel is cut
 _ROUGH = 1e-9
-# a panel ends at a knot of the load if the stiffness has fewer continuous derivatives there
+# a knot of the load ends a panel if the stiffness has fewer continuous derivatives there
 _SMOOTH = 4
 # largest number of parts of a panel under a large weight
 _MOST_PARTS = 50
@@ -457,7 +457,7 @@ def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Return arc lengths, mm, of additional ends of panels if a mass at s is near a zero of the curvature.
+    """Return arc lengths, mm, of more panel ends beyond a mass at s, if the mass is near a zero of the curvature.
 
     Beyond the mass, a part of the stiffness is inversely proportional to the distance from the zero.
     """
@@ -497,7 +497,7 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
                     length=Length(part.length),
                     length_2=Length(length),
                 )
-            # the moment is a double integral of the load, so it is smoother by two derivatives
+            # the stiffness is smoother by two derivatives, because the moment is a double integral of the load
             knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2
             kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < _SMOOTH]

@@ -45,12 +45,12 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1 import EquilibriumCheck, InflectionLine
 
 
-# Number of nodes of a final rod. A strip of 300 mm then has a node every half millimetre, and the error of its
-# shape is smaller than the kerf of a laser.
+# Number of nodes of a final rod. A 300 mm strip has a node every half millimetre, and an error below the kerf
+# of a laser.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of each of the hundreds of rods in a search. The error of their shape is nine times the error of a
-# final rod; `editable_curve` removes it by extrapolation.
+# Number of nodes of a rod in a search. Its error is nine times the error of a final rod; `editable_curve`
+# removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
@@ -92,8 +92,8 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    At a jump, the result is the inverse of the mean compliance near the node, so that the shape of the rod depends
-    continuously on the position of the jump.
+    At a jump, the result is the inverse of the mean compliance near the node, because the shape of the rod must
+    depend continuously on the position of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -126,8 +126,7 @@ def _stiffness_profile_of(
 ) -> tuple[Profile, int]:
     """Return the stiffness as a profile over [0, length], and the number of nodes.
 
-    If `samples` is None, the number of nodes is the size of an array of stiffnesses. For a profile or a single
-    stiffness, the number is `DEFAULT_SAMPLES`.
+    Without `samples`, the number of nodes is the size of an array of stiffnesses, or else `DEFAULT_SAMPLES`.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -243,8 +242,8 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# the edges of a discrete rod differ from the arc lengths between its nodes by at most this fraction; samples of a
-# curve differ by about (curvature * edge length)^2 / 24
+# largest relative difference between edges of a discrete rod and arc lengths; for samples of a curve, the
+# difference is about (curvature * edge length)^2 / 24
 EVEN_EDGES = 1e-7
 # exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8
@@ -350,7 +349,7 @@ _SHORTEST_BENT = 24
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
-    """Return the values (n, 18) of 18 smooth functions of x (n,), from 0 to 1, which correct an angle."""
+    """Return 18 functions (n, 18) of x (n,) between 0 and 1, which correct an angle."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -791,7 +790,7 @@ class Rod:
 
     @property
     def _bent_part(self) -> tuple[float, float] | None:
-        """Arc lengths, mm, between which the rod is bent if it has straight free ends, or None."""
+        """Arc lengths, mm, at the ends of the bent part between straight free ends, or None."""
         places = [float(s) for action in self.acting for s in action.s]
         free = [not (end.x or end.y or end.angle) for end in self.supports.ends]
         if self.gravity is not None or np.any(self.natural_curvature) or not places or not any(free):

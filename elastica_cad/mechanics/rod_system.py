@@ -23,7 +23,7 @@ from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedEle
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
-# largest relative imbalance of moments that is reported if the imbalance is below its rounding error
+# a relative imbalance of moments below its rounding error is reported as at most this value
 ROUNDED_IMBALANCE = 1e-12
 
 
@@ -250,7 +250,7 @@ class RodState:
 
     @cached_property
     def _pulls(self) -> FloatArray | None:
-        """Derivatives (p, n) of the axial forces by the reactions, or None without axial elasticity."""
+        """Derivatives (p, n) of the axial forces by the p reactions, or None without axial elasticity."""
         rod, held = self.discrete, list(self.system.held)
         if rod.compression is None:
             return None

@@ -108,8 +108,8 @@ def anticlastic_factor(
 def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the term `flat` of `anticlastic_factor`, corrected for the natural curvature `rest`, 1/mm."""
-    # `flat` decreases faster than kappa, so `scaled` is 0 where kappa is 0
+    """Return the term `flat` of `anticlastic_factor` for a strip with the natural curvature `rest`, 1/mm."""
+    # `flat` decreases faster than kappa, so `scaled` tends to 0
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -218,17 +218,14 @@ def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
 
 
 def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return f/x and its derivative for f = (cosh x - cos x)/(sinh x + sin x).
-
-    A series replaces the formula below x = 0.3.
-    """
+    """Return f/x and its derivative, for f = (cosh x - cos x)/(sinh x + sin x). Below x = 0.3, use a series."""
     is_small = x < 0.3
     y = np.where(is_small, 1.0, x)
     decay = np.exp(-y)
     squared, swing = decay**2, 2 * decay * np.cos(y)
     bottom = 1 - squared + 2 * decay * np.sin(y)
     f = (1 + squared - swing) / bottom
-    # the derivative of cosh - cos is sinh + sin, which is also the denominator
+    # the derivative of cosh x - cos x is sinh x + sin x, the denominator of f
     slope = 1 - f * (1 + squared + swing) / bottom
     share = f / y
     curl, curl_slope = np.asarray(share), np.asarray((slope - share) / y)

@@ -45,7 +45,7 @@ OPTIONAL_UNITS = {
     **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
 }
 
-# for each key: lowest and highest plausible value, and description of the unit
+# lowest and highest plausible value of each key, and its unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
     "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
@@ -170,7 +170,7 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 _WORDS = ("kind", "grain")
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# for each key of the file: attribute of `Sheet`, and label in the description of the sources
+# attribute of `Sheet` for each key of the file, and label in the description of the sources
 _FIGURES = {
     "thickness_mm": ("thickness", "thickness"),
     "youngs_modulus_MPa": ("youngs_modulus", "E"),
@@ -308,7 +308,7 @@ def _read_table(path: str | Path) -> object:
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise InputError(f"{path} is larger than {LARGEST_FILE // 2**20} MB: name a file of sheets")
-        text = path.read_bytes().decode("utf-8-sig")  # with or without a byte order mark
+        text = path.read_bytes().decode("utf-8-sig")
         data = parse_toml(text)
     except RecursionError as error:
         raise InputError(

@@ -228,7 +228,7 @@ RIBBON_SLENDERNESS = 6.0
 
 # largest error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-# least distance from the two lowest eigenvalues at which a root is sought, as a fraction of their difference
+# least distance of a root from the two lowest eigenvalues, as a fraction of their difference
 _SIGN_SHARE = 1e-9
 
 
@@ -405,7 +405,7 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # an increase of all loads has the same effect as a decrease of the stiffness
+        # a decrease of the stiffness has the same effect as an increase of all loads
         overloaded=SAFE_LOAD
         * sideways_margin(rod, section.edgewise / SAFE_LOAD, section.torsion / SAFE_LOAD),
         # sections that are not wider than thick keep their shape
@@ -561,7 +561,7 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # blocks beside the diagonal: -spring, and half of -M (phi_i x phi_{i+1}), whose other half is in the transpose
+    # blocks beside the diagonal: -spring and half of -M (phi_i x phi_{i+1}); the other half is in the transpose
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))

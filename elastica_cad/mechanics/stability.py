@@ -75,8 +75,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
     right = np.zeros((n + 1, 1 + rows.shape[0]))
-    # initial value of all solutions: zeta'(0) = 1 as in Eq. 7 of the paper, or zeta(0) = 1 at an end free
-    # to turn
+    # zeta'(0) = 1 as in Eq. 7 of the paper, or zeta(0) = 1 at an end free to turn
     right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
     right[1:, 1:] = -rows.T
     fields = np.zeros((n + 2, right.shape[1]))
@@ -170,7 +169,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    # position of the clamp, by the number of edges in the piece
+    # entry k - 1 is the position of the clamp of a piece with k edges
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
     if count == 1:
         return float(place[0])

@@ -76,7 +76,6 @@ class _PowerLaw(FixedLaw):
 
     @property
     def _shape(self) -> tuple[int, float, float]:
-        """Exponent k, and the factors c and a."""
         raise NotImplementedError
 
     @property

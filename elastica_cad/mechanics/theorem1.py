@@ -437,7 +437,6 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return changes of options that may help; none for an outlier, which is probably a typing error."""
     points = measured_points(curve)
     if points is not None and points.outlier:
         return ()
@@ -612,7 +611,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # scale the weights of the second part to continue those of the first part; its shape does not change
+        # scale the weights of the second part to continue those of the first, which does not change its shape
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())
@@ -750,9 +749,9 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move an unbent start of a closed curve to a bent point; return the curve and the message about the move."""
+    """Move an unbent start of a closed curve to a bent point. Also return a message about the move."""
     curve = excess.curve
-    # do not move the start if the arc length of a `RestCurvature` is measured from the start
+    # keep the start of a `RestCurvature`, whose arc length is measured from there
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:

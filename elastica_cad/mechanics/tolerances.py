@@ -97,7 +97,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    # loads on free ends have the same values in newtons, so divide them by the changed stiffness
+    # divide loads on free ends by the changed stiffness, because their values in newtons do not change
     softer = 1 / (v.youngs_modulus * v.thickness**3 * B)
     force, moment = dead_loads(rod, softer)
     return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
@@ -155,10 +155,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """Return the result of `_as_cut` for a strip that bends as a plate.
-
-    The stiffness range and the thickness wave multiply the stiffness by `stiffer` (n,).
-    """
+    """Return the result of `_as_cut` for a strip that bends as a plate, with the stiffness times `stiffer` (n,)."""
     kappa = np.asarray(rod.curvature)
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)
@@ -176,10 +173,7 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """Return the rod with the weight of the cut strip.
-
-    `width_factor` is the factor by which the least stiffness changed.
-    """
+    """Return the rod with the weight of the cut strip, whose least stiffness is `width_factor` times as large."""
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -419,13 +413,13 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation of a rest shape, mm (None if there is no rest shape), and True if the rod snapped."""
+    """Deviation of a rest shape, mm (None without rest shape), and True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
 
 
-# for each cause: varied attributes of `Imperfection`, each with the name of its range in `ToleranceRanges`
+# varied attributes of `Imperfection` for each cause, each with the name of its range in `ToleranceRanges`
 _CAUSES: dict[str, dict[str, str]] = {
     "stiffness range": {"stiffness_range": "stiffness_range"},
     "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},

@@ -168,7 +168,7 @@ class StraightenedTails:
 
 
 def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
-    """Return the same curve with a knot near each of its `ends`, so that changes of an end stay local."""
+    """Insert a knot near each of the `ends`, so that later changes of an end stay local."""
     p, (low, high) = curve.degree, curve.domain
     knots, control_points, weights = curve.knots, curve.control_points, curve.weights
     while p < LOCAL_DEGREE:

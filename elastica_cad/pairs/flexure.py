@@ -81,9 +81,9 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
-# largest number of enlargement factors that are tried; usually the second factor is sufficient
+# largest number of tried enlargement factors, of which usually the second is sufficient
 MOST_ENLARGEMENTS = 4
-# spare factor on an enlarged part's thickness, which changes by up to 2 % if its fillet meets another node
+# spare factor on an enlarged part's thickness, because fillets at another node change it by up to 2 %
 FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
@@ -327,8 +327,8 @@ class Flexure:
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
         """Return the largest strain (..., n) at n nodes.
 
-        `bends` (..., n) are changes of curvature, 1/mm, and `stretch` (..., n) are axial strains. `scale` is the
-        least thickness, mm. All nodes within a fillet have the strain of the fillet.
+        `bends` are changes of curvature, 1/mm, `stretch` are axial strains, and `scale` is the least thickness,
+        mm. All nodes within a fillet have the strain of the fillet.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -701,7 +701,6 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with more steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
@@ -725,10 +724,7 @@ class Flexure:
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:
-        """Rods for successive positions of the end, which moves along a straight line and turns uniformly.
-
-        There are additional rods close to a snap.
-        """
+        """Rods on the straight path of the end, which turns uniformly; there are more rods near a snap."""
         shares = np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
         rods = self._moved_end(shares)
         snaps = [percent for rod in rods if (percent := snap_percent(rod)) is not None]
@@ -840,10 +836,9 @@ class Flexure:
             )  # fmt: skip
 
     def _enlargement(self, least: float) -> float:
-        """Return a factor on both curves with which the thinnest place has `least` mm or more.
+        """Return a factor that enlarges both curves until the least thickness is `least` mm or more.
 
-        The fillet is not enlarged, so an enlarged part has about the strain of this part with a smaller
-        fillet.
+        The fillet keeps its radius, so the strain is about that of this part with a smaller fillet.
         """
         least *= FILLET_SPARE
         share = rounded_up(least / self.scale, 3)
@@ -1062,7 +1057,7 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
-    """Return the centre nearest to `middle` for a box of half size `half` (2,) that touches no hole and no box."""
+    """Return the centre nearest to `middle` at which a box of half size `half` (2,) touches no hole and no box."""
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]

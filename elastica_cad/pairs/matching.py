@@ -154,8 +154,7 @@ def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
     """Return True if the clamps of both curves agree after a rigid motion.
 
-    `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional to
-    `share`.
+    `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional.
     """
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]

@@ -189,7 +189,7 @@ def _with_orders(
 ) -> tuple[PairZero, ...]:
     """Return the zeros of the curvature difference with their orders.
 
-    Zeros near an end are moved to the end, and close zeros are merged.
+    Move zeros to a near end, and merge close zeros.
     """
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
@@ -235,11 +235,11 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 
 
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
-    """Return True if a moment difference N can have the same zero, of the same order, as the curvature difference.
+    """Return True if the moment difference N can have a zero of the same order as the curvature difference.
 
-    With tangents T_i, N' = <b_1, T_1> - <b_2, T_2>. At a zero, both curves have the same curvature kappa. There,
-    N'' = kappa (<b_1, n_1> - <b_2, n_2>), with normals n_i. A double zero is therefore possible where the curves
-    are bent. Where N'' is zero too, the order of N is too large by two.
+    With tangents T_i, N' = <b_1, T_1> - <b_2, T_2>. At a zero, N'' = kappa (<b_1, n_1> - <b_2, n_2>) with the
+    normals n_i and the common curvature kappa, so a double zero is possible where the curves are bent. If N''
+    is zero too, the order of N is too large by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -339,8 +339,7 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # the moment difference N at a node is its value at the panel's near end, which is 0 at a zero of N,
-        # plus a step
+        # moment difference N at a node: N at the panel's near end, which may be a zero, plus a step
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
@@ -383,7 +382,7 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # the product consists of rounding errors if no stiffness satisfies the conditions
+        # without a stiffness that satisfies the conditions, the product consists of rounding errors
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 

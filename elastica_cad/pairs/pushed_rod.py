@@ -344,7 +344,7 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """Return the band matrix for a pushed node that does not move along the push."""
+        """Return the band matrix for a pushed node that is held along the push."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0
@@ -409,7 +409,6 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return the solution, or None if the symmetric matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

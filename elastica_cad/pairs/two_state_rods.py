@@ -301,7 +301,7 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the numbers z (r,) that minimise the largest value of the functions, within bounds.
+    """Return the numbers z (r,) that minimise the largest function within the bounds.
 
     Each function or bound is a pair (rows, offset) with the value rows @ z + offset. Bounds must be at least 0.
     """
@@ -488,10 +488,6 @@ def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
-    """Raise `NotRealizable` for limits that no rod meets.
-
-    `pair` is the rod without the limits, if it is known.
-    """
     wanted = [
         template.format(value)
         for template, value in (

@@ -27,11 +27,11 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 # weight of a displacement along the curve, relative to a displacement across the curve
 _ALONG = 0.1
-# displacement, as a fraction of the length, with the weight of a change of the curvature by 1 / length
+# displacement (fraction of the length) that weighs as much as a curvature change of 1 / length
 _BEND = 0.005
-# displacement, as a fraction of the length, with the weight of a change of the parametric speed by 100 %
+# displacement (fraction of the length) that weighs as much as a change of the parametric speed by 100 %
 _STRETCH = 0.05
-# displacement, as a fraction of the length, with the weight of a change of the moment by its largest value
+# displacement (fraction of the length) that weighs as much as a change of the moment by its largest value
 _LINE_STEP = 0.02
 # relative size of singular values below which conditions count as dependent
 _RANK = 1e-11
@@ -105,7 +105,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # describe the line by numbers of order 1: the moment at the centre of the curve, and its gradient
+        # unknowns of order 1: the moment at the centre of the curve, and its gradient
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
@@ -214,7 +214,7 @@ _PENALTY = 0.1
 _ROW_PENALTY = 10.0
 # accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12
-# amount of a missing stability margin that counts as a violation of 1
+# missing stability margin that counts as a violation of 1
 _MARGIN_UNIT = 50.0
 # largest ratio after a step, as a multiple of the present ratio or of its bound
 _COARSE = 3.0
@@ -222,7 +222,7 @@ _COARSE = 3.0
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-# no further step is made if its predicted gain is less than this fraction of half the mean square distance
+# least predicted gain of a step, as a fraction of half the mean square distance
 _SETTLED = 1e-3
 # gain of a step, relative to the squared length, that is only a rounding error
 _RESOLUTION = 1e-12
