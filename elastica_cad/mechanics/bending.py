@@ -341,7 +341,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distance, mm, that each slack rail has yet to move, or each slack tie to shorten, on the path
+    # distance, mm, by which each slack rail will still move or each slack tie will still shorten
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 

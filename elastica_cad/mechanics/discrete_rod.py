@@ -173,7 +173,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # lower an almost singular shift slightly, because rounding errors may change the count
+        # lower the shift if A - shift is almost singular, because rounding errors may change the count
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)

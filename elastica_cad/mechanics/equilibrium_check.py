@@ -249,7 +249,7 @@ _TURNS = 67
 
 @dataclass(frozen=True)
 class LineMeeting:
-    """Point at arc length s, mm, at which line and curve meet inadmissibly: "crossing", "touch" or "tangent"."""
+    """Inadmissible meeting of line and curve at arc length s, mm: "crossing", "touch" or "tangent"."""
 
     s: float
     kind: str

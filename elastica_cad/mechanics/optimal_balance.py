@@ -308,7 +308,7 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening_factor(load, least, most)
-    except NotConvergedError:  # then suggest no thicker sheet
+    except NotConvergedError:  # suggest no thicker sheet
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
@@ -365,7 +365,7 @@ LONGEST_JUMP = float(np.log(4.0))
 """Largest change of the natural logarithm of a scale by extrapolation."""
 
 SLOWEST_RATE = 0.99
-"""A sequence is extrapolated if the ratio of its last two steps is smaller."""
+"""Largest ratio of the last two steps of a sequence that is extrapolated."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:

@@ -203,7 +203,7 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels before evaluation.
+    """Panels without values at their nodes.
 
     Each panel is a part of a larger panel, whose last Legendre coefficients have the relative size `tail`.
     """

@@ -267,8 +267,8 @@ def integrate_edges(
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their midpoints. A curve of
     the same length as the polygon passes the nodes on their inner side, at the distance h^2 |kappa| / 24, with
     edge length h and curvature kappa. The result integrates a quintic spline through the edge angles. Its end
-    angles differ from the held angles by h^2 |kappa'| / 8. The smallest smooth changes of angle that correct the
-    end angles and the end position are added.
+    angles differ from the held angles by h^2 |kappa'| / 8. The smallest smooth changes of angle correct the end
+    angles and the end position.
 
     Parameters
     ----------
