@@ -17,7 +17,7 @@ if (
     and not sys.flags.safe_path
     and {"elastica_cad", "-melastica_cad"} & {*sys.orig_argv}
 ):
-    # remove the working folder, which `python -m` puts first: files in it could replace modules
+    # remove the working folder, which `python -m` puts first, because its files could replace modules
     del sys.path[0]
 
 from elastica_cad._exports import exports

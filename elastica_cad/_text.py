@@ -100,7 +100,7 @@ def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt"
     for word in rest:
         option, equals_sign, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
-            if not equals_sign and _NOT_OF_DRAWINGS.get(name):  # the next word is the option's value
+            if not equals_sign and _NOT_OF_DRAWINGS.get(name):
                 next(rest, "")
             continue
         text = path(value).name if path(value).is_absolute() else value

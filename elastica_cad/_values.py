@@ -192,7 +192,7 @@ def several(
 
 
 _CACHED_KEY = "_value_key"
-# most fields have these types, whose values are their own keys
+# values of these frequent types are their own keys
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 

@@ -198,7 +198,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state, and the fraction of the path at which the rod snapped, or None if it did not snap."""
+    """Return the rest state and None, or the state after a snap and the fraction of the path at the snap."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None

@@ -168,8 +168,7 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # in the form rows @ (x, R) >= limits: first x >= -box and R >= 0, which meet in the first vertex, then
-        # x <= box
+        # x >= -box and R >= 0, which meet in the first vertex, then x <= box, as rows @ (x, R) >= limits
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)

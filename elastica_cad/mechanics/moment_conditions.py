@@ -233,7 +233,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     if size == 4:
         weight[..., 3] += load.dead
     shares = WEIGHTS * panels.stretch
-    # integrate each panel from right to left, but from left to right if its left end is a zero
+    # integrate each panel from its right end, or from its left end if the left end is a zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]

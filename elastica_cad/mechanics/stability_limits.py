@@ -238,7 +238,7 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
     """Return the last stable state, and True if its margin is 0.
 
-    At a fold the margin may jump below 0 instead, because a step may reach the unstable branch.
+    The margin is not 0 if it jumps below 0 at a fold, where a step may reach the unstable branch.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -267,7 +267,7 @@ def _limit_at(
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """Return "snap" if a change of the load does work on the critical mode, or else "bifurcation".
 
-    The work counts as 0 if it is small compared with the work on the response of a rod without axial force.
+    Work that is small compared with the work on the response of a rod without axial force counts as 0.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)

@@ -779,7 +779,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         else:
             ends[at_end] = zero
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
-    if not (ends or hardly_bent.any()):  # clearly bent ends need no extrapolation
+    if not (ends or hardly_bent.any()):
         return tuple(zeros)
     t_ends = np.array([low, high])
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)

@@ -192,7 +192,7 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """Drawn curve, and the clamps that it must get: start (2,), end (2,) and both end angles (2,).
+    """Drawn curve, and its required clamps: start (2,), end (2,) and both end angles (2,).
 
     At the fraction u of the length, the tangent turns by the angle c + alpha u + <beta, integral of the position
     up to u>. c is the turn at the start, and alpha and beta (2,) are unknowns.

@@ -227,7 +227,7 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) that give, within the limits, the least ratio and then the least bend."""
+    """Return the numbers (6,) with the least ratio within the limits, and then with the least bend."""
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -392,7 +392,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
 
-    # bound on k where the curvature difference d is largest: |M_1 - M_2| = K d <= 2 K^(2/3), so k <= K <= (2 / d)^3
+    # k <= K and |M_1 - M_2| = K d <= 2 K^(2/3), so k <= (2 / d)^3 at the largest curvature difference d
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
     rows = [np.concatenate(fixed)]
     right = [np.zeros(len(rows[0]))]
