@@ -121,7 +121,7 @@ campaign-release: .venv-release/installed
 	$(RECORD) release .venv-release/bin/python -m tests.campaign.workflow $(PYTHONS)
 
 campaign-solids: programs .venv-campaign/installed
-	$(RECORD) solids .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign --minutes $(MINUTES)
+	$(RECORD) solids .venv-campaign/bin/python tests/campaign/solids.py --again --out $(OUT)/campaign --minutes $(MINUTES)
 
 campaign-typing: .venv-campaign/installed
 	$(RECORD) typing .venv-campaign/bin/python -m tests.campaign.type_checkers

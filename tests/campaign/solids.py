@@ -150,6 +150,7 @@ def main() -> None:
     random.Random(wanted.seed).shuffle(curves)
     programs = {kernel: program(kernel) for kernel in wanted.kernels}
     end = time.monotonic() + 60 * wanted.minutes
+    asked_now = {"operations": 0, "succeeded": 0}
     for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
         body = kernel, style, curve
         apart = SHARED if kernel == "cadquery" and "build123d" in wanted.kernels else ()
@@ -166,6 +167,11 @@ def main() -> None:
         keep(found)
         good = sum(row["answer"] == "ok" for row in found)
         print(f"{kernel}, {style}, {curve}: {good} of {len(found)}", flush=True)
+        asked_now = {
+            "operations": asked_now["operations"] + len(found),
+            "succeeded": asked_now["succeeded"] + good,
+        }
+    print(json.dumps(asked_now))
 
 
 if __name__ == "__main__":
