@@ -151,10 +151,6 @@ _SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
 
-CUT_FRACTION = 2e-3
-"""Fraction by which a strip may be narrower than the least width. A laser does not cut more precisely."""
-
-
 @dataclass(frozen=True)
 class ThinPlace:
     """Place with too little material between two cuts: its middle (x, y), mm, and its width, mm.
@@ -560,7 +556,7 @@ def _thin_strip(
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have another limit: see `find_strip_faults`
     places = find_thin_places([layer.outline], holes, least)
-    necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - CUT_FRACTION)]
+    necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
     for place in necks:
