@@ -330,7 +330,7 @@ def integrate_edges(
         if held.all():
             rows.append((weight[:, None] * left_of(T)).T @ turns / length)
             missed.append(gap / length)
-        c += np.linalg.lstsq(np.concatenate(rows), np.concatenate(missed), rcond=1e-13)[0]
+        c += np.linalg.lstsq(np.concatenate(rows), np.concatenate(missed), rcond=1e-9)[0]
     return integrate_tangents(
         lambda at: tangents(
             through(at.clip(low, high)) + _angle_corrections(at.clip(low, high) / length) @ c

@@ -46,6 +46,13 @@ def test_length_ends_angles_and_nodes(name):
     )
 
 
+@pytest.mark.parametrize("angle", np.arange(0.017, 3.1, 0.3))
+def test_a_straight_rod_has_a_straight_curve(angle):
+    for length in (20.0, 57.3, 760.0):
+        rod = Rod.straight(length, start=(3, 4), angle=angle)
+        assert rod.curve.at(rod.s).position == pytest.approx(rod.position, abs=1e-9 * length)
+
+
 def test_speed_is_one():
     curve = bent(KINKED).curve
     speed = np.hypot(*curve.evaluate(np.linspace(*curve.domain, 999), 1).T)
