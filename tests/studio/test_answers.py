@@ -369,7 +369,7 @@ def test_a_dragged_point_stops_at_the_border(between):
 @pytest.mark.parametrize(
     ("drawn", "fields"),
     [
-        pytest.param(wave(), ["nearest", "between"], marks=pytest.mark.campaign),
+        pytest.param(wave(), ["between", "nearest"], marks=pytest.mark.campaign),
         pytest.param(wave(ZIGZAG, sheet="pom-0.5"), ["point", "nearest"], marks=pytest.mark.campaign),
         (design(sheet="oak-3", thickness=4.0), ["sheet", "nearest"]),
         (design(strips=[{"label": "A1", "curve": TWO_ARCS}]), ["split_corners", "nearest"]),
