@@ -36,7 +36,7 @@ BOW = [(0, 0), (30, 60), (60, 80), (90, 80), (120, 60), (150, 0)]
     [
         (BOW, "oak-3", ["sheet", "size", "nearest"]),
         pytest.param(ZIGZAG, "pom-0.5", ["point", "nearest"], marks=pytest.mark.campaign),
-        pytest.param(WAVE, "birch-plywood-0.8", ["nearest", "between"], marks=pytest.mark.campaign),
+        pytest.param(WAVE, "birch-plywood-0.8", ["between", "nearest"], marks=pytest.mark.campaign),
     ],
 )
 def test_all_front_ends_list_the_same_changes(points, sheet, fields, drawn, tmp_path, monkeypatch, capsys):
