@@ -355,7 +355,7 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     refused = run("model", "pair.toml", "-o", "out", cwd=tmp_path, code=1)
     assert refused.stderr.startswith("! Error     Not within these limits: A: ")
-    assert re.search(r"end position, by \d+(\.\d+)? mm\. .*Relax .*the curvature limit", refused.stderr)
+    assert re.search(r"by \d+(\.\d+)? mm: end position\. .*Relax .*the curvature limit", refused.stderr)
     assert "Also: B: " in refused.stderr
 
 
