@@ -270,7 +270,7 @@ class Reader:
 def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:
     """Return the kind that fits a value best.
 
-    If no kind fits, reading the value as the returned kind raises the error.
+    If no kind fits, the caller reads the value as the returned kind, and the user sees the error of that kind.
     """
     fitting = [kind for kind in kinds if _fits(kind, value)]
     if isinstance(value, Mapping):

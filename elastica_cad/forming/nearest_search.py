@@ -247,7 +247,7 @@ def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
 def _with_least_ratio(
     task: NearestTask, best: RodOutcome
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """Return an equally near rod with the least stiffness ratio, or None.
+    """Return the rod with the least stiffness ratio among those equally near to the target, or None.
 
     If many rods can follow the target exactly, the search may end with an unnecessarily large ratio.
     """

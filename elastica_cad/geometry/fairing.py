@@ -357,7 +357,7 @@ POLYLINE_SHARE = 0.1
 """Largest smoothing distance suggested for a polyline, as a fraction of its size."""
 
 WORTH_SHARE = 1e-3
-"""Largest smoothing distance suggested for a spline, as a fraction of its length, so that it is hardly visible."""
+"""Largest smoothing distance suggested for a spline, as a fraction of its length. It is hardly visible."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:

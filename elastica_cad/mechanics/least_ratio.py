@@ -783,7 +783,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     change, least = np.inf, 1.0  # the smoothest stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # an extrapolated E I may be outside the range from the base alone to two full layers
+        # an extrapolated E I may be less than that of the base alone, or more than that of two full layers
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)

@@ -482,7 +482,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium in which `shape` has the given amplitude, and its load factor."""
+    """Return the equilibrium that contains the mode `shape` with the given amplitude, and its load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))

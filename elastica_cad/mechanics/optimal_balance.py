@@ -90,7 +90,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         numbers = problem.homogeneous(loaded=False)
-        # refine the panels, because rails, pins and ties vary the stiffness strongly near zeros of the curvature
+        # refine the intervals, because rails, pins and ties vary the stiffness strongly near zeros of the curvature
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break

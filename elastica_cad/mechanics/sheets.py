@@ -170,7 +170,7 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 _WORDS = ("kind", "grain")
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# attribute of `Sheet` for each key of the file, and label in the description of the sources
+# for each key of the file: the attribute of `Sheet`, and the word by which the sources of the sheet name it
 _FIGURES = {
     "thickness_mm": ("thickness", "thickness"),
     "youngs_modulus_MPa": ("youngs_modulus", "E"),

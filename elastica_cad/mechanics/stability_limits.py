@@ -23,7 +23,7 @@ Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[st
 
 # largest rotation of an edge in a step along the path
 LARGEST_TURN_RAD = 0.3
-# initial number of steps for each leg of the path
+# initial number of steps for each leg of the path of loads and end positions
 FIRST_STEPS = 16
 # accuracy of the limit, as a fraction of the path
 RESOLUTION_SHARE = 1e-9

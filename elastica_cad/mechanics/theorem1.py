@@ -798,7 +798,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Return arc lengths, mm, of minima at which the absolute excess curvature is almost, but not exactly, 0."""
+    """Return arc lengths, mm, at which the curvature comes close to the natural curvature without reaching it."""
     curve, change = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(change)

@@ -191,12 +191,12 @@ class BattenSpec:
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 
     def make(self) -> "Batten":
-        """Return the batten with a linear taper whose largest depth has the requested position.
+        """Return the batten with the linear taper at which its bulge is deepest at the requested position.
 
         Raises
         ------
         NotConvergedError
-            No taper gives that camber.
+            No taper puts the deepest point there.
         """
         try:
             taper, chord = self._taper()

@@ -1,4 +1,4 @@
-"""Holes in the middle of plates and rings, for lamp holders and screws, and a bridge that carries them."""
+"""Holes in the middle of plates and rings, for lamp holders and screws, and the bridge with these holes."""
 
 from dataclasses import dataclass
 from typing import Annotated, Literal

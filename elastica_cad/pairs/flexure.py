@@ -801,7 +801,7 @@ class Flexure:
         return min(gaps)
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
-        """Return the centre line through the nodes (n, 2), mm, of a shape of `travel` or `rests`."""
+        """Return the centre line through the nodes (n, 2), mm, of a bent shape from `travel` or `rests`."""
         steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
         s = steps * self.pair.length / steps[-1]
         along = np.gradient(positions, s, axis=0, edge_order=2)

@@ -42,7 +42,7 @@ _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = We
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
-"""Options of slots, by the names of their properties. A zero vector stands for no direction."""
+"""Options of slots, by the names of their properties. The zero vector means that a direction is not set."""
 
 
 class ModelFeature(Feature):

@@ -63,7 +63,7 @@ OWN_BOXES = (
 """Keys that do not correspond to a single property. Special functions read them."""
 
 OWN_TABLES = ("style", "limits", "keep")
-"""Keys whose subkeys have properties."""
+"""Keys of a design file that are tables, and each of whose entries is a property in FreeCAD."""
 
 GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
           "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
