@@ -174,7 +174,7 @@ class NearestRod:
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        # a smooth curve cannot follow a stack, whose curvature jumps at the ends of plies
+        # the curvature of a stack of plies jumps at their ends, so no smooth curve has it
         if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)

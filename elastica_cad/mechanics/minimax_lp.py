@@ -207,7 +207,8 @@ class MinimaxProgram:
     def _exchanged(self) -> FloatArray | None:
         """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate.
 
-        The search also ends at the first vertex with R above `most`, because R never decreases.
+        R is the objective. The search also ends at the first vertex with R above `most`, because R never
+        decreases.
         """
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
