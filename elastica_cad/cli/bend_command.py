@@ -63,6 +63,9 @@ OF_A_CURVE = {
 }  # fmt: skip
 """Options that apply to a drawn curve only."""
 
+ROUNDED_MM = 1.0
+"""Distance from an end of the strip within which a cord counts as tied to this end. Users type whole mm."""
+
 
 @click.command("bend")
 @curve_argument(required=False)
@@ -324,9 +327,10 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dic
 
 
 def _refuse_fixed_cords(rod: Rod, supports: Supports, between: Sequence[Any]) -> None:
-    fixed = all(end.x and end.y for end in supports.ends)
+    if not all(end.x and end.y for end in supports.ends):
+        return
     for cord in between:
-        if fixed and isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
+        if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=ROUNDED_MM):
             raise InputError(
                 "Both ends of the strip are held, so the cord between them cannot become shorter. "
                 "Add --hold-start free --hold-end free."
@@ -432,7 +436,7 @@ def _print_shapes(
         say_row(warning_row(warning))
     if moved is None:
         return
-    size, turns = moved.support_force.max(), np.abs([moved.start_moment, moved.end_moment]).max()
+    size, turns = moved.support_force.max(), moved.support_moment.max()
     energy = number_text(moved.energy.max())
     say_row(
         Row(

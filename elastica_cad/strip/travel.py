@@ -154,6 +154,11 @@ class Travel:
         return np.asarray(np.linalg.norm([self.start_force, self.end_force], axis=2).max(axis=0))
 
     @property
+    def support_moment(self) -> FloatArray:
+        """Larger of the moments (k,) of the supports on start and end, N mm, without sign."""
+        return np.asarray(np.abs([self.start_moment, self.end_moment]).max(axis=0))
+
+    @property
     def turning_moment(self) -> FloatArray:
         """Moment (k,), N mm, at the end that turns more."""
         first, last = self.rods[0].angle, self.rods[-1].angle

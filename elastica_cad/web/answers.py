@@ -577,7 +577,7 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
     return {
         "part": round(float(part), 4),
         "force": float(f"{travel.support_force[k]:.3g}"),
-        "moment": float(f"{abs(travel.end_moment[k]):.3g}"),
+        "moment": float(f"{travel.support_moment[k]:.3g}"),
         "stable": bool(travel.stable[k]),
         **{key: shape[key] for key in ("position", "shares")},
     }

@@ -123,6 +123,19 @@ def test_a_strip_is_bent_from_flat_to_its_design_and_on():
     assert frames[-1]["force"] > 0
 
 
+@pytest.mark.parametrize(
+    "points", [[(0, 0), (40, 110), (130, 60), (220, 0)], [(220, 0), (130, 60), (40, 110), (0, 0)]]
+)
+def test_force_and_moment_beside_the_bar_are_the_larger_of_both_ends(points):
+    drawn = design(strips=[{"label": "A1", "curve": curve_table(ec.PlaneCurve.spline(points, degree=3))}])
+    strip = requested_spec(drawn).make()
+    start, end = strip.bending_stiffness * np.abs(strip.rod.moment[[0, -1]])
+    assert max(start, end) > 1.2 * min(start, end)
+    shown = next(frame for frame in answer({"do": "bend", "design": drawn})["frames"] if frame["part"] == 1)
+    assert shown["moment"] == pytest.approx(max(start, end), rel=1e-2)
+    assert shown["force"] == pytest.approx(strip.bending_stiffness * np.hypot(*strip.rod.force[0]), rel=1e-2)
+
+
 def test_copies_between_rings_stand_in_their_places():
     lamp = design(
         LAMP,
