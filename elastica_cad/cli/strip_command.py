@@ -229,10 +229,12 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     with suppress(NotConvergedError):
         if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
-            if better.correction is None or better.held_deviation >= strip.held_deviation / 2:
-                return
             # the compensated strip can be more sensitive to its other errors
-            if (expected := better.held().expected) < BETTER_SHARE * strip.held().expected:
+            if (
+                better.correction is not None
+                and better.held_deviation < strip.held_deviation / 2
+                and (expected := better.held().expected) < BETTER_SHARE * strip.held().expected
+            ):
                 yield Row(
                     "Change",
                     "use --compensate to correct the widths: the strip is then accurate to about "

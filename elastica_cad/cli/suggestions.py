@@ -124,7 +124,7 @@ def cures_of(
             change = spelled(suggestion).rstrip(".")
             text = (
                 f"Possible, but {suggestion.effect}: {change}."
-                if suggestion.is_far or suggestion.tips
+                if suggestion.is_last_resort
                 else f"This works: {change} ({suggestion.effect})."
             )
             cures.append(suggestion.as_dict() | {"text": text})

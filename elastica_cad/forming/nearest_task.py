@@ -197,7 +197,7 @@ class NearestTask:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
             rest = nodal_curvature(self.request.natural_curvature, s)
-            return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record)
+            return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record())
         blank = Rod.straight(
             length, profile, samples=self.nodes, gravity=self.request.gravity, supports=self.request.supports,
             natural_curvature=self.request.natural_curvature,

@@ -571,8 +571,8 @@ def _elements_loaded_by(request: RodRequest, support: EndName) -> tuple[Element 
         balance = balance_of(replace(request, supports=Supports(end=support), known_check=None))
     except ElasticaError:
         return ()
-    slack = {id(action) for action in _slack_in(balance)}
-    return tuple(action.element for action in balance.between if id(action) not in slack)
+    slack = [action.element for action in _slack_in(balance)]
+    return tuple(action.element for action in balance.between if action.element not in slack)
 
 
 _SETTLED_SHARE = 1e-5

@@ -1,5 +1,6 @@
 """Equations of a discrete rod (`RodSystem`), and values of its unknowns (`RodState`)."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -378,11 +379,7 @@ class RodState:
 
     def rod(self, like: Rod) -> Rod:
         """Return the `Rod` of this equilibrium. Other attributes are copied from `like`."""
-        record = self.record
-        start, end = at_ends(self.system.length, (*self.actions, *like.point_forces))
-        record["force"][0] += start
-        record["force"][-1] -= end
-        return replace(like, **record)
+        return replace(like, **self.record(like.point_forces))
 
     @property
     def position(self) -> FloatArray:
@@ -395,16 +392,16 @@ class RodState:
             position += system.elements.shift(self._numbers)
         return position
 
-    @property
-    def record(self) -> dict[str, Any]:
-        """Attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
+    def record(self, point_forces: Sequence[ElementForce] = ()) -> dict[str, Any]:
+        """Return attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
         # a rail, pin or tie less than two edges from an end is distributed to nodes that include the end
         element_load = lumped(self.actions, n + 1, system.length)
-        force[0] = edge[0] - system.load[0] - element_load[0]
-        force[-1] = edge[-1] + system.load[-1] + element_load[-1]
+        start, end = at_ends(system.length, (*self.actions, *point_forces))
+        force[0] = edge[0] - system.load[0] - element_load[0] + start
+        force[-1] = edge[-1] + system.load[-1] + element_load[-1] - end
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):

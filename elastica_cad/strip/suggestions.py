@@ -94,6 +94,11 @@ class Suggestion:
         return any(strip.sideways.word == "unstable" for strip in self.strips)
 
     @property
+    def is_last_resort(self) -> bool:
+        """True if the strip is far from the drawn curve, or tips over."""
+        return self.is_far or self.tips
+
+    @property
     def effect(self) -> Refusal:
         """Sentence on strain, and on the distance from the drawn curve or the length of an enlarged strip."""
         values: dict[str, Any] = {"used": self.used}
@@ -211,7 +216,7 @@ def suggest(
     """
     if outlier_message(spec.curve):
         return
-    count, far = 0, []
+    count, last = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
     # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
@@ -223,13 +228,13 @@ def suggest(
         )
         if (suggestion := next(filter(None, held), None)) is not None:
             count += 1
-            if suggestion.is_far or suggestion.tips:
-                far.append(suggestion)
+            if suggestion.is_last_resort:
+                last.append(suggestion)
             else:
                 yield suggestion
         if count == MOST_SUGGESTIONS:
             break
-    yield from far
+    yield from last
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:

@@ -381,17 +381,18 @@ def not_computed_row() -> Row:
 
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
+    far, share = about(held.expected), held.expected / held.rod.length
+    if share > MOST_DEVIATION:
+        warning = note(
+            "about {far} from the design, {percent:.0f} % of its length, because small errors move this shape "
+            "far. Support the strip between its ends, or draw another curve",
+            far=far, percent=100 * share,
+        )  # fmt: skip
+        return Row(note("Accuracy"), warning, (str(held),), "warning")
     text = {
         "computed": "about {far} from the design, mostly from tabs, slots, curling and holders",
         "model": "about {far} from the design, mostly from the model",
         "sheet": "about {far} from the design, mostly from material, cut and clamps",
         None: "about {far} from the design",
     }[held.main_source]
-    far, share = about(held.expected), held.expected / held.rod.length
-    if share <= MOST_DEVIATION:
-        return Row(note("Accuracy"), note(text, far=far), (str(held),))
-    text = (
-        "about {far} from the design, {percent:.0f} % of its length, because small errors move this shape far. "
-        "Support the strip between its ends, or draw another curve"
-    )
-    return Row(note("Accuracy"), note(text, far=far, percent=100 * share), (str(held),), "warning")
+    return Row(note("Accuracy"), note(text, far=far), (str(held),))
