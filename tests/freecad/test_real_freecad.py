@@ -514,11 +514,11 @@ def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
     found = launching.run_window("suggested.py", tmp_path)
     good = ["Up-to-date"]
     width = "Set MaxWidth to 4.34 mm."
-    assert found["narrow"] == ["Invalid", [width, "Make it all the same"]]
+    assert found["narrow"] == ["Invalid", [width, "Make it anyway"]]
     assert found["width"] == [width, 4.34]
     assert found[width][:2] == [good, []]
-    assert found["breaks"][1][-1] == "Make it all the same"
-    assert found["Make it all the same"][0] == good
+    assert found["breaks"][1][-1] == "Make it anyway"
+    assert found["Make it anyway"][0] == good
     assert found["anyway"] == [True, 4]
     assert found["kinks"] == ["Up-to-date", ["Smooth the curve by 0.1 mm."]]
     assert found["Smooth the curve by 0.1 mm."][:2] == [good, []]

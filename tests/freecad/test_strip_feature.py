@@ -368,13 +368,13 @@ def test_suggestions_carry_numbers_that_give_a_strip(document, sketch):
     assert suggested(made) == {}
     change(made, MaxWidth=2)
     offered = suggested(made)
-    assert [*offered][-1] == "Make it all the same"
+    assert [*offered][-1] == "Make it anyway"
     (width,) = (values["MaxWidth"] for values in offered.values() if [*values] == ["MaxWidth"])
     change(made, MaxWidth=0.98 * width)
     assert "Invalid" in made.State, "it is the least width"
     change(made, MaxWidth=width)
     assert made.State == ["Up-to-date"], made.Reasons
-    change(made, MaxWidth=2, **offered["Make it all the same"])
+    change(made, MaxWidth=2, **offered["Make it anyway"])
     assert made.State == ["Up-to-date"], made.Reasons
     change(made, MaxWidth=0, MinWidth=0, Anyway=False)
     assert suggested(made) == {}, "it has no width"

@@ -246,7 +246,7 @@ def _first_strip(row, folder):
 def _strip_files(folder):
     (folder / "of-strip").mkdir()
     drawn(folder / "of-strip")
-    typed(folder / "of-strip", "strip", "arch.svg", *PLY, "-o", "out")
+    typed(folder / "of-strip", "strip", "arch.svg", *PLY, "--set", "files.paper=A4", "-o", "out")
     return folder / "of-strip" / "out"
 
 

@@ -213,7 +213,7 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
         refusal = explained(error).refusal
         changes += refusal.all_changes if spec is None else ()
         changes += [Change("ignore_limits", True)] if "ignore_limits" in refusal.fields else []
-    texts = {"join": note("Join the ends"), "ignore_limits": note("Make it all the same")}
+    texts = {"join": note("Join the ends"), "ignore_limits": note("Make it anyway")}
     values = {texts.get(change.field) or instruction(change): values_of(obj, change) for change in changes}
     return {text: value for text, value in values.items() if value}
 
