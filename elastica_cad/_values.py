@@ -187,7 +187,9 @@ def several(
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for item in items:
         if not isinstance(item, record):
-            raise InputError(f"{name} include {quoted(item)}: give only {kind} records{cure and f', {cure}'}")
+            raise InputError(
+                f"{name} contain {quoted(item)}. Pass only {kind} records{cure and f', {cure}'}."
+            )
     return items
 
 

@@ -275,7 +275,7 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "first the most strained of each kind")
+        _first_names(fitting, "of each kind the one with the most strain first")
         if fitting
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'first the least enlarged')}",
         details,
@@ -283,7 +283,8 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
 
 
 def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
-    first = list({sheet.kind: sheet for sheet in reversed(sheets)}.values())[::-1]
+    first = list({sheet.kind: sheet for sheet in sheets[::-1]}.values())
+    first.sort(key=sheets.index)
     return [sheet.name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
 
 

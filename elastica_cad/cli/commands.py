@@ -206,7 +206,8 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
         keys = paths_of(record)
         printed_keys = [path for path in keys if path.count(".") <= DEEPEST]
-        if path := near_path(name, printed_keys):
+        path = near_path(name, printed_keys)
+        if near_names(name, [path.rpartition(".")[2]], cutoff=NEAR_OPTION):
             key = f"pair.{path}" if context is not None and context.info_name == "pair" else path
             if path.rpartition(".")[2] == name:
                 return f"use --set {path}=VALUE instead of {typed}: `elastica help {key}` explains it"
@@ -215,8 +216,10 @@ def _instead_of(problem: click.NoSuchOption) -> str:
                 f"`elastica help {key}` explains it."
             )
     near = near_names(word, words)
-    advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists its options."
-    return f"`{command}` has no option {typed}. {advice}"
+    strip_has = any(typed in parameter.opts for parameter in _imported("strip").params)
+    has = f"; `elastica strip` has {typed}" if strip_has else ""
+    advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists all options."
+    return f"`{command}` has no option {typed}{has}. {advice}"
 
 
 def _usage_message(problem: click.UsageError, context: click.Context | None) -> str:
@@ -279,8 +282,9 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v, and the options below in
     any position. `elastica help` lists all keys of a strip, `elastica help KEY` explains a key. Exit codes: 0 done,
-    1 not realizable, not within the limits, or the strip would break (with --set files.strict=true also for strain
-    above the limit of the sheet), 2 bad input, 130 stopped by Ctrl-C, 141 the output was closed.
+    1 not realizable, not within the limits, or so much strain that the sheet is likely to break, 2 bad input, 130
+    stopped by Ctrl-C, 141 the output was closed. Less strain above the limit of the sheet is a warning with exit
+    code 0, or 1 with --set files.strict=true.
     """
 
 

@@ -176,7 +176,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     voice().files += [str(output / file.name) for file in kit.files]
     model, cut_list = contents.model, contents.cut_list
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
-        factors = Listed(f"{entry.label} to {100 * entry.scale:.0f} %" for entry in scaled)
+        factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
         say_row(Row("Scale", f"{factors} of the drawn size, to reach the lengths that the design sets"))
     sizes: dict[str, list[EqualStrips]] = {}
     for part in model.parts:

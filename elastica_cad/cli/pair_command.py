@@ -92,7 +92,8 @@ def pair(**chosen: Any) -> None:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
     # raise the error for an unknown kerf before the long computation
-    cut_as = cut_text(cutting.options(Sheet.of(spec.sheet))["kerf"])
+    sheet = Sheet.of(spec.sheet)
+    cut_as = cut_text(cutting.options(sheet)["kerf"], sheet.kerf)
     if spec.scale != 1:
         say_row(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
     if matched := spec.matched:

@@ -1,5 +1,8 @@
 """`elastica sheets`: list the known materials."""
 
+import re
+from collections.abc import Iterator
+
 import click
 
 from elastica_cad._values import counted
@@ -14,6 +17,12 @@ from elastica_cad.mechanics.sheets import (
     sheets_by_kind,
 )
 from elastica_cad.refusals import number_text
+
+SOURCE_LABELS = {
+    "thickness": "thickness", "E": "Young's modulus", "nu": "Poisson's ratio", "G": "shear modulus",
+    "density": "density", "strain": "largest strain", "break": "breaking strain", "kerf": "kerf",
+}  # fmt: skip
+"""Names of the properties, by the word by which the sources of a sheet name them."""
 
 
 @click.command()
@@ -57,23 +66,43 @@ def sheets(name: str | None) -> None:
     answer({"sheets": [sheet]})
     rows = {
         "thickness": f"{sheet.thickness:g} mm",
-        "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa",
+        "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa"
+        + _in_range(sheet.youngs_modulus_range),
         "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else " (assumed)"),
         "shear modulus": f"{number_text(sheet.shear_ratio * sheet.youngs_modulus, '.4g')} MPa"
         + ("" if sheet.shear_modulus else " (assumed, as without grain)"),
         "density": f"{sheet.density:g} kg/m3",
-        "largest strain": f"{100 * sheet.max_strain:.3g} %",
+        "largest strain": f"{100 * sheet.max_strain:.3g} %" + _in_range(sheet.max_strain_range, 100),
         "least radius": f"{number_text(sheet.least_radius, '.4g')} mm",
         **_published_radii(sheet),
         "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
         "grain": sheet.grain if sheet.grain == "none" else f"{sheet.grain} the strip",
         "elasto-gravity length": f"{number_text(sheet.elasto_gravity_length, '.4g')} mm; a strip of this "
         "length, held level at one end, sags by about 1/8 of it",
-        "source of the values": sheet.source,
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")
     for label, text in rows.items():
         say(f"  {label:22} {text}")
+    for label, text in _sources(sheet.source):
+        say(f"  {label:22} {text}")
+
+
+def _sources(source: str) -> Iterator[tuple[str, str]]:
+    """Yield a title, then the notes on a sheet and the source of each property."""
+    labels = "|".join(SOURCE_LABELS)
+    parts = [part for part in re.split(rf"; (?=(?:{labels})(?:: | not ))", source) if part]
+    if parts:
+        yield "sources", ""
+    for part in parts:
+        named = re.fullmatch(rf"({labels})(?::| (?=not )) ?(.*)", part, re.DOTALL)
+        yield ("  notes", part) if named is None else (f"  {SOURCE_LABELS[named[1]]}", named[2])
+
+
+def _in_range(limits: tuple[float, float] | None, factor: float = 1.0) -> str:
+    if limits is None:
+        return ""
+    low, high = (number_text(factor * limit) for limit in limits)
+    return f" (sources: {low} to {high})"
 
 
 def _published_radii(sheet: Sheet) -> dict[str, str]:

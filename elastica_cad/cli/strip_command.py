@@ -285,6 +285,6 @@ def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, s
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
-    cut = [cut_text(kerf)]
+    cut = [cut_text(kerf, strip.sheet.kerf)]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
-    wrote(written, {f"{result.name}.dxf": ", ".join(cut), f"{result.name}-holding.dxf": "template"})
+    wrote(written, {f"{result.name}.dxf": "; ".join(cut), f"{result.name}-holding.dxf": "template"})

@@ -121,11 +121,8 @@ def cures_of(
     cures: list[Cure] = []
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
-            change = spelled(suggestion).rstrip(".")
-            text = (
-                f"Possible, but {suggestion.effect}: {change}."
-                if suggestion.is_last_resort
-                else f"This works: {change} ({suggestion.effect})."
-            )
+            title, change = suggestion.title, spelled(suggestion)
+            command = "" if change == title else f": {change}"
+            text = f"{title.rstrip('.')} ({suggestion.effect}){command}."
             cures.append(suggestion.as_dict() | {"text": text})
     return cures

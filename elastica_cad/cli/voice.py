@@ -179,9 +179,13 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
         say_row(Row("Files", ", ".join(files)))
 
 
-def cut_text(kerf: float) -> str:
-    """Return the description of a file to cut, with its kerf, mm."""
-    return f"cut, {kerf:g} mm kerf included" if kerf else "cut, kerf not corrected"
+def cut_text(kerf: float, sheet_kerf: float) -> str:
+    """Return the description of a file to cut, from the compensated kerf and the kerf of the sheet, mm."""
+    if kerf:
+        return f"cut, {kerf:g} mm kerf included"
+    if sheet_kerf:
+        return f"cut, kerf of {sheet_kerf:g} mm not compensated; --kerf sheet compensates it"
+    return "cut, kerf not compensated"
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:

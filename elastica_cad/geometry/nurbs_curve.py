@@ -427,8 +427,8 @@ def _refuse_standstill(
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "the file leaves open whether {place}, because {cause} after rounding to {rounding}. Save the "
-            "file with more decimals, or lengthen the handle of that node",
+            "after rounding to {rounding}, {cause}, so it is uncertain whether {place}. Save the file with more "
+            "decimals, or lengthen the handle of that node",
             place=where,
             cause=cause,
             rounding=Length(rounding),

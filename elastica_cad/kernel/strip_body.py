@@ -110,8 +110,9 @@ def warn_of_strip(strip: Strip) -> None:
     if meeting is not None:
         low, high = meeting
         warn(note(
-            "The bent strip intersects itself at {low} and {high} from its start (the tabs are below 0 and "
-            "beyond {length}). Shorten the tabs, open the curve, or cut a slot there.",
+            "The bent strip passes through itself: its places {low} and {high} from the start of the bend are "
+            "at one point (the tabs are below 0 and above {length}). Shorten the tabs, open the curve, or cut a "
+            "slot at this point.",
             low=Length(low), high=Length(high), length=Length(strip.rod.length),
         ))  # fmt: skip
 

@@ -293,11 +293,7 @@ class SidewaysStability:
         return self.word in ("unstable", "low")
 
     def __str__(self) -> str:
-        return note(
-            "sideways {word} (stability margin {margin:.3g}): {meaning}" if self.needs_guiding else
-            "sideways {word}: {meaning}",
-            word=note(self.rating), margin=self.margin, meaning=note(self.meaning),
-        )  # fmt: skip
+        return note("sideways {word}: {meaning}", word=note(self.rating), meaning=note(self.meaning))
 
     @property
     def meaning(self) -> str:

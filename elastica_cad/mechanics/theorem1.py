@@ -115,11 +115,11 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "The points leave the number of inflections open. Set {smooth} to smooth the points, or give "
-            "more points or decimals."
+            "The points are too few or too inexact to decide how many inflections the curve has. Set {smooth} to "
+            "smooth the points, or give more points or decimals."
             if self.fit.realizable == self.other.realizable else
-            "The points leave open whether a strip can take the curve. Set {smooth} to smooth the points, or give "
-            "more points or decimals.",
+            "The points are too few or too inexact to decide whether a strip can take the curve. Set {smooth} to "
+            "smooth the points, or give more points or decimals.",
             smooth=FieldName("smooth"), severity="warning",
         )  # fmt: skip
 
@@ -495,8 +495,8 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
-                    "the points leave open whether there is a corner or a tight bend at {shown}, where they "
-                    "turn by {angle:.3g} degrees. Give more points there, or draw two curves{smooth}",
+                    "the points turn by {angle:.3g} degrees at {shown}, but are too few to distinguish a corner "
+                    "from a tight bend. Give more points there, or draw two curves{smooth}",
                     angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(corners, key=lambda corner: abs(corner.angle))
@@ -533,10 +533,10 @@ def _seam_message(curve: PlaneCurve) -> str:
 
 def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
-        "the file leaves open whether the curve has a corner at {shown}, {places} from its start, where it "
-        "turns by {angle:.2g} degrees. The handle of this node is only {handle} long, so the rounding of "
-        "numbers in the file can turn it by {bound:.2g} degrees. Save the drawing with more decimals, or "
-        "lengthen the handles of this node",
+        "the curve turns by {angle:.2g} degrees at {shown}, {places} from its start, because of a corner or a "
+        "rounding error: the handle of this node is only {handle} long, so the rounding of numbers in the file "
+        "can turn it by {bound:.2g} degrees. Save the drawing with more decimals, or lengthen the handles of "
+        "this node",
         angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
         handle=Length(turn.handle), bound=np.degrees(turn.bound),
     )  # fmt: skip

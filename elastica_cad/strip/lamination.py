@@ -143,8 +143,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "if the backing is {least:g} wide {low:.1f} from the start, the backing {high:.1f} "
-                "from the start must be wider than {field} ({most:g}). Raise {field}",
+                "{field} is {most:g}, too narrow for the backing {high:.1f} from the start of the strip, because "
+                "the backing is at least {least:g} wide {low:.1f} from the start. Raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),

@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie, noun_of
+from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
 from elastica_cad.mechanics.section_limits import thinner_on_sale
@@ -26,6 +26,7 @@ from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sent
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.summary import bar_direction, side_of_bar
 
 MOST_SUGGESTIONS = 4
 
@@ -115,16 +116,28 @@ class Suggestion:
         if self.tips:
             effect = note("{effect}; unstable sideways: guide the strip at the sides", effect=effect)
         match self.change.value:
-            case Rail(float(at)) | Pin(float(at)) as element:
-                places = [at]
-            case Tie(float(start), float(end)) as element:
-                places = [start, end]
+            case Rail(float(at)):
+                (action,) = self.strips[0].rod.between
+                direction = bar_direction(action, self.strips[0].rod)
+                support = note(
+                    "build the rail, a bar across the strip, {place} along the curve from its start"
+                    if direction is None
+                    else "build the rail, a bar {side} and across it, {place} along the curve from its start",
+                    place=Length(at), side="" if direction is None else side_of_bar(direction),
+                )  # fmt: skip
+            case Pin(float(at)):
+                support = note(
+                    "build the pin, on which the strip can turn, {place} along the curve from its start",
+                    place=Length(at),
+                )
+            case Tie(float(start), float(end)):
+                support = note(
+                    "build the tie, a taut cord between the places {places} along the curve from its start",
+                    places=Listed((Length(start), Length(end))),
+                )
             case _:
                 return effect
-        return note(
-            "{effect}; build the support ({element}) {places} from the start of the curve",
-            effect=effect, element=noun_of(element), places=Listed(map(Length, places)),
-        )  # fmt: skip
+        return note("{effect}; {support}", effect=effect, support=support)
 
     def __str__(self) -> str:
         return f"{self.title} ({self.effect})"

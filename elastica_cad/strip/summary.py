@@ -191,13 +191,14 @@ def hold_row(strip: Strip) -> Row:
         return Row(note("Hold"), strip.joint)
     ends = held_ends(strip)
     has_tabs = any(tab.length for tab in strip.ends)
-    text = "{apart:.1f} apart, where the tabs begin," if has_tabs else "{apart:.1f} apart"
+    text = "{apart:.1f} apart, where the tabs begin" if has_tabs else "{apart:.1f} apart"
     distance = note(text, apart=Length(distance_between(ends)))
     apart = note(
-        "ends {distance} at {start:.1f} and {end:.1f} degrees to the line between them"
+        "ends {distance}; angle of the strip to the line from start to end: {start} at the start, {end} at the end"
         if all(end.support.angle for end in ends)
-        else "ends {distance} turn freely and rest at {start:.1f} and {end:.1f} degrees to the line between them",
-        distance=distance, start=ends[0].tilt, end=ends[1].tilt,
+        else "ends {distance}, free to turn; angle of the strip at rest to the line from start to end: {start} at "
+        "the start, {end} at the end",
+        distance=distance, start=_angle_text(ends[0].tilt), end=_angle_text(ends[1].tilt),
     )  # fmt: skip
     if strip.rod.supports.is_free:
         apart = note("both ends are free: nothing holds them; they rest {apart:.1f} apart", **distance.values)
@@ -218,7 +219,20 @@ def hold_row(strip: Strip) -> Row:
         else "{apart}; {start_load} at the start, {end_load} at the end",
         apart=apart, load=start, start_load=start, end_load=end,
     )  # fmt: skip
-    details, shorter = [_distance_details(ends)], strip.compressed_length
+    if start == end and abs(inward := _inward_force(forces.start_force, ends)) > ALONG * np.hypot(
+        *forces.start_force
+    ):
+        load = note(
+            "{apart}; the strip pushes the ends apart with {force:.2g} N, moment {moment:.2g} N mm at each end"
+            if inward > 0
+            else "{apart}; the strip pulls the ends together with {force:.2g} N, moment {moment:.2g} N mm at each "
+            "end",
+            apart=apart, **start.values,
+        )  # fmt: skip
+    sides = note(
+        "The start is the first point of the curve. Left and right are seen in the drawing, from start to end."
+    )
+    details, shorter = [_distance_details(ends), sides], strip.compressed_length
     if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
         advice = note(
             "set the ends {change:.2f} closer, because the force compresses this shallow strip"
@@ -231,6 +245,23 @@ def hold_row(strip: Strip) -> Row:
         else:
             details.append(advice)
     return Row(note("Hold"), load, details)
+
+
+ALONG = 0.9
+"""Least part of a force along the line between the ends, as a fraction, that is reported as a push or pull."""
+
+
+def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
+    """Return the component (N) of the force on the start that points to the end."""
+    chord = ends[1].position - ends[0].position
+    return float(start_force @ chord / (np.linalg.norm(chord) or 1.0))
+
+
+def _angle_text(degrees: float) -> Refusal:
+    if round(degrees, 1) == 0:
+        return note("0 degrees")
+    text = "{angle:.1f} degrees to the left" if degrees > 0 else "{angle:.1f} degrees to the right"
+    return note(text, angle=abs(degrees))
 
 
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
@@ -295,15 +326,15 @@ def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
     return -side * normal if side else None
 
 
-def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
-    if direction is None:
-        return text
+def side_of_bar(direction: FloatArray) -> Refusal:
+    """Return the side of the strip, in words, in the direction (2,) of `bar_direction`."""
     quarter = round(float(np.arctan2(direction[1], direction[0])) / (np.pi / 2)) % 4
-    sides = (
-        "{text} (bar on the right of the strip)", "{text} (bar above the strip)",
-        "{text} (bar on the left of the strip)", "{text} (bar below the strip)",
-    )  # fmt: skip
-    return note(sides[quarter], text=text)
+    sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
+    return note(sides[quarter])
+
+
+def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
+    return text if direction is None else note("{text} (bar {side})", text=text, side=side_of_bar(direction))
 
 
 SMALLEST_MOVE_MM = 0.01

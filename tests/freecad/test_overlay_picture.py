@@ -122,4 +122,4 @@ def test_points_that_do_not_decide_are_no_verdict(heights):
     for answer in answers:
         assert answer.words == "undecided" or "tips over" in answer.words
         assert answer.verdict is Verdict.BREAKS
-    assert "The points leave" in answers[0].sentence
+    assert "The points are too few" in answers[0].sentence

@@ -310,7 +310,7 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
     assert upright.Sideways == "sideways stable: the strip stays in its plane"
     assert upright.SidewaysMargin == pytest.approx(strip.strip_of(upright).sideways.margin)
     assert re.match(
-        r"sideways unstable \(stability margin -[\d.e+]+\): the strip tips over sideways .*wider",
+        r"sideways unstable: the strip tips over sideways .*wider",
         tipping.Sideways,
     )
     assert tipping.SidewaysMargin < 0

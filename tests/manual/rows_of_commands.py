@@ -414,9 +414,9 @@ def _labels(row, folder):
 
 
 ELSEWHERE = {
-    "The points leave open whether ...": "tests/unit/mechanics/test_points_of_curves.py::"
+    "The points are too few or too inexact ...": "tests/unit/mechanics/test_points_of_curves.py::"
     "test_a_rod_of_undecided_points_is_warned_of",
-    "the file leaves open whether ...": "tests/validation/test_every_number_of_decimals.py::"
+    "... because of a corner or a rounding error": "tests/validation/test_every_number_of_decimals.py::"
     "test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door",
     "too slender to handle": "tests/unit/strip/test_makeability.py::"
     "test_longer_than_the_stock_and_too_slender",

@@ -191,7 +191,7 @@ def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
     (tmp_path / "kit" / "index.html").write_text("mine")
     result = run("model", design, "-o", tmp_path / out, code=2)
     assert sentence in result.stderr
-    assert "This works" not in result.stderr
+    assert "\nChange " not in result.stderr
     assert not made
     assert not list(tmp_path.glob("**/.elastica-*"))
 

@@ -49,7 +49,7 @@ def test_one_curve_is_written_as_a_row_of_one(tmp_path):
     arch = PlaneCurve.arc((0, 0), 80, 0.3, 2.8)
     (read,) = read_curves(write_curves(arch, tmp_path / "arch.json"))
     assert read.length == arch.length
-    with pytest.raises(InputError, match="curves include 3: give only PlaneCurve records"):
+    with pytest.raises(InputError, match=r"curves contain 3\. Pass only PlaneCurve records"):
         write_curves(3, tmp_path / "three.json")
 
 

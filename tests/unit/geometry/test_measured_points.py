@@ -92,7 +92,7 @@ def test_a_check_tells_of_them_before_all_else():
     """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
     noisy, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
     undecided = check_equilibrium(noisy)
-    assert str(undecided).startswith("The points leave ")
+    assert str(undecided).startswith("The points are too few ")
     assert "Set smooth" in str(undecided)
     assert "have noise of about 0.3 mm: set smooth to 0.82 mm to smooth them" in undecided.details[1]
     told = str(check_equilibrium(mistyped))

@@ -31,9 +31,9 @@ def test_wrong_records_are_refused(record, message):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"between": "rail"}, "give only Rail, Pin or Tie records"),
-        ({"between": ec.PointForce(10, (0, 1))}, "give only Rail, Pin or Tie records"),
-        ({"loads": ec.Rail(10)}, "give only PointMass or PointForce records"),
+        ({"between": "rail"}, "Pass only Rail, Pin or Tie records"),
+        ({"between": ec.PointForce(10, (0, 1))}, "Pass only Rail, Pin or Tie records"),
+        ({"loads": ec.Rail(10)}, "Pass only PointMass or PointForce records"),
         ({"loads": ec.PointMass(10, 5)}, "no gravity for its direction"),
         (
             {"between": ec.Rail(1e4)},

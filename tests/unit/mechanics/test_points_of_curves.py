@@ -14,7 +14,7 @@ from elastica_cad.geometry.measured_points import MeasuredPoints
 
 pytestmark = pytest.mark.core
 
-UNDECIDED = "The points leave open whether a strip can take the curve"
+UNDECIDED = "The points are too few or too inexact to decide whether a strip can take the curve"
 
 
 def drawn(rng):
@@ -134,7 +134,7 @@ def test_a_bend_of_few_points_is_no_corner_for_sure(tmp_path):
     heading = np.cumsum(turns)
     bend = np.cumsum(10 * np.column_stack([np.cos(heading), np.sin(heading)]), axis=0)
     sharp = np.array([(0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (30, 20), (30, 30.0)])
-    message = "leave open whether there is a corner or a tight bend at .*, where they turn by 60 degrees"
+    message = "the points turn by 60 degrees at .*, but are too few to distinguish a corner from a tight bend"
     with pytest.raises(ValueError, match=message):
         check_equilibrium(curve_from_points(bend))
     with pytest.raises(ValueError, match="the curve has a corner 30 mm from its start"):

@@ -58,7 +58,7 @@ SLIPS = {
     "tab length is 1e-09: use 0 for no tab, or 0.001 mm or more": lambda: Tab(1e-9),
     "tab width is '10'": lambda: Tab(10, width="10"),
     "tab chamfer is": lambda: Tab(10, chamfer=(1, 2)),
-    "holes include 3: give only Hole records": lambda: Tab(10, holes=3),
+    "holes contain 3. Pass only Hole records": lambda: Tab(10, holes=3),
     "holes include 'x'": lambda: Tab(10, holes="x"),
     "hole diameter is '3.2'": lambda: Hole(5, "3.2"),
     "t_slot is 12: give a TSlot": lambda: Tab(20, t_slot=12),
@@ -81,14 +81,14 @@ SLIPS = {
     "max_width is '20': give a number above 0": lambda: Strip(ROD, SHEET, max_width="20"),
     "ends has 0 tabs: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=()),
     "ends has 1 tab: give two": lambda: Strip(ROD, SHEET, max_width=20, ends=(Tab(5),)),
-    "ends include 5: give only Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
-    "slots include 3: give only Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
+    "ends contain 5. Pass only Tab records": lambda: Strip(ROD, SHEET, max_width=20, ends=(5, 5)),
+    "slots contain 3. Pass only Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
     "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),
     "style is 'plain': give": lambda: Strip(ROD, SHEET, max_width=20, style="plain"),
     "the label is 3: give text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
     "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
     "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
-    r"placed include 3: give only Placed records, of a strip ec.Placed\(strip\), of a body in CAD": lambda: (
+    r"placed contain 3. Pass only Placed records, of a strip ec.Placed\(strip\), of a body in CAD": lambda: (
         Model(3)
     ),
     "placed include <Strip": lambda: Model([STRIP]),
@@ -154,15 +154,15 @@ SLIPS = {
     "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
     "the bulge of an arc is '1': give": lambda: Arc.from_bulge((0, 0), (1, 1), "1"),
     "a rectangle has sides of 3 and 4 mm": lambda: Path.rectangle("3", 4),
-    "the segments of a path include 'arch': give only Line, Arc and Spline": lambda: Path("arch"),
+    "the segments of a path contain 'arch'. Pass only Line, Arc and Spline": lambda: Path("arch"),
     "the law's curvatures cannot be 'ab': give numbers": lambda: TabulatedLaw("ab", [1, 2]),
-    r"paths include Path.*: give only LayeredPath": lambda: Drawing("plate", [Path.circle((0, 0), 2)]),
+    r"paths contain Path.*. Pass only LayeredPath": lambda: Drawing("plate", [Path.circle((0, 0), 2)]),
     "text to engrave is 3: give a text": lambda: Text((0, 0), 3, 5.0),
     "give a finite position": lambda: Text((0, 0), "A", "5"),
     "holding tabs: least is '2'": lambda: HoldingTabs(least="2"),
-    "masses include 3: give only PointMass": lambda: Weight(1.0, masses=[3]),
+    "masses contain 3. Pass only PointMass": lambda: Weight(1.0, masses=[3]),
     "the correction is a float. Pass a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
-    "^ends include 5: give only Tab records": lambda: StripSpec(
+    "^ends contain 5. Pass only Tab records": lambda: StripSpec(
         ROD.curve, SHEET, law=RoundLaw(SHEET, 1, 2), ends=5
     ),
     "the number of copies is '2'": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
