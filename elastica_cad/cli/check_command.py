@@ -275,7 +275,7 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "of each kind the one with the most strain first")
+        _first_names(fitting, "first the most strained of each kind")
         if fitting
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'first the least enlarged')}",
         details,

@@ -143,7 +143,7 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
     tips = SidewaysStability(-24.1, -40.2, 0.1, 100.0)
     assert worded(str(tips)).startswith(
-        "seitlich instabil (Stabilitätsreserve -24,1): der Streifen kippt zur Seite oder dreht sich"
+        "seitlich instabil: der Streifen kippt zur Seite oder dreht sich"
     )
     with pytest.raises(InputError) as unknown:
         Sheet.named("birch-plywood-8")

@@ -59,7 +59,7 @@ SLIPS = {
     "tab width is '10'": lambda: Tab(10, width="10"),
     "tab chamfer is": lambda: Tab(10, chamfer=(1, 2)),
     "holes contain 3. Pass only Hole records": lambda: Tab(10, holes=3),
-    "holes include 'x'": lambda: Tab(10, holes="x"),
+    "holes contain 'x'": lambda: Tab(10, holes="x"),
     "hole diameter is '3.2'": lambda: Hole(5, "3.2"),
     "t_slot is 12: give a TSlot": lambda: Tab(20, t_slot=12),
     "T-slot depth is '12'": lambda: TSlot("12"),
@@ -91,7 +91,7 @@ SLIPS = {
     r"placed contain 3. Pass only Placed records, of a strip ec.Placed\(strip\), of a body in CAD": lambda: (
         Model(3)
     ),
-    "placed include <Strip": lambda: Model([STRIP]),
+    "placed contain <Strip": lambda: Model([STRIP]),
     "clearance is '0.1': give a number from 0, in mm": lambda: interlock([Placed(STRIP)], clearance="0.1"),
     "`keep.ends` is 3": lambda: Keep(ends=3),
     "frame origin is 'x': give three finite numbers": lambda: Frame("x"),
@@ -104,7 +104,7 @@ SLIPS = {
     "angle of an End is None": lambda: End(angle=None),
     "width of the outline is None": lambda: Strip(ROD, SHEET, style=Perforated(None)),
     "width of the outline is '20'": lambda: Strip(ROD, SHEET, style=Perforated("20")),
-    "placed include array": lambda: Model(np.array(3.0)),
+    "placed contain array": lambda: Model(np.array(3.0)),
     "the tolerance of a fit is '0.1' mm: use a number above 0": lambda: PlaneCurve.fit(
         POINTS, tolerance="0.1"
     ),
