@@ -84,7 +84,7 @@ def sheets(name: str | None) -> None:
     for label, text in rows.items():
         say(f"  {label:22} {text}")
     for label, text in _sources(sheet.source):
-        say(f"  {label:22} {text}")
+        say(f"  {label:22} {text}".rstrip())
 
 
 def _sources(source: str) -> Iterator[tuple[str, str]]:
