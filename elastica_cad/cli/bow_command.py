@@ -169,7 +169,8 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
 
 
 def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
-    strip, (start, end) = result.strip, np.degrees(result.end_angles)
+    strip = result.strip
+    angles = dict.fromkeys(f"{angle:.1f}" for angle in np.degrees(np.abs(result.end_angles)))
     rods = {} if in_newtons else known_rods()
     per_rod = [
         f"{number_text(result.pull * rod.youngs_modulus / MPA_PER_GPA, '.2g')} N as a {name}"
@@ -178,7 +179,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     force = f"{number_text(result.pull)} N" if in_newtons else (
         f"{', '.join(per_rod)} ({number_text(result.pull)} N per GPa of Young's modulus)"
     )  # fmt: skip
-    shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees to the cord"
+    shape = f"rise {result.rise:.1f} mm; ends at {' and '.join(angles)} degrees to the cord"
     verdict = stability(strip.rod)
     rows = [
         size_row(strip)
@@ -192,7 +193,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     ]
     if not in_newtons:
         limits = [f"a {name} allows {100 * rod.max_strain:.2f} %" for name, rod in rods.items()]
-        largest = f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm"
+        largest = f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm from the start"
         return [*rows, Row("Strain", "; ".join([largest, *limits]))]
     reported = {*strip.strain_warnings}
     warnings = [warning_row(text) for text in strip.warnings if text not in reported]

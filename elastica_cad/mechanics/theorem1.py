@@ -254,10 +254,13 @@ class EquilibriumCheck:
         elif not self.inflections:
             template = "A flat strip can take this curve of {length}; it has no inflections."
         elif len(self.inflections) == 1:
-            template = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
+            template = (
+                "A flat strip can take this curve of {length}; it has 1 inflection, {places} from its start."
+            )
         else:
             template = (
-                "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
+                "A flat strip can take this curve of {length}; it has {count} inflections, {places} from its "
+                "start."
             )
         return self._with_numbers(template)
 

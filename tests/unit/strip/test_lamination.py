@@ -141,7 +141,7 @@ def test_slots_cut_both_layers_where_they_reach(rod):
     [
         (Laminated(width=lambda s: 5 + 0.2 * s, backing=CARD), None, ["mm", "times as thick"]),
         (Laminated(width=0.7, backing=CARD), None, ["0.7 mm", "narrowest backing (1 mm)"]),
-        (Laminated(width=20.0, backing=CARD, least_backing=5.0), 6.0, ["max_width (6 mm)"]),
+        (Laminated(width=20.0, backing=CARD, least_backing=5.0), 6.0, ["max_width is 6 mm"]),
         (Laminated(width=lambda s: 0 * s, backing=CARD), None, ["width of the base", "give numbers above 0"]),
     ],
 )
