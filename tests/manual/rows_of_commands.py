@@ -368,7 +368,12 @@ PROVOKED = {
         "--set",
         "loads = [{ at = 150, mass = 4000 }]",
     ),
-    "only ... mm; ... needs ... mm": (r"only [\d.]+ mm .* needs [\d.]+ mm", *MAKE, "--max-width", "2"),
+    "only ... mm wide ..., but ... needs at least ... mm": (
+        r"only [\d.]+ mm wide .* but .* needs at least [\d.]+ mm",
+        *MAKE,
+        "--max-width",
+        "2",
+    ),
     "larger than the stock": (r"larger than the stock", *MAKE, "--set", "shop.stock=[100,80]"),
 }
 """The words of each message, and what makes a command say them."""
