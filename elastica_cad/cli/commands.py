@@ -154,7 +154,7 @@ def _spelled(path: str) -> str:
     if any(typed in parameter.opts for parameter in context.command.params):
         return typed
     if context.info_name != "strip":
-        return path
+        return "the second value of supports" if path == "supports.end" else path
     from elastica_cad.cli.strip_options import typed_name
 
     return typed_name(path) or path

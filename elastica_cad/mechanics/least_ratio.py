@@ -553,8 +553,8 @@ def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator
         }  # fmt: skip
         yield note(
             "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
-            "become slack or come off the strip. Let the end slide ({field} {support}), so that the {element} "
-            "carries more.",
+            "become slack or come off the strip. Let the end slide (set {field} to {support}), so that the "
+            "{element} carries more.",
             severity="warning", field=FieldName("supports.end"), support=support, **values,
         ) if action.element in cured else note(
             "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "

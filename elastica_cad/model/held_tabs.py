@@ -8,7 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
-from elastica_cad.model.plates import BasePlate, Ring
+from elastica_cad.model.plates import BasePlate
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -142,30 +142,18 @@ NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """Return a sentence for each holder on how far its tabs can shift and rotate."""
-    placed, holders, messages = require_placed(placed), require_holders(holders), []
-    for name, held in seats_by_holder(placed, holders).items():
+    """Return a sentence for each holder in which tabs can shift or rotate."""
+    messages = []
+    for name, held in seats_by_holder(require_placed(placed), require_holders(holders)).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
         shift = max(seat.room for _, _, seat in held)
-        if shift < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
-            messages.append(
-                note(
-                    "{name} holds its tabs without clearance; the tabs bend a little between its edges",
-                    name=name,
-                )
-            )
-        else:
+        if shift >= NO_PLAY_MM or turn >= NO_PLAY_DEGREES:
             messages.append(note(
                 "In the {name}, a tab can tip within a range of {turn:.2g} degrees" if shift < NO_PLAY_MM else
                 "In the {name}, a tab can shift by {across:.2g}" if turn < NO_PLAY_DEGREES else
                 "In the {name}, a tab can shift by {across:.2g} and tip within a range of {turn:.2g} degrees",
                 name=name, across=Length(shift), turn=turn,
             ))  # fmt: skip
-    for holder in holders:
-        lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
-        if isinstance(holder, BasePlate) and (holder.glued or lies_on_ring):
-            text = "{name} holds its tabs without clearance, because they are glued at their angle"
-            messages.append(note(text, name=holder.name))
     return tuple(messages)
 
 

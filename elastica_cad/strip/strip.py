@@ -275,7 +275,7 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     )  # fmt: skip
 
 
-def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends, *, of_rod: bool) -> Iterator[str]:
+def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -286,10 +286,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends, *, of_rod: bo
             radius, least = distinct_digits(1 / bend[at], 1 / bearable, ".3g")
             yield note(
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
-                "Use a thinner rod, or a radius of at least {least:g} there (now {radius:g})."
-                if of_rod else
-                "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
-                "Use a thinner sheet, or a radius of at least {least:g} there (now {radius:g}).",
+                "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).",
                 strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
                 least=Length(least), outcome=note(judged.outcome), severity="warning",
             )  # fmt: skip
@@ -331,8 +328,8 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
     if strained.largest > LINEAR_CREEP_FRACTION * strained.limit:
         yield note(
-            "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
-            "larger than computed. Use a thinner sheet or a gentler curve.",
+            "The strain of {strain:.2f} % is more than {share:.0f} % of the limit of the material, so creep there "
+            "is larger than computed. Use thinner material or a gentler curve.",
             strain=100 * strained.largest, share=100 * LINEAR_CREEP_FRACTION, severity="warning",
         )  # fmt: skip
     try:
@@ -635,7 +632,7 @@ class Strip:
     @property
     def strain_warnings(self) -> tuple[str, ...]:
         """Warnings about each layer, tab, and cut for a pin or tie that is strained beyond its limit."""
-        strains = _warn_of_strains(self.strains, self._bends, of_rod="diameter" in self.tapered)
+        strains = _warn_of_strains(self.strains, self._bends)
         return (*strains, *map(str, self._shoulders))
 
     @cached_property

@@ -125,7 +125,7 @@ class TestBuild123d:
         assert bd_strips.BentStrip(CURVE, SHEET, max_width=30).deviation == 0
 
     def test_too_much_strain_is_warned_of(self):
-        with pytest.warns(StripWarning, match="thinner sheet") as told:
+        with pytest.warns(StripWarning, match="thinner material") as told:
             bd_strips.FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10, ignore_limits=True)
         assert told[0].filename == __file__
 

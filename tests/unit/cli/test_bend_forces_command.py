@@ -34,7 +34,7 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
 def test_a_strain_beyond_the_sheet_is_told(tmp_path):
     line = "bend --straight 60 --sheet acrylic-3 --max-width 10 --to 30 0 -o out"
     made = run(line, cwd=tmp_path)
-    assert "the strain exceeds the limit of the sheet beyond" in made.stderr
+    assert "the strain exceeds the limit of the material beyond" in made.stderr
 
 
 def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(tmp_path):

@@ -153,8 +153,9 @@ def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
     assert rest == "degrees from the line, free to turn"
 
 
-def test_the_strain_warning_of_a_rod_names_the_rod():
+def test_the_strain_warning_of_a_rod_mentions_no_sheet():
     arc = ec.PlaneCurve.arc((0, 0), 150, 0.8 * np.pi, 0.2 * np.pi)
     rod = bow(arc, GLASS, law=RoundLaw(GLASS, DIAMETER, DIAMETER)).strip
     (message,) = rod.strain_warnings
-    assert "Use a thinner rod, or a radius of at least" in message
+    assert "Use thinner material, or a radius of at least" in message
+    assert "sheet" not in message
