@@ -1,6 +1,7 @@
 """Single plates in the best plane for their tabs, and pairs of plates that hold inclined tabs at their angle."""
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -218,6 +219,12 @@ def _tested_cures(
     works = (nearer for nearer in tested if 1 <= nearer < gap and _fits(strips, slotted, nearer))
     if (nearer := next(works, None)) is not None:
         cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
+    if not cures and length < np.inf:
+        try:
+            _fitted_length(placed, slotted, gap, length, np.inf)
+        except (InputError, NotConvergedError) as problem:
+            text = "with tabs {needed:.0f} long, there is another problem: {problem}"
+            return note(text, needed=Length(length), problem=problem.refusal)
     return sentences(cures, note(", or ")) or _untested_cures(np.inf)
 
 
@@ -244,15 +251,20 @@ def fitting_tabs(
     narrowest = min(tab.width for plate in plates for tab in _tabs_of(plate))
     for fraction in TESTED_FRACTIONS:
         width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
-        try:
-            _require_makeable(placed, length, width, plates[0].options)
-            tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
-            longer = max(length, *(np.ceil(max(needed.values())) for _, needed in tried))
-            _require_makeable(placed, longer, width, plates[0].options)
-        except (InputError, NotConvergedError):
-            continue
-        return float(longer), width
+        with suppress(InputError, NotConvergedError):
+            return _fitted_length(placed, plates, gap, length, width), width
     return None
+
+
+def _fitted_length(
+    placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, width: float
+) -> float:
+    """Return the length, at least `length`, of tabs with which two plates can replace each plate."""
+    _require_makeable(placed, length, width, plates[0].options)
+    tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
+    longer = max(length, *(np.ceil(max(needed.values())) for _, needed in tried))
+    _require_makeable(placed, longer, width, plates[0].options)
+    return float(longer)
 
 
 def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Placed]:

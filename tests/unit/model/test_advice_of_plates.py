@@ -109,6 +109,24 @@ def test_tabs_that_the_load_bends_get_the_length_of_the_bent_tab():
     assert len(rings(Tab(20, width=10), float(found[2])).plates) == 4
 
 
+def test_where_no_longer_tab_fits_the_message_says_why():
+    """The tabs could be longer, but the load would bend them too far. Single rings hold them."""
+    ball = ec.meridian_through([(60, 0), (103.9, 43.9), (120, 104), (103.9, 164.1), (60, 208)])
+
+    def rings(length, gap=8.0):
+        tabs = (Tab(length, width=10),) * 2
+        return revolve(ball, 12, sheet="polypropylene-0.8", rings="birch-plywood-2", gap=gap, ends=tabs)
+
+    told = r"does not reach .*: with tabs (\d+) mm long, there is another problem: .*: the load .* too far"
+    with pytest.raises(InputError, match=told) as refused:
+        rings(10.0)
+    longer = float(re.search(told, str(refused.value))[1])
+    with pytest.raises(InputError, match="the load of the strip bends the tab of strip 1:1 too far"):
+        rings(longer)
+    assert "hold the strips by single plates" in str(refused.value)
+    assert len(rings(10.0, gap=None).plates) == 2
+
+
 @pytest.mark.parametrize(
     ("latitudes", "gap", "tabs"),
     [((30, 60), 12, (Tab(16, width=10),) * 2), ((60, 30), 12, None), ((60, 30), 6, (Tab(16, width=10),) * 2)],
