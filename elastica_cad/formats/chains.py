@@ -494,13 +494,18 @@ def curve_from_run(
     if len(exact) == 1:
         drawn = replace(drawn, measured=_interpolated_points(whole, drawn.rounding))
     healing = heal_tangents(whole.knots, whole.points, whole.degree, whole.weights, rounding=drawn.rounding)
-    return PlaneCurve(
-        healing.knots,
-        healing.control_points,
-        healing.degree,
-        healing.weights,
-        replace(drawn, healed=healing.moved, undecided=healing.undecided),
-    )
+    drawn = replace(drawn, undecided=healing.undecided)
+    curve = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights, drawn)
+    return curve.drawn_as(replace(drawn, healed=_distance_moved(whole, curve))) if healing.healed else curve
+
+
+def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
+    """Return the largest distance, mm, of a drawn curve from the curve without its slight corners."""
+    t = drawn.stations()
+    points = drawn.at(t)
+    away = np.hypot(*(points - healed.evaluate(t)).T)
+    # the nearest points of the curve have other parameters, so the distances are smaller than `away`
+    return float(distances(Spline(healed), points[away >= away.max() / 2]).max())
 
 
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:

@@ -10,6 +10,7 @@ from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.tangent_healing import SURE
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
@@ -179,9 +180,9 @@ class Smoothing:
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
-                "Pieces of the curve met at angles. These corners were rounded, which moved the curve by at most "
-                "{far:.2g}.",
-                far=Length(self.healed),
+                "Corners of at most {angle:.0f} degrees, at which pieces of the curve met, were rounded. This "
+                "moved the curve by at most {far:.2g}.",
+                angle=np.degrees(SURE), far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:

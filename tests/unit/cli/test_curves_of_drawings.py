@@ -271,3 +271,15 @@ def test_strips_of_a_dxf_are_named_by_its_order_and_say_their_distances(tmp_path
     assert all(re.search(r"; at most [\d.]+ mm from the drawn curve$", line) for line in sizes)
     assert done.stderr.count("The curvature jumped") <= 1
     lengths_of(design, tmp_path / "made")
+
+
+def test_rounded_corners_are_named_by_their_angle_and_moved_as_far_as_the_file_was_read(tmp_path):
+    """A corner of 19 degrees stays, and a corner of 0.8 degrees, at (200, 160), is rounded."""
+    path = '<path d="M 20 150 C 40 60, 120 20, 150 100 L 200 160 C 230 195, 270 160, 280 60"/>'
+    size = 'width="300mm" height="200mm" viewBox="0 0 300 200"'
+    (tmp_path / "drawn.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{path}</svg>')
+    wishes = "--sheet pom-0.5 --max-width 37 --no-step --no-pictures --set curve.split_corners=true"
+    said = " ".join(run(f"strip drawn.svg {wishes} -v -o out", cwd=tmp_path).stdout.split())
+    read = re.search(r"small corners at joints rounded, within (\S+) mm of the drawing", said)[1]
+    told = r"Corners of at most (\d+) degrees, at which .* moved the curve by at most (\S+) mm\. Ends"
+    assert re.search(told, said).groups() == ("5", read)
