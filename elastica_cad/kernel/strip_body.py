@@ -110,7 +110,7 @@ def warn_of_strip(strip: Strip) -> None:
     if meeting is not None:
         low, high = meeting
         warn(note(
-            "The bent strip passes through itself: its places {low} and {high} from the start of the bend are "
+            "The bent strip intersects itself: its places {low} and {high} from the start of the bend are "
             "at one point (the tabs are below 0 and above {length}). Shorten the tabs, open the curve, or cut a "
             "slot at this point.",
             low=Length(low), high=Length(high), length=Length(strip.rod.length),
