@@ -233,7 +233,7 @@ def suggest(
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
     # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
-    for changes in _changes(spec, problem):
+    for changes in _changes(spec, problem, fields):
         tried = (change for change in changes if fields is None or change.field in fields)
         held = (
             _held(spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size)
@@ -261,17 +261,22 @@ def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
     return None
 
 
-def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
-    """Yield possible changes by field. Only the first suitable change of each field is suggested."""
+def _changes(
+    spec: StripSpec, problem: ElasticaError, fields: Collection[str] | None
+) -> Iterator[Iterable[Change]]:
+    """Yield possible changes by field. Only the first suitable change of each field is suggested.
+
+    Points and supports take long to find, so they are searched only if `fields` names them.
+    """
     named = problem.refusal.changes
-    fields = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
+    names = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
     exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)
     thinner = [change for change in named if isinstance(problem, StrainError) and change.field == "thickness"]
-    if exact:
+    if exact and (fields is None or "point" in fields):
         yield _moved_points(spec)
-    for name in fields:
+    for name in names:
         yield [change for change in named if change.field == name and change not in thinner]
-        if exact and name == FIRST_FIELDS[-1]:
+        if exact and name == FIRST_FIELDS[-1] and (fields is None or "between" in fields):
             yield _support(spec)
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100

@@ -144,6 +144,7 @@ def compiled_of(wheel, folder):
     return found, met
 
 
+@pytest.mark.campaign
 def test_wheel_holds_the_package_only(project_root, tmp_path):
     wheel = built(project_root, tmp_path)
     with zipfile.ZipFile(wheel) as archive:
