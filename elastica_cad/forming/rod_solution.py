@@ -12,6 +12,7 @@ from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthRange
+from elastica_cad.mechanics.theorem1 import crossing_notes
 from elastica_cad.refusals import FieldName, Length, note
 
 
@@ -93,7 +94,7 @@ def _overload_refusal(widths: WidthRange, error: OverloadError) -> InputError:
 
 
 def accepted_rod(result: Rod | NearestRod) -> Rod:
-    """Return the rod of a result, with a warning if the search has one.
+    """Return the rod of a result, with the warnings of the search, and of a curve that crosses itself.
 
     Raises
     ------
@@ -105,6 +106,5 @@ def accepted_rod(result: Rod | NearestRod) -> Rod:
     require_record(result, NearestRod, "what was found", "a Rod or NearestRod")
     if not result.met:
         raise NotMetError(str(result))
-    if result.status is Status.MET:
-        return result.rod
-    return replace(result.rod, warnings=(*result.rod.warnings, result.status.value))
+    rod, status = result.rod, () if result.status is Status.MET else (result.status.value,)
+    return replace(rod, warnings=(*rod.warnings, *crossing_notes(rod.curve), *status))

@@ -728,7 +728,7 @@ def examine_curvature(
         and flats[0].s <= AT_END_SHARE * curve.length
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
-        return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
+        return replace(check, any_stiffness=True, warnings=crossing_notes(curve), zeros=())
     gentle = [z.s for z, slope in zip(points, _smaller_slopes(excess, points), strict=True)
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += faint_places(excess, largest, zeros)
@@ -746,7 +746,7 @@ def examine_curvature(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
-        warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *_warn_of_crossing(curve)),
+        warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *crossing_notes(curve)),
         curvature_touches=tuple(sorted([*touches, *gentle])),
     )
 
@@ -1014,7 +1014,8 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
         return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 
 
-def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+def crossing_notes(curve: PlaneCurve) -> tuple[str, ...]:
+    """Return a warning if the curve crosses itself."""
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()
