@@ -404,3 +404,13 @@ def test_of_two_options_none_is_ignored(drawn, tmp_path, options, message):
         code=2,
     )
     assert re.search(message, told.stderr)
+
+
+@pytest.mark.parametrize("changes", [(), ("--nearest",), ("--ratio", "2.5"), ("--nearest", "--stable")])
+def test_a_loop_warns_once_that_the_strip_crosses_itself(tmp_path, changes):
+    loop = ec.PlaneCurve.spline([(0, 0), (200, 100), (-100, 100), (100, 0)], degree=3)
+    path = tmp_path / "loop.json"
+    path.write_text(curves_json([loop]))
+    width = ("--sheet", "pom-0.5", "--max-width", 60)
+    printed = run("strip", path, *width, *changes, "--ignore-limits", "-o", tmp_path / "out").output
+    assert printed.count("crosses itself") == 1
