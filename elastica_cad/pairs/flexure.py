@@ -10,6 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, Takes, required
 from elastica_cad._values import (
+    distinct_digits,
     is_number,
     is_one_of,
     is_series,
@@ -81,6 +82,8 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
+# largest number of corrections of a reduced thickness, whose path differs; usually none is necessary
+MOST_CORRECTIONS = 3
 # largest number of tried enlargement factors, of which usually the second is sufficient
 MOST_ENLARGEMENTS = 4
 # spare factor on an enlarged part's thickness, because fillets at another node change it by up to 2 %
@@ -280,23 +283,29 @@ class Flexure:
                              "the same shape: set {field}", field=FieldName("least_thickness"))  # fmt: skip
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
-        try:
-            rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
-            shapes = [self._nodal(rest) for rest in rests]
-            if self.pair.bistable:
-                starts = self.rods if self._are_apart(*rests) else self.rods[:1]
-                shapes += [self._nodal(self._push(start, scale)) for start in starts]
-            else:
-                shapes.append(
-                    (
-                        self._bends_of(self._rods_with_moved_end),
-                        scale**2 * self._pull_of(self._rods_with_moved_end),
-                    )
-                )
-        except NotConvergedError:
-            return scale  # `warnings` reports the missing path
+        reduced = SPARE * most
+        for enough in (reduced, *[most] * MOST_CORRECTIONS):
+            try:
+                bends, stretch = self._shapes_at(scale)
+            except NotConvergedError:
+                break  # `warnings` reports the missing path
+            if float(self._strains(bends, stretch, scale).max()) <= enough:
+                break
+            scale = min(scale, self._thickest(bends, stretch / scale**2, reduced))
+        return scale
+
+    def _shapes_at(self, scale: float) -> tuple[FloatArray, FloatArray]:
+        """Return changes of curvature, 1/mm, and axial strains (k, n) of the states and the path between them."""
+        rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
+        shapes = [self._nodal(rest) for rest in rests]
+        if self.pair.bistable:
+            starts = self.rods if self._are_apart(*rests) else self.rods[:1]
+            shapes += [self._nodal(self._push(start, scale)) for start in starts]
+        else:
+            rods = self._rods_with_moved_end
+            shapes.append((self._bends_of(rods), scale**2 * self._pull_of(rods)))
         bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
-        return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
+        return bends, stretch
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
         """Return the least thickness of the part, mm, at which the largest strain of k shapes is `most`."""
@@ -874,11 +883,11 @@ class Flexure:
         else:
             most = self.travel_strain
             if not judge_strain(self.sheet, most).allowed and most > worst:
+                reached, limit = distinct_digits(100 * most, 100 * self.sheet.max_strain, ".2g")
                 messages.append(note(
-                    "between the states the strain reaches {most:.2g} %, but the sheet withstands "
-                    "{limit:.2g} % for long. Make the part thinner, or use another sheet",
-                    severity="warning", most=100 * most,
-                                  limit=100 * self.sheet.max_strain))  # fmt: skip
+                    "between the states the strain reaches {most:g} %, but the sheet withstands "
+                    "{limit:g} % for long. Make the part thinner, or use another sheet",
+                    severity="warning", most=reached, limit=limit))  # fmt: skip
             if (gap := self._least_gap_on_path(travel)) < LEAST_GAP_MM:
                 messages.append(note(
                     "between the states, two places of the part come within {gap} of each other. Draw "
