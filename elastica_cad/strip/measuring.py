@@ -74,6 +74,10 @@ SLIPS: Mapping[str, str] = {
         "The strip is read from the other end. Exchange height_1 and height_3, and start_angle and end_angle."
     ),
     "signs": "All heights and angles have the opposite sign. Read their signs from the measuring page.",
+    "turned": (
+        "The readings agree with the design turned by 180 degrees. Read them again, with the strip in the position "
+        "that the measuring page shows."
+    ),
     "tips": "The chord is measured between the tips of the tabs. Measure it where the bend begins.",
 }
 """Message for each mistake in taking the readings."""
@@ -299,6 +303,9 @@ class Measuring:
                 corrected[slip] = {name: measured[other] for name, other in exchange.items()}
         if signed := {name: -measured[name] for name in errors if name != "chord"}:
             corrected["signs"] = signed
+            opposite = EXCHANGES["ends exchanged"]
+            if all(opposite.get(name, name) in signed for name in signed):
+                corrected["turned"] = {name: signed[opposite.get(name, name)] for name in signed}
         if self.tips is not None and "chord" in errors:
             corrected["tips"] = {"chord": measured["chord"] - (self.tips - self.expected["chord"])}
         for slip, values in corrected.items():

@@ -60,6 +60,12 @@ def test_what_the_way_asks_for_decides_how_thick_a_bistable_part_is(clip):
     assert clip.warnings == ()
 
 
+def test_the_default_thickness_keeps_the_strain_of_its_own_path_within_the_limit():
+    part = FlexureSpec(arch(13, 180.0), arch(-12, 180.0), POM).make()
+    assert part.bistable
+    assert 0.9 * POM.max_strain < part.travel_strain <= POM.max_strain
+
+
 def test_a_force_is_told_with_what_thickness_and_sheet_leave_open(clip):
     """Against the same part made a tenth of a mm thinner and thicker."""
     low, high = clip.force_range

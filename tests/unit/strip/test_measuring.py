@@ -102,6 +102,22 @@ def test_readings_with_opposite_signs_are_named(points, names):
     assert not any("opposite sign" in row.text for row in measuring.compare(beside))
 
 
+@pytest.mark.parametrize("names", [HEIGHTS, (*HEIGHTS, *ANGLES)], ids=["heights", "heights and angles"])
+def test_readings_turned_by_180_degrees_are_named(names):
+    rod = ec.optimal_rod(ec.PlaneCurve.spline(S_CURVES["unsymmetric"], degree=3), samples=241)
+    measuring = Measuring.of(Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0))
+    other_end = {
+        "height_1": "height_3",
+        "height_3": "height_1",
+        "start_angle": "end_angle",
+        "end_angle": "start_angle",
+    }
+    turned = {name: -measuring.expected[other_end.get(name, name)] for name in names}
+    assert measuring.compare(turned)[0].text.startswith(
+        "The readings agree with the design turned by 180 degrees."
+    )
+
+
 @pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
 @pytest.mark.parametrize("turn", [0.0, 2.0, np.pi])
 def test_template_and_measuring_page_show_an_s_from_its_start_at_the_left(points, turn):
