@@ -14,7 +14,7 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.strip_spec import DOWN, StripSpec
 
 if TYPE_CHECKING:
     from elastica_cad.forming.section_lines import SectionCurve
@@ -82,9 +82,6 @@ class StripKeys(SharedKeys):
         0,
         1,
     )
-
-
-DOWN = (0.0, 0.0, -1.0)
 
 
 @dataclass(frozen=True, eq=False)

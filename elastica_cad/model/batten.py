@@ -12,6 +12,7 @@ from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -27,7 +28,7 @@ from elastica_cad.strip.holding_template import ends_message
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.strip_spec import DOWN, StripSpec
 from elastica_cad.strip.tapered_solids import side_view
 
 DEFAULT_STATIONS = 21
@@ -286,7 +287,8 @@ class Batten:
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
-            smooth=0.0, gravity=None if self.spec.lying is None else _gravity_across(self.spec.lying),
+            smooth=0.0, frame=Frame(),  # by default the batten is on its side, so its weight does not bend it
+            gravity=DOWN if self.spec.lying is None else _gravity_across(self.spec.lying),
         )  # fmt: skip
 
     @cached_property

@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
@@ -20,7 +21,7 @@ from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.strip_spec import DOWN, make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
 ENDS = Supports("pinned", "pinned")
@@ -142,7 +143,8 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
         raise InputError("The curve is straight, so a cord between its ends is slack. Draw an open arch.")
     if _has_constant_section(**fields):
         return Bow(curve, _strip_of_constant_section(curve, Sheet.of(sheet), **fields))
-    return Bow(curve, make_strip(curve, sheet, supports=ENDS, **fields))
+    level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
+    return Bow(curve, make_strip(curve, sheet, supports=ENDS, **(level | fields)))
 
 
 def rise_of(rod: Rod) -> float:

@@ -507,8 +507,11 @@ def make_within(
     warnings = accept_faults(find_strip_faults(strip, shop, noisy=noisy), ignore_limits)
     joined = spliced(strip, shop)
     warnings += () if joined is None else (str(joined),)
-    if not warnings:
-        return strip
+    return with_warnings(strip, *warnings) if warnings else strip
+
+
+def with_warnings(strip: Strip, *warnings: str) -> Strip:
+    """Return the strip with more warnings."""
     return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, *warnings)))
 
 
@@ -543,4 +546,4 @@ def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
         fault=faults[0].what,
         severity="warning",
     )
-    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, warning)))
+    return with_warnings(strip, warning)

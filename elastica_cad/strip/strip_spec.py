@@ -45,8 +45,9 @@ from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_pl
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.makeable_strip import make_within
+from elastica_cad.strip.makeable_strip import make_within, with_warnings
 from elastica_cad.strip.outline import USUAL_TABS, Hole, Tab, pair_of_tabs
+from elastica_cad.strip.own_weight import weight_warning
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
@@ -54,6 +55,9 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 
 GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 """Gravity of a request: a `Gravity`, True for the weight of the sheet along -y, or a direction."""
+
+DOWN = (0.0, 0.0, -1.0)
+"""Direction of gravity in space."""
 
 Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
 """Loads of a request: masses and forces in addition to the weight of the strip, or a `Weight` that replaces
@@ -600,6 +604,14 @@ class StripSpec(EqualByValue):
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
+    def _neglected_gravity(self) -> Gravity | None:
+        """Gravity that acts in the plane of the curve, but is not included; None if the request sets `gravity`."""
+        if self.gravity is not None and not is_one_of(self.gravity, [False]):
+            return None
+        down: GravityOption = True if self.frame is None else DOWN
+        return pull_in_plane(down, self.material, self.frame)[0]
+
+    @property
     def in_plane(self) -> "StripSpec":
         """Equivalent request whose directions are in the plane of the curve, without `frame`."""
         if self.frame is None:
@@ -792,10 +804,13 @@ class StripSpec(EqualByValue):
             The strip would break.
         """
         strip = self.bend(accepted_rod(solve_rod(self.rod_spec) if found is None else found))
-        return make_within(
+        made = make_within(
             strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
             noisy=measured_points(self.curve) is not None,
         )  # fmt: skip
+        neglected = self._neglected_gravity
+        warning = None if neglected is None else weight_warning(made, neglected)
+        return made if warning is None else with_warnings(made, warning)
 
     def bend(self, rod: Rod) -> Strip:
         """Return the strip of a rod, without joints, compensation or checks for the workshop."""

@@ -24,6 +24,7 @@ from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import bar_direction, side_of_bar
@@ -115,6 +116,8 @@ class Suggestion:
         effect = note(text, distance=about(self.deviation), **values)
         if self.tips:
             effect = note("{effect}; unstable sideways: guide the strip at the sides", effect=effect)
+        if any(map(collapses, self.strips)):
+            effect = note("{effect}; collapses under its own weight if it stands upright", effect=effect)
         match self.change.value:
             case Rail(float(at)):
                 (action,) = self.strips[0].rod.between
