@@ -10,15 +10,15 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.loads import Gravity, Weight
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.refusals import FieldName, Refusal, note
 from elastica_cad.strip.held_shape import about, deviation_from
 from elastica_cad.strip.strip import Strip
 
 LIGHT_CLAMPED, LIGHT = 1.0, 0.008
 """Largest weight, as a multiple of E I / length^2, whose effect is not computed.
 
-The weight is that of the whole strip. `LIGHT_CLAMPED` is for strips with both ends clamped, and `LIGHT` for other
-strips. The end of a straight cantilever moves by 1 / 8 of this number times the length, and the middle of a straight
+The weight is that of the whole strip. `LIGHT_CLAMPED` is for strips with both ends clamped, `LIGHT` for others.
+The end of a straight cantilever moves by 1 / 8 of this number times the length, and the middle of a straight
 strip with clamped ends by 1 / 384."""
 
 MOVES_FRACTION = 1e-3
@@ -58,9 +58,7 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     def under(fraction: float) -> Rod | None:
         """Return the rod under a fraction of its weight, or None if it collapses."""
         weight = Weight(alpha=Profile.interpolate(rod.s, fraction * newtons))
-        heavy = replace(
-            light, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness
-        )
+        heavy = replace(light, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness)
         try:
             bent = bend(heavy)
         except NotConvergedError:

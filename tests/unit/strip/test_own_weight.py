@@ -1,0 +1,87 @@
+"""The weight of strips that are designed without it: the warning, and its number against other equations."""
+
+import re
+
+import numpy as np
+import pytest
+from scipy.integrate import cumulative_trapezoid, solve_bvp
+
+import elastica_cad as ec
+from tests.command_line import run
+
+ARCH = [(50, 0), (250, 300), (950, 300), (1150, 0)]
+SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="1200mm" height="400mm" viewBox="0 0 1200 400">
+<path d="M 50 350 C 250 50 950 50 1150 350" fill="none" stroke="black"/></svg>"""
+STANDS = "If the curve stands upright"
+
+
+def gentle_csv(folder):
+    """Write a wavy curve of 1.5 m that rises 48 mm."""
+    x = np.linspace(0, 1500, 51)
+    y = 40 * np.sin(np.pi * x / 1500) + 8 * np.sin(np.pi * x / 300)
+    lines = [f"{a:.3f},{b:.3f}" for a, b in zip(x, y, strict=True)]
+    (folder / "gentle.csv").write_text("\n".join(["x,y", *lines]) + "\n")
+
+
+def sagged(strip):
+    """Return how far the strip moves, mm, by the boundary value problem of an inextensible rod with its weight."""
+    sheet, s, place = strip.sheet, strip.rod.s, strip.rod.position
+    B = sheet.youngs_modulus * sheet.thickness**3 / 12 * strip.width(s)
+    load = sheet.density * 1e-9 * 9.80665 * sheet.thickness * strip.width(s)
+    hung = cumulative_trapezoid(load, s, initial=0)
+    theta = np.unwrap(strip.rod.angle)
+    moment = B * np.gradient(theta, s)
+
+    def slopes(at, state, force):
+        _, _, angle, moment = state
+        up = force[1] + np.interp(at, s, hung)
+        bend = moment / np.interp(at, s, B)
+        return np.array([np.cos(angle), np.sin(angle), bend, force[0] * np.sin(angle) - up * np.cos(angle)])
+
+    def ends(first, last, force):
+        return np.concatenate(
+            [first[:2] - place[0], last[:2] - place[-1], [first[2] - theta[0], last[2] - theta[-1]]]
+        )
+
+    first = np.vstack([place.T, theta, moment])
+    solution = solve_bvp(slopes, ends, s, first, p=np.zeros(2), tol=1e-6, max_nodes=20000)
+    assert solution.success, solution.message
+    return float(np.hypot(*(solution.sol(s)[:2] - place.T)).max())
+
+
+def test_the_strip_command_states_how_far_the_weight_moves_a_long_arch(tmp_path):
+    (tmp_path / "arch.svg").write_text(SVG)
+    options = "--sheet birch-plywood-0.8 --max-width 60"
+    printed = run(f"strip arch.svg {options} -o out", cwd=tmp_path).output
+    strip = ec.make_strip(ec.PlaneCurve.spline(ARCH, degree=3), "birch-plywood-0.8", max_width=60)
+    far = float(re.search(r"the weight moves the strip by ([\d.]+) mm. Set --gravity", printed).group(1))
+    assert far == pytest.approx(sagged(strip), rel=0.05)
+    assert STANDS not in run(f"strip arch.svg {options} --gravity -o heavy", cwd=tmp_path).output
+
+
+def test_a_suggestion_that_collapses_under_its_weight_states_it(tmp_path):
+    gentle_csv(tmp_path)
+    options = "gentle.csv --sheet birch-plywood-0.8 --max-width 120"
+    advice = run("check gentle.csv", cwd=tmp_path, code=None).output
+    assert "collapses under its own weight if it stands upright" in advice
+    printed = run(f"strip {options} --nearest --stable -o out", cwd=tmp_path).output
+    carried = float(re.search(r"the strip collapses under ([\d.]+) % of its weight", printed).group(1))
+    assert 9 <= carried <= 10  # a chain of 300 links loses its stability between 9 and 10 %
+    assert "snaps" in run("bend out/gentle.json --gravity -o bent", cwd=tmp_path, code=None).output
+
+
+@pytest.mark.parametrize("frame", [None, ec.Frame(x_axis=(1, 0, 0), y_axis=(0, 0, 1))])
+def test_upright_strips_are_warned_of(frame):
+    curve = ec.PlaneCurve.spline(ARCH, degree=3)
+    strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=60, frame=frame)
+    assert any(STANDS in text for text in strip.warnings)
+
+
+def test_level_strips_small_strips_and_bows_have_no_warning():
+    curve = ec.PlaneCurve.spline(ARCH, degree=3)
+    level = ec.make_strip(curve, "birch-plywood-0.8", max_width=60, frame=ec.Frame())
+    small = ec.make_strip(curve.transformed(np.diag([0.3, 0.3, 1])), "birch-plywood-0.8", max_width=20)
+    glass = ec.Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.02)
+    bow = ec.bow(ec.PlaneCurve.arc((0, 0), 5000, 0.6 * np.pi, 0.4 * np.pi), glass, max_width=30, min_width=30)
+    for strip in (level, small, bow.strip):
+        assert not any(STANDS in text for text in strip.warnings)
