@@ -504,8 +504,8 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
         return ()
     slot, width, through = max(wide, key=lambda each: each[1] / each[2])
     what = note(
-        "the slot for {slot}{more} is {width} wide and cannot hold a tab {through} thick, "
-        "which needs a slot of at most {widest}",
+        "the slot for {slot}{more} is {width} wide, but a tab {through} thick is held only by a slot "
+        "of at most {widest}",
         slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
         widest=Length(widest(through)),
     )  # fmt: skip
