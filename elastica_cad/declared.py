@@ -212,7 +212,7 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Return True if a value has the kind. Kinds that occur only in files are not checked."""
+    """Return True if a value has the kind, or if the kind occurs only in files."""
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)

@@ -60,16 +60,16 @@ class ElasticaError(Exception):
     kind : str, optional
         Identifier of the kind of error, for programs. The default is the identifier of the class.
     where : mapping, optional
-        Positions of the problem by kind of position, such as {"field": "end"}.
+        Location of the problem: "file", "strip", "field" (name of an option) or "at" (mm along the curve).
     changes : sequence of Change, optional
-        Changes of the request that may help.
+        Suggested values of options.
     **values : object
         Values of the template. Lengths are passed as `Length`.
 
     Attributes
     ----------
     refusal : Refusal
-        The message and these data as a record.
+        Record of the message with `kind`, `where`, `changes` and `values`.
     details : tuple of str
         Sentences for verbose output.
 
@@ -113,7 +113,7 @@ class ElasticaError(Exception):
         return _restored, (type(self), str(self)), self.__dict__
 
     def at(self, **where: Any) -> Self:
-        """Add positions to this error and return it: `raise problem.at(strip="A1")`."""
+        """Add a location to this error and return it: `raise problem.at(strip="A1")`."""
         self.refusal = self.refusal.at(**where)
         return self
 

@@ -13,7 +13,7 @@ from elastica_cad._text import printable
 Severity = Literal["error", "warning", "note"]
 
 PLACES = ("file", "strip")
-"""Kinds of positions that a message shows before its text, in this order. Other kinds are for programs."""
+"""Keys of `where` that a message shows before its text, in this order. Other keys are for programs."""
 
 
 class _Worded:
@@ -270,7 +270,7 @@ class Change:
 class Refusal(str):
     """Message of an error, or message about a result: an English sentence with its data.
 
-    The `str` of a message is the positions and the sentence. From the template and the values, front ends can
+    The `str` of a message is the location and the sentence. From the template and the values, front ends can
     format the message in another language or unit. No code parses the sentence.
 
     Parameters
@@ -282,8 +282,8 @@ class Refusal(str):
     values : mapping
         Values by name. A value may be a Refusal.
     where : mapping
-        Positions of the problem by kind: "file", "strip", "field" (one or several fields of the request),
-        "at" (mm along the curve).
+        Location of the problem: "file", "strip", "field" (name of an option, or several names) or "at" (mm
+        along the curve).
     changes : sequence of Change
         Alternative changes that may help but are not tested.
     severity : "error", "warning" or "note"
@@ -326,7 +326,7 @@ class Refusal(str):
         return self.kind, self.text, self.values, self.where, self.changes, self.severity
 
     def at(self, **where: Any) -> "Refusal":
-        """Return the same refusal with additional positions."""
+        """Return the same refusal with additional keys of `where`."""
         return Refusal(
             self.kind, self.text, self.values, {**self.where, **where}, self.changes, self.severity
         )

@@ -22,7 +22,7 @@ MOST_ROWS = 56
 class Constraint(ABC):
     """Constraint of the search for the nearest rod: k values that depend on the rod.
 
-    The values are scaled so that a large violation is of order 1.
+    The values are scaled so that a large violation is about 1.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class EndPosition(Constraint):
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of both coordinates by the unknowns."""
+        """Return the indices of both coordinates and their derivatives by the unknowns."""
         return _all_rows(sensitivities.position[-1])
 
 
@@ -99,7 +99,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the end angle by the unknowns."""
+        """Return the index 0 and the derivatives of the end angle by the unknowns."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -115,7 +115,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the scaled moment by the unknowns."""
+        """Return the index 0 and the derivatives of the scaled moment by the unknowns."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -132,7 +132,7 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the scaled force by the unknowns."""
+        """Return the index 0 and the derivatives of the scaled force by the unknowns."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -157,7 +157,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the signed distance by the unknowns."""
+        """Return the index 0 and the derivatives of the signed distance by the unknowns."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -205,7 +205,7 @@ class InflectionLine(Constraint):
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of both values by the unknowns."""
+        """Return the indices of both values and their derivatives by the unknowns."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -240,7 +240,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the three values by the unknowns."""
+        """Return the indices of the three values and their derivatives by the unknowns."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -272,7 +272,7 @@ class MiddleOfTurn(Constraint):
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the three values by the unknowns."""
+        """Return the indices of the three values and their derivatives by the unknowns."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -330,7 +330,7 @@ class MarginLimit(Constraint):
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the value by the unknowns."""
+        """Return the index 0 and the derivatives of the value by the unknowns."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -532,11 +532,11 @@ class LeastStiffness(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 minus the least stiffness (1,). The bounds of the coefficients prevent positive values."""
+        """Return 1 minus the least stiffness (1,): at least 0 here, at most 0 by the bounds of the coefficients."""
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the value by the unknowns."""
+        """Return the index 0 and the derivatives of the value by the unknowns."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

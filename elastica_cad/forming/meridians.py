@@ -260,7 +260,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Return the unknowns of the shortest meridian through all points, or None if none was found."""
+    """Return the unknowns of `_Equations` for the shortest meridian through all points, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -301,7 +301,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
 def _nearest(
     points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the points (n, 2) and the unknowns of the meridian nearest to the given points.
+    """Return points (n, 2) and unknowns of `_Equations` for the meridian nearest to given points.
 
     The method is Gauss-Newton, with the equations as constraints. A step is halved until the sum of squared
     distances and weighted residuals decreases.

@@ -264,7 +264,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # rounding errors can change the number of supports if supports are placed from the other end
+    # rounding errors can change the number of supports; the earliest positions are then unknown
     return earliest if len(earliest) == len(latest) else latest
 
 

@@ -1,4 +1,4 @@
-"""Strips on paths: curves drawn in a CAD library, plane curves, or finished strips."""
+"""Make strips from edges drawn in a CAD library, from plane curves, or from finished strips."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace

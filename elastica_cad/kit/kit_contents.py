@@ -151,7 +151,7 @@ def kit_contents(
 
 
 def _tip_notes(kind: HolderKind, parts: Sequence[Holder]) -> tuple[str, ...]:
-    """Return a note if tabs extend below the lowest plate. A model with a frame stands on its ribs."""
+    """Return a note if tabs extend below the lowest plate, except for frames, which stand on ribs."""
     plates = [part for part in parts if isinstance(part, BasePlate)]
     if kind == "frame" or (kind == "stand" and len(plates) < len(parts)):
         return ()

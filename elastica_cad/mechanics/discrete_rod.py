@@ -244,7 +244,7 @@ def largest_of_inverse(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """Factor A - shift = L D L^T for a tridiagonal matrix A, with a shift below all eigenvalues."""
+    """Return D, L and a shift below all eigenvalues, where A - shift = L D L^T and A is tridiagonal."""
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2
     lowest = lapack().dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]

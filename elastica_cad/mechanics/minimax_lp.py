@@ -22,7 +22,7 @@ class Exchange(NamedTuple):
     first_step : int
         For a smooth stiffness, the first program contains every `first_step`-th sample of the curve.
     box : float
-        Bound of the scaled unknowns, which are of order 1. The first vertex is at this bound.
+        Bound of the scaled unknowns, usually about 1. The first vertex is at this bound.
     feasible : float
         Largest violation of a condition that counts as a rounding error. The violation is relative to 1, or to
         the ratio R if the condition contains R.
@@ -249,7 +249,7 @@ def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return a basis (m, k) of the unknowns in which coefficients of order 1 give stiffnesses of order 1."""
+    """Return a basis (m, k) of the unknowns in which coefficients near 1 give stiffnesses near 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)

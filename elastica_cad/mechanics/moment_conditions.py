@@ -538,11 +538,10 @@ class BalancedStiffness:
     Attributes
     ----------
     stiffness, moment, force : PanelFunction
-        Stiffness K with a least value of about 1, and bending moment (1/mm) and force b (1/mm2) over the
-        least bending stiffness. The force b is the negative internal force turned clockwise by 90
-        degrees.
+        Stiffness K, moment M (1/mm) and force b (1/mm2), divided by the least bending stiffness, so that
+        the least K is about 1. The force b satisfies dM/ds = <b, T> for the unit tangent T.
     bending_stiffness, weight
-        Least bending stiffness B, N mm2, and the corresponding weight, if the weight is in newtons.
+        Least bending stiffness B, N mm2, and the weight of a strip with this B; None if not computed.
     kinks : sequence of (s, continuity)
         Arc lengths s, mm, at which the load or the material law makes K less smooth than the curve.
     between : tuple of ElementForce

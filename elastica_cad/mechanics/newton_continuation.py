@@ -300,7 +300,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Turn the edges as little as possible to move supports and ties to their positions. Return None on failure."""
+    """Turn the edges of the discrete rod as little as possible to fit its supports and ties, or return None."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     softness = 0.0 if state.system.compression is None else 1 / state.system.length

@@ -189,7 +189,7 @@ class WeightedPanels:
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable` for a moment beyond the range of floating-point numbers."""
         check = self.request.check
-        assert self.gravity is not None  # without gravity, moments are bounded
+        assert self.gravity is not None  # only weight makes moments that large
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 

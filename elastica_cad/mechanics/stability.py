@@ -75,7 +75,8 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
     right = np.zeros((n + 1, 1 + rows.shape[0]))
-    # zeta'(0) = 1 as in Eq. 7 of the paper, or zeta(0) = 1 at an end free to turn
+    # the Jacobi solution zeta (paper, Eq. 7) at the first edge: its distance from a held start (slope 1), or 1 if
+    # the start is free to turn
     right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
     right[1:, 1:] = -rows.T
     fields = np.zeros((n + 2, right.shape[1]))

@@ -106,7 +106,7 @@ class _PowerLaw(FixedLaw):
     def strains(
         self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Return the strain of the outermost fibre: half the parameter times the change of curvature."""
+        """Return the strain of the outermost fibre: change of curvature times half the thickness or diameter."""
         bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         strain = bend * positive(parameter, self.quantity) / 2
         return (LayerStrain(self.sheet, np.atleast_1d(strain)),)

@@ -296,9 +296,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint of an equal pair of strips, moved to the pair with the indices `members`.
+        """Copy a joint to the strips with the indices `members`, which cross like the strips of the joint.
 
-        `frames` are those of the first strip of the old pair and of the first strip of `members`.
+        `frames` are the frames of the joint's first strip and of the first strip of `members`.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)

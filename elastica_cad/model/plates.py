@@ -736,7 +736,7 @@ def _rim_text(
     largest, name = min(LABEL_MM, 0.4 * (outer - inner)), engravable(name)
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
-        # height at which the upper corners of the name are on the outer circle
+        # highest base line at which the text is inside the outer circle
         most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
         if most >= inner + below:
             low = min(most, (inner + below + outer - height) / 2)

@@ -27,11 +27,11 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 # weight of a displacement along the curve, relative to a displacement across the curve
 _ALONG = 0.1
-# displacement (fraction of the length) that weighs as much as a curvature change of 1 / length
+# displacement (fraction of the length) that counts in the norm of a move like a curvature change of 1 / length
 _BEND = 0.005
-# displacement (fraction of the length) that weighs as much as a change of the parametric speed by 100 %
+# displacement (fraction of the length) that counts like a doubled parametric speed
 _STRETCH = 0.05
-# displacement (fraction of the length) that weighs as much as a change of the moment by its largest value
+# displacement (fraction of the length) that counts like a change of the moment by its largest value
 _LINE_STEP = 0.02
 # relative size of singular values below which conditions count as dependent
 _RANK = 1e-11
@@ -105,7 +105,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # unknowns of order 1: the moment at the centre of the curve, and its gradient
+        # matrix from the scaled moment at the centre of the curve, and its gradient, to a, b_x and b_y
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )

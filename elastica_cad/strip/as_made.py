@@ -129,13 +129,12 @@ isotropic value. Fitted to finite elements (`tests/campaign/finite_elements/idle
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Constants of the unstressed corners beside a step of the width (`STEP`) or a tab (`TAB`, `TAB_REACH`).
 
-`STEP` and `TAB` are the reductions of the strip's energy by these corners, relative to a crack
-(`crack_energy`). `TAB_REACH` is the distance of the corners from the tab, as a fraction of the difference in
-width between strip and tab.
+The corners act like an added length of the strip: `STEP` or `TAB` times `crack_energy` times `idle_length`.
+`TAB` is for the Poisson ratio 0, because a tab prevents curling across the strip.
 
-`TAB` is fitted for the Poisson ratio 0, because a tab prevents curling across the strip. `TAB_REACH` is for an
-isotropic sheet. The distance is proportional to sqrt(E / G). Fitted to finite elements
-(`tests/campaign/finite_elements/idle_corners.py`)."""
+The length is added at a distance from the tab of `TAB_REACH` times the difference in width between strip and
+tab. In a sheet with grain, the distance is multiplied by sqrt(E / G) divided by its isotropic value.
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
 """`RESTRAINT` is the length along which a clamp prevents curling across the strip, as a multiple of the

@@ -51,7 +51,7 @@ CLEAR_OF_SLOTS_MM = 0.02
 
 @dataclass(frozen=True, eq=False)
 class DiamondPattern:
-    """Pattern of diamond holes: rows of full diamonds, diamonds in the gaps, and half diamonds at the edges.
+    """Pattern of rows of full diamond holes, diamonds in the gaps between them, and half diamonds at the edges.
 
     Let H = width - material be the total width of the holes, n = `columns`, and t = material / (2 n + 2). T(s)
     rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n. Diamonds in the gaps
@@ -225,7 +225,7 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges."""
+    """A row of holes: full diamonds, or diamonds in the gaps between them and half diamonds at the edges."""
 
     stretches: tuple["_Stretch", ...]
     columns: int

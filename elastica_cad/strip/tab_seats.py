@@ -228,10 +228,10 @@ class SeatedEnd:
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Return the gradient of energy / B with respect to shift and turn, 1/mm2.
+        """Return the derivatives of energy / B by the shift of this end and by its turn times `length`, 1/mm2.
 
-        B is the bending stiffness. The gradient is the force and, divided by `length`, the moment of the holder on
-        the rod. The argument `left` is the result of the method `left`.
+        B is the bending stiffness of the rod. `left` is the unit vector that the method `left` returns. The
+        derivatives are the force and the moment / `length` of the holder on the rod, both divided by B.
         """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length

@@ -196,7 +196,7 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the faces whose radius is `share` times the outer radius, and return the edges of each circle."""
+        """Add the surface with `share` times the outer radius. Return two half circles for each end of a piece."""
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 

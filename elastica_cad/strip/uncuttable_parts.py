@@ -359,7 +359,7 @@ class Fault:
     cure : str
         Sentence that suggests a change.
     changes : tuple of Change
-        Suggested changes of the request.
+        Suggested values of options.
     at : float, optional
         Position along the curve, mm.
     """
@@ -401,7 +401,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
 def find_strip_faults(
     strip: Strip, shop: FabricationLimits | None = None, *, noisy: bool = False
 ) -> tuple[Fault, ...]:
-    """Return all faults that prevent a strip from being cut and handled, those of the base first.
+    """Return all faults that prevent a strip from being cut and handled.
 
     Set `noisy` for a curve through noisy measured points. The advice is then to smooth the curve.
 
