@@ -547,12 +547,21 @@ class Flexure:
         apart = min(
             (float(np.hypot(*(a - b))) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
         )
-        if apart < self.pad.hole + self.sheet.thickness / 2:
+        least, spacing = self.pad.hole + self.sheet.thickness / 2, self.pad.length - 2 * self.pad.inset
+        if spacing < least:
             raise InputError(
-                "the holder's holes for the two states are only {apart} apart and overlap. Change the length "
-                "of the pads, or turn the second curve so that its end is elsewhere",
-                apart=Length(apart),
-            )
+                "the two holes of a pad are {spacing} apart, but a holder {thickness} thick needs at least "
+                "{least} between their centres. Set {field} to {longer:g} or more",
+                spacing=Length(spacing), thickness=Length(self.sheet.thickness), least=Length(least),
+                field=FieldName("pad.length"), longer=Length(rounded_up(least + 2 * self.pad.inset, 3)),
+            )  # fmt: skip
+        if apart < least * (1 - 1e-9):
+            raise InputError(
+                "the holder's holes for the two states are only {apart} apart, but it needs at least {least} "
+                "between their centres. Change the length of the pads, or turn the second curve so that its end "
+                "is elsewhere",
+                apart=Length(apart), least=Length(least),
+            )  # fmt: skip
         texts = list[Text]()
         boxes = list[FloatArray]()
         for group, name, number in zip(settings, self.state_names, "12", strict=False):

@@ -285,6 +285,17 @@ def test_half_the_step_changes_the_largest_force_below_one_percent(part, request
     assert (flexure.travel.travel < flexure.travel.travel[flexure.travel.force.argmax()]).sum() >= 12
 
 
+@pytest.mark.parametrize("depth", [12.0, 15.0])
+def test_a_longer_pad_keeps_its_holes_apart_in_a_thick_holder(clip, depth):
+    thick = replace(clip, sheet=replace(POM, thickness=depth))
+    with pytest.raises(InputError, match="two holes of a pad are 9 mm apart") as error:
+        thick.holder()
+    longer = float(str(error.value).rpartition(" to ")[2].split()[0])
+    assert len(replace(thick, pad=Pad(length=longer)).holder().on("CUT_INNER")) == 4
+    with pytest.raises(InputError, match="two holes of a pad"):
+        replace(thick, pad=Pad(length=longer - 0.1)).holder()
+
+
 def test_states_have_names_in_the_holder_and_the_warnings(stand):
     named = replace(stand, state_names=("reading", ""))
     assert [text.text for text in named.holder().texts] == ["reading", "2"]
