@@ -26,9 +26,8 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 
 Pair: TypeAlias = tuple[float, float]
 
-NEAR_MM = 1e-3
-"""Largest distance, mm, of a meridian from its points that is not reported, because cuts are less accurate.
-"""
+NEAR_MM, NEAR_SHARE = 0.05, 1e-3
+"""Distances, in mm and as a fraction of the length. A meridian that deviates by less than both is not reported."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +147,7 @@ class RevolutionTable:
                 "If the axis is elsewhere, set the key 'axis' or 'axis_x'.",
                 width=width,
             ))  # fmt: skip
-        if self.meridian.deviation > NEAR_MM:
+        if self.meridian.deviation > min(NEAR_MM, NEAR_SHARE * self.meridian.curve.length):
             reports.append(note(
                 "The meridian deviates by up to {far} from its points, because strips cannot cover the "
                 "surface of a closer curve without gaps."

@@ -106,6 +106,22 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
     assert 0.1 < design.revolution.meridian.deviation < 3
 
 
+@pytest.mark.parametrize(("size", "bulge", "reports"), [(1, 0, 0), (1, 0.4, 1), (0.1, 0, 0), (0.1, 2, 1)])
+def test_a_meridian_close_to_its_points_is_not_reported(read, size, bulge, reports):
+    ball = [
+        [56, 19.54],
+        [70, 33.43],
+        [84.57, 59.22 + bulge],
+        [90, 90],
+        [84.57, 120.78],
+        [70, 146.57],
+        [56, 160.46],
+    ]
+    points = (size * np.array(ball)).tolist()
+    design = read(f"[revolution]\nstrips = 12\npoints = {points}\n")
+    assert len(design.reports) == reports
+
+
 @pytest.mark.parametrize(
     "axis",
     [
