@@ -196,7 +196,7 @@ $(OLDEST)/installed: $(VENV)/created pyproject.toml tests/oldest/requirements.tx
 
 .venv-build123d/installed .venv-cadquery/installed: .venv-%/installed: $(VENV)/created pyproject.toml
 	@$(ALONE) .venv-$*
-	$(call install,.venv-$*,--editable ".[plot$(COMMA)$*]" "pytest>=8" "hypothesis>=6.100")
+	$(call install,.venv-$*,--editable ".[plot$(COMMA)mesh$(COMMA)$*]" "pytest>=8" "hypothesis>=6.100" "shapely>=2.0")
 
 clean:
 	rm -rf $(VENV) .venv-* $(OUT)

@@ -14,9 +14,12 @@ NEEDS = {
     "test_build123d_strips.py": {"build123d"},
     "test_cadquery_strips.py": {"cadquery"},
     "test_closed_bodies.py": SKINS,
+    "test_engraving_and_pockets.py": SKINS,
+    "test_flexures.py": SKINS,
     "test_laminate_bodies.py": SKINS,
     "test_screws_of_bd_warehouse.py": SKINS,  # and bd_warehouse, which is in the environment of both
     "test_step_exchange.py": SKINS,
+    "test_step_files.py": {"build123d"},
     "test_typing.py": SKINS,  # and mypy, which is where both are
 }
 

@@ -2,13 +2,12 @@
 
 import re
 
+import build123d as bd
+import cadquery as cq
 import numpy as np
 import pytest
 
 import elastica_cad as ec
-
-bd = pytest.importorskip("build123d")
-cq = pytest.importorskip("cadquery")
 
 ARCH = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 OPTIONS = {"max_width": 30, "label": "A1"}

@@ -3,14 +3,13 @@
 import copy
 import pickle
 
+import build123d as bd
+import cadquery as cq
 import numpy as np
 import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-
-bd = pytest.importorskip("build123d")
-cq = pytest.importorskip("cadquery")
 
 
 @pytest.fixture(scope="module")
