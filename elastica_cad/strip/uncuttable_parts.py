@@ -564,7 +564,7 @@ def _thin_strip(
         (tabs if of_tab else free).append(place)
     if free:
         cure, changes = _suggestions_for_necks(strip, least / free[0].width, least, noisy)
-        for fault in _faults_at(name, free, least, layer.sheet, cure):
+        for fault in _faults_at(name, free, least, layer.sheet, cure, strip=strip):
             yield replace(fault, changes=changes, at=free[0].x)
     for place in tabs[:1]:
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
@@ -668,20 +668,21 @@ def _faults_at(
     loops: Sequence[str] = (),
     *,
     of_hole: bool = False,
+    strip: Strip | None = None,
 ) -> Iterator[Fault]:
     """Yield a fault for each thin place. `loops` are the names of the loops, holes with their position."""
-    # list equal gaps once, such as those between the slots around a ring
-    alike: dict[object, list[ThinPlace]] = {}
-    for k, place in enumerate(places):
-        alike.setdefault(f"{place.width:.3g}" if loops else k, []).append(place)
+    # list equal widths once, such as those between the slots around a ring
+    alike: dict[str, list[ThinPlace]] = {}
+    for place in places:
+        alike.setdefault(f"{place.width:.3g}", []).append(place)
     listed = list(alike.values())[:MOST_LISTED]
     for k, (place, *others) in enumerate(listed):
         unlisted = len(places) - sum(map(len, listed)) if k == MOST_LISTED - 1 else 0
         rest = len(others) + unlisted
         more = note(" (and {rest} more places)", rest=rest) if rest > 1 else note(" (and 1 more place)")
         at = (
-            note("at {s} from the start of the curve", s=Length(place.x))
-            if abs(place.y) < 1e-9 and place.x >= 0
+            _place_on(strip, place)
+            if strip is not None and abs(place.y) < 1e-9
             else note("at {place} of the flat part", place=Point((place.x, place.y)))
         )
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))

@@ -172,7 +172,8 @@ def test_limits_that_make_no_sense(limits):
 def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():
     """ "Only 3 mm wide; birch needs 3 mm" would help nobody."""
     fault, *_ = find_strip_faults(strip((1, 2, 1), max_width=5.996))
-    assert "only 2.998 mm wide at" in fault.what
+    assert "only 2.998 mm wide in the tab at its " in fault.what
+    assert "(and 1 more place), but" in fault.what
     assert "needs at least 3 mm" in fault.what
     (fault,) = find_strip_faults(strip(length=3030.4, max_width=30))
     assert "3050.4 x 30 mm is larger than the stock of 3050 x 1525 mm" in fault.what
