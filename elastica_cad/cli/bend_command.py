@@ -128,7 +128,9 @@ ROUNDED_MM = 1.0
 )
 @output_options
 def bend_command(curve: Path | None, **chosen: Any) -> None:
-    """Bend the strip for CURVE, or a straight strip, to other ends, and compute its shape and forces.
+    """Bend a strip to other ends, or load it, and compute its forces.
+
+    CURVE is a drawing, or the report of a strip. Without it, --straight gives the length of a straight strip.
 
     \b
       elastica bend arch.dxf --to 350 0                        the arch with its ends 50 mm closer

@@ -94,13 +94,14 @@ _STOCK = (
 @click.command("bow")
 @join_options(*_STOCK)
 def bow_command(curve: Path, **chosen: Any) -> None:
-    """Find the rod or strip that a cord between its ends bends into CURVE: length, cord, pull, end angles.
+    """Find the rod or strip that a cord bends into a curve.
 
-    A rod or strip of constant section becomes the even bow with the end points and the length of CURVE; its
-    distance from CURVE is reported. A rod within limits, or a strip with --max-width alone, gets the taper that
-    bends exactly into CURVE. CURVE must then run straight at both ends. A table lists pull, rise, strain and safety
-    for shorter cords. Writes NAME-bow.csv (that table), NAME-bow.json, NAME-bow.png (needs matplotlib), and for a
-    taper or a strip the drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected.
+    The results are its length, the cord, its pull and the end angles. A rod or strip of constant section
+    becomes the even bow with the end points and the length of CURVE; its distance from CURVE is reported. A rod
+    within limits, or a strip with --max-width alone, gets the taper that bends exactly into CURVE. CURVE must
+    then run straight at both ends. A table lists pull, rise, strain and safety for shorter cords. Writes
+    NAME-bow.csv (that table), NAME-bow.json, NAME-bow.png (needs matplotlib), and for a taper or a strip the
+    drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected.
 
     \b
       elastica bow arch.dxf --rod 8                                   any material: pull per GPa

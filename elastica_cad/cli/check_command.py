@@ -97,7 +97,7 @@ def check(
     pin: Any,
     tie: Any,
 ) -> None:
-    """Check whether flat strips can be bent into the curves in CURVE, and report where and why not.
+    """Check whether flat strips can be bent into the curves in CURVE.
 
     A strip can take a curve if a straight line meets the curve exactly in its inflections and is not tangent to it
     there. Rails, pins and ties (--rail 200) make more curves possible. Every curve is checked separately. Exit code

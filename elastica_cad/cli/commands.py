@@ -266,7 +266,7 @@ def _instruction_for_missing(param: click.Parameter | None) -> str:
               help="Unit of lengths in options; a length may have its own unit: 1.5in.")  # fmt: skip
 @click.option("--watch", is_flag=True, help="Run again when an input file is saved; stop with Ctrl-C.")
 def elastica(quiet: bool, units: str, watch: bool) -> None:
-    """Design flat strips that bend exactly into a drawn curve.
+    """Design flat strips that bend into a drawn curve.
 
     \b
     A first session:
@@ -275,16 +275,17 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
       elastica new pavilion                         a commented design file to start from
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
-      elastica batten --length 2400 --camber 10 --at 40 --sheet pom-1 --stock 25 8    a tapered sail batten
+      elastica batten --length 2400 --camber 10 --at 40 --sheet pom-1 --stock 25 8    a sail batten 10 % deep
       elastica bow arch.dxf --rod 8                 a rod bent by a cord
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
     Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v, and the options below in
-    any position. `elastica help` lists all keys of a strip, `elastica help KEY` explains a key. Exit codes: 0 done,
-    1 not realizable, not within the limits, or so much strain that the sheet is likely to break, 2 bad input, 130
-    stopped by Ctrl-C, 141 the output was closed. Less strain above the limit of the sheet is a warning with exit
-    code 0, or 1 with --set files.strict=true.
+    any position. `elastica help` lists all keys of a strip, `elastica help KEY` explains a key.
+
+    Exit codes: 0 done, with warnings or without; 1 no strip can take the curve, the strip is not within its limits,
+    or it is likely to break; 2 bad input; 130 stopped by Ctrl-C; 141 the reader of the output stopped early. A
+    strain slightly above the limit of the sheet is a warning. With --set files.strict=true the exit code is then 1.
     """
 
 

@@ -35,8 +35,9 @@ def _unknown(strip: str, path: Path, strips: Sequence[str]) -> InputError:
               help="Typical error of measured lengths  [default: reading_error in MEASURED, or 2].")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite files.")
 def compare(report: Path, measured: Path | None, reading_error: float | None, force: bool) -> None:
-    """Compare the measurements in MEASURED with the REPORT of a strip or a model (NAME.json by `elastica strip` or
-    `elastica model`).
+    """Compare measurements of a built strip with its design.
+
+    REPORT is NAME.json by `elastica strip` or `elastica model`, and MEASURED has the measurements.
 
     Without MEASURED it writes files beside the report: for each strip, a page NAME-measure.svg (places to measure,
     expected values, meaning of differences), and NAME-measured.toml to fill in, with a table for each strip of a

@@ -62,7 +62,9 @@ contradict each other."""
 @click.option("--keep", is_flag=True, help="Save the measured sheet in the library for all commands.")
 @output_options
 def coupon(**chosen: Any) -> None:
-    """Write a coupon of a sheet as DXF and SVG, or compute the stiffness from its droop (--measured).
+    """Write a test strip of a sheet, or compute its stiffness.
+
+    The test strip (coupon) is written as DXF and SVG. The stiffness follows from its droop (--measured).
 
     Cut the coupon, clamp it level at the edge of a table up to one of its ticks, let the rest hang, and measure how
     far its end drops. Turn it over and measure again, because the mean cancels its curl. Then

@@ -22,7 +22,9 @@ def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> l
 @click.command("help")
 @click.argument("key", required=False, shell_complete=_keys_beginning_with)
 def help_command(key: str | None) -> None:
-    """Explain KEY of a strip or a design file, such as limits.ratio, or an option; without KEY list all keys.
+    """Explain a key or an option, or list all keys.
+
+    KEY is a key of a strip or a design file, such as limits.ratio, or an option. Without it, all keys are listed.
 
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """

@@ -32,7 +32,9 @@ AROUND, UP = 48, 25
 @click.argument("kind", type=click.Choice(KINDS))
 @output_options
 def new(kind: str, output: Path, force: bool) -> None:
-    """Write KIND.toml, a commented design file that is ready for `elastica model`.
+    """Write a commented design file as a start.
+
+    The file KIND.toml is ready for `elastica model`. Kinds:
 
     arch: a strip along arch.dxf between two printed blocks; lamp: twelve strips between two rings; pavilion:
     interlocking strips on a base; revolution: a closed surface of equal strips; sections: strips along the mesh

@@ -71,13 +71,13 @@ _WISHES = (
 @click.argument("second", type=FILE, required=False)
 @join_options(*_WISHES)
 def pair(**chosen: Any) -> None:
-    """Make a part with two rest shapes, the curves of FIRST and SECOND: a clip, a catch, a stand.
+    """Make a part with two rest shapes: a clip, a catch, a stand.
 
-    Without SECOND, both curves are in FIRST. The part is cut flat in its unloaded shape, and its thickness in the
-    plane of the sheet varies along it. If the ends of both curves agree in position and direction, the part is
-    bistable and snaps between them; otherwise one end is moved between two positions. NAME-holder.dxf is the plate
-    that holds the part. FIRST may also be a design file with a table [pair], which names the curves, the sheet and
-    all options.
+    The shapes are the curves of FIRST and SECOND. Without SECOND, both curves are in FIRST. The part is cut
+    flat in its unloaded shape, and its thickness in the plane of the sheet varies along it. If the ends of both
+    curves agree in position and direction, the part is bistable and snaps between them; otherwise one end is
+    moved between two positions. NAME-holder.dxf is the plate that holds the part. FIRST may also be a design
+    file with a table [pair], which names the curves, the sheet and all options.
     """
     path: Path = chosen["first"]
     settings = parsed_settings(chosen["settings"], PairKeys)

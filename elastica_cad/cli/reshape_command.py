@@ -58,7 +58,9 @@ def reshape(
     output: Path,
     **corners: tuple[float, float] | None,
 ) -> None:
-    """Pull the curves in CURVE by four handles, by default the corners of their bounding box.
+    """Stretch and skew the curves in CURVE by four handles.
+
+    By default the handles are the corners of the frame around the curves.
 
     \b
       elastica reshape wave.dxf --top-right 265 190 --top-left 20 130

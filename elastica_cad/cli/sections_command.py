@@ -121,7 +121,9 @@ POSITIVE = click.FloatRange(0, min_open=True)
               help="Sheet of plates that hold the strips, in the design file; `none`: no plates.")  # fmt: skip
 @output_options
 def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
-    """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
+    """Cut a mesh or a CAD body into curves for strips.
+
+    MESH is an OBJ, STL, PLY or STEP file. It is cut by planes, and a curve is fitted to each section.
 
     \b
       elastica sections pot.obj --unit cm --radial 16 --sheet card-200gsm -o out

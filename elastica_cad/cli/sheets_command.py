@@ -28,7 +28,9 @@ SOURCE_LABELS = {
 @click.command()
 @click.argument("name", required=False)
 def sheets(name: str | None) -> None:
-    """List all sheets, or all properties of the sheet NAME (or of a file, my.toml) with their source.
+    """List all sheets, or the properties of one sheet.
+
+    NAME is a sheet or a file, my.toml. Its properties are listed with their sources.
 
     Materials vary. Measure a coupon of your sheet before a large job. `elastica coupon` writes your sheets as TOML
     files. Use such a file as --sheet my.toml, or copy it into the library and use its name. The library is the

@@ -80,7 +80,7 @@ class _Grouped(click.Command):
 @strip_options
 @click.pass_context
 def strip(ctx: click.Context, /, **chosen: Any) -> None:
-    """Make the strip that bends into the curve in CURVE, and write its cutting files.
+    """Make the strip that bends into a curve, and its cutting files.
 
     Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is the name of CURVE.

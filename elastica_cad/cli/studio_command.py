@@ -18,7 +18,9 @@ NEEDED = ("starlette", "uvicorn", "websockets", "tomlkit")
               help="Port on this computer.")  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Print the address without opening a browser.")
 def studio(design: Path | None, port: int, no_browser: bool) -> None:
-    """Open a page to draw a curve, see the bent strip, and download its files; DESIGN is read and saved.
+    """Open a page to draw a curve and see its strip.
+
+    The page downloads the files of the strip, and reads and saves DESIGN.
 
     The first line is the address of the page, for a browser on this computer. Stop with Ctrl-C. The page reads
     and writes only DESIGN; other files are downloads. Without DESIGN the drawing is stored in the address of the
