@@ -22,11 +22,14 @@ change affects the code that it tests, and before a release. [CONTRIBUTING.md](.
 them. Two campaigns have pages of their own: [strips bent by finite elements](finite_elements.md) and [bodies in
 three CAD kernels](kernels.md).
 
-*Passed*: no check of the run failed. *Failed*: a check failed. Such a fault is mended before a release. The
+*Passed*: no check of the run failed. *Failed*: a check failed. The program of this commit may then do something
+wrong in what the row tests, or the check itself may be out of date. Both are mended before a release. The row
+*release* installs the files of a release and runs a part of the tests, so it can pass while another row fails. The
 campaigns *elements* and *mutants* also measure something for which there is no limit: how near strips come to
 their design, and how many errors the tests notice. *Passed* then means that the measurement was completed.
 
-*Figures* is the last line that the run printed:
+Most rows of random cases are short runs of two or three minutes (*minutes*). They cover few cases: a longer run
+may find more. *Figures* is the last line that the run printed, for those who develop the program:
 
 - *passed*, *failed*: numbers of tests. *Deselected* tests belong to another run. *Xfailed* tests are expected
   to fail in this run, because they compare the wording of a message.
@@ -36,7 +39,7 @@ their design, and how many errors the tests notice. *Passed* then means that the
   far from the drawn curve, met by a search that stopped early, and not met. It would be a fault to report a
   limit as met that is not met.
 - *seed*: a number with which the same random cases are made again. *longest_s*, *most_mib*: longest time and
-  largest memory of a case.
+  largest memory of a case. *Mib*: memory in MiB.
 
 | campaign | what it tests | outcome | date | commit | figures |
 | --- | --- | --- | --- | --- | --- |
@@ -45,7 +48,7 @@ their design, and how many errors the tests notice. *Passed* then means that the
 TESTED = {
     "banks": "long studies and random curves: results agree with other methods and with published numbers",
     "bodies": "bent and flat bodies in build123d and CadQuery stay valid when they are cut, joined and rounded",
-    "elements": "cut files, bent by finite elements, take the drawn curve; deviations are fractions of the length",
+    "elements": "cut files, bent by finite elements, take the drawn curve; a deviation of 1.0e-03 is 1 mm in 1 m",
     "fuzz: commands": "every option of every command, with any value, gives a result or a message",
     "fuzz: compiled code": "compiled code uses only its own memory; figures: cases, refused and all wrong calls",
     "fuzz: cutting files": "outlines of random strips are closed, do not cross themselves and fit on the sheet",
@@ -68,7 +71,7 @@ TESTED = {
     "releases: FreeCAD 1.1": "the workbench in FreeCAD 1.1",
     "releases: newest CadQuery": "bodies in the newest CadQuery",
     "releases: newest build123d": "bodies in the newest build123d",
-    "soak": "memory, threads and open files do not grow over thousands of strips",
+    "soak": "memory, threads and open files do not grow over many strips (memory by at most 60 MiB)",
     "solids": "operations on bodies of thirty curves in three CAD kernels",
     "studio": "the page of the studio in a browser, by mouse and keyboard",
     "typing": "editors find mistakes in users' programs, and none in the examples of this manual",
