@@ -61,7 +61,7 @@ def test_page_for_scripts(kernel, project_root, desk, capsys):
     assert names["rib"].rod.length == pytest.approx(100, abs=1e-3)
     assert (desk / "rib-flat.step").stat().st_size > 1000
     if kernel == "build123d":
-        assert len(names["lantern"]) == 8
+        assert len(names["rosette"]) == 8
     else:
         assert len(names["three"].vals()) == 3
 
