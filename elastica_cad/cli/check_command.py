@@ -31,11 +31,12 @@ from elastica_cad.cli.suggestions import (
     listing_note,
     suggest_later,
     typed_length,
+    typed_line,
 )
 from elastica_cad.cli.voice import answer, say, say_row, voice, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
@@ -63,6 +64,10 @@ MOST_SHEETS = 3
 EVEN = 1.005
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
+LEAST_WIDTH_MM = 5.0
+"""Least width, mm, of the suggested strip from an enlarged curve."""
+SPARE_LENGTH = 1.002
+"""Factor on the length of an enlarged curve, because the strain of the finished strip differs slightly."""
 
 
 @click.command()
@@ -141,6 +146,12 @@ def check(
             for cure in request.cures(first):
                 answered.setdefault("cures", []).append(cure)
                 say_row(Row("Change", cure["text"]))
+        if (
+            good
+            and not (several or voice().quiet or picture)
+            and (larger := request.enlarging(first, answered))
+        ):
+            say_row(Row("Change", larger))
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
         answers.extend(reports)
     if bad > MOST_REFUSALS:
@@ -228,6 +239,21 @@ class _Request:
         problem = NotRealizable(self.examined(requested)[2])
         spec = self.request(requested, problem)
         return [] if spec is None else cures_of(spec, problem, self.typed)
+
+    def enlarging(self, requested: RequestedCurve, report: Mapping[str, Any]) -> str:
+        """Return the command that enlarges the curve for a sheet, or "" if a sheet fits or lengths are given."""
+        least = report["sheets"][0]
+        smoothed = self.examined(requested)[1].fairing is not None
+        if least["scale"] <= 1 or smoothed or self.smooth or self.natural_curvature or self.between:
+            return ""
+        # the key counts the straight ends, too
+        length = rounded_up(SPARE_LENGTH * least["scale"] * requested.curve.length, 3)
+        width = typed_length(rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3))
+        line = typed_line(
+            "--sheet", least["name"], "--max-width", width, "--set", f"length={length:g}", "-o", _unused_folder(),
+            instead="strip",
+        )  # fmt: skip
+        return f"Enlarge the curve for {least['name']}: `{line}`, or with another width and folder."
 
     def typed(self, suggestion: "Suggestion") -> str:
         from elastica_cad.cli.strip_options import typed_change

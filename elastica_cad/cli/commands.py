@@ -190,6 +190,11 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     word, words = typed.lstrip("-"), [option.lstrip("-") for option in options]
     if near := near_names(word, words, cutoff=NEAR_OPTION):
         return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
+    if name == "scale" and context is not None and context.info_name in ("strip", "check"):
+        return (
+            f"`{command}` has no option {typed}. Use `elastica strip` with --set length=VALUE: "
+            "`elastica help length` explains it"
+        )
     if (new := ALIKE.get(name)) is not None:
         typed_new = option_name(new)
         if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):

@@ -380,6 +380,14 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
             "no option --sheet; `elastica strip` has --sheet. `elastica check --help` lists all options.\n",
         ),
         ("strip arch.csv --max-widht 1", "Did you mean --max-width?"),
+        (
+            "strip arch.csv --scale 2",
+            "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
+        ),
+        (
+            "check arch.csv --scale 2",
+            "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
+        ),
         ("bend arch.csv --to 380", "--to needs X Y. New position of the end, in mm of the drawing"),
         ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
@@ -507,3 +515,17 @@ def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
         )
         told.append(len(json.loads(made.stdout)["strips"][0]["warnings"]))
     assert told == [0, 2]
+
+
+def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp_path):
+    """The key `length` counts the straight ends, which become tabs."""
+    (tmp_path / "u.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">'
+        '<path id="u" d="M 100,20 L 100,150 C 100,175 112,180 118,180 C 124,180 136,175 136,150 L 136,20"/></svg>'
+    )
+    checked = run("check u.svg", cwd=tmp_path).stdout
+    command = re.search(r"Change +Enlarge the curve for petg-0.5: `\S*elastica (strip .*?)`", checked)[1]
+    assert " --set length=509 " in command
+    made = run(f"{command} --no-pictures", cwd=tmp_path)
+    assert "Strain      1.54 %" in made.stdout
+    assert "! Strain" not in made.output
