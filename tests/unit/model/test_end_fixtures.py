@@ -253,7 +253,7 @@ def test_a_label_goes_where_no_slot_is_in_the_way(side):
 def test_least_slot_width_and_height_of_the_plate(arch):
     model = standing(arch, 0.0)
     assert model.base_plate(MDF, slot_width=4.0).slots[0].size[1] == pytest.approx(4.0)
-    with pytest.raises(InputError, match=r"\(and 1 more\) is 9 mm wide and cannot hold a tab 0.8 mm thick"):
+    with pytest.raises(InputError, match=r"\(and 1 more\) is 9 mm wide, but a tab 0.8 mm thick is held only"):
         model.base_plate(MDF, slot_width=9.0)
     tips = [
         PlacedTab.of(one.strip, end, one.frame).tip[2] for one in model.placed for end in ("start", "end")

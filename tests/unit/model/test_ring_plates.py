@@ -258,7 +258,9 @@ def test_slots_far_wider_than_their_tabs_are_made_anyway_only(tmp_path):
     ):
         ec.revolve(flat, 20, sheet=CARD, rings=MDF)
     made = ec.revolve(flat, 20, sheet=CARD, rings=MDF, name="flat", ignore_limits=True)
-    assert any("mm wide and cannot hold a tab 0.2 mm thick" in text for text in made.plates[0].warnings)
+    assert any(
+        "mm wide, but a tab 0.2 mm thick is held only by a slot" in text for text in made.plates[0].warnings
+    )
     ec.save_model(made, tmp_path / "kit", step=False, pictures=False, parts=False)
     reports = json.loads((tmp_path / "kit" / "flat.json").read_text())["reports"]
     assert any(text.startswith("Made anyway: ring-bottom: the slot for") for text in reports)
