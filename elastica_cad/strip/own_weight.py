@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.loads import Gravity, Weight
@@ -65,7 +65,10 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
             return None
         return None if has_snapped(bent) or bent.discrete.unstable_modes else bent
 
-    bent = under(1.0)
+    try:
+        bent = under(1.0)
+    except InputError:  # a straight strip that is as long as its ends are apart
+        return None
     if bent is None:
         low, high = 0.0, 1.0
         for _ in range(HALVINGS):

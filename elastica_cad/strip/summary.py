@@ -52,11 +52,11 @@ def strip_rows(
     --------
     >>> from elastica_cad.strip.strip_spec import make_strip
     >>> from elastica_cad.geometry.plane_curve import PlaneCurve
-    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20)
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 30, np.pi, 0), "card-200gsm", max_width=8)
     >>> for row in strip_rows(arch)[:3]:
     ...     print(row.label, "|", row.text)
-    Size | 314.2 mm long (334.2 mm with tabs), 20 mm wide, 1.34 g
-    Strain | 0.10 % at 314 mm from the start; card-200gsm allows 0.50 %
+    Size | 94.2 mm long (114.2 mm with tabs), 8 mm wide, 0.183 g
+    Strain | 0.33 % at 0 mm from the start; card-200gsm allows 0.50 %
     Stability | stable, in its plane and sideways
     """
     rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]

@@ -410,7 +410,7 @@ def find_strip_faults(
     >>> from elastica_cad.mechanics.rod import Rod
     >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
-    A: only 1.5 mm wide at ... mm from the start of the curve, but birch-plywood-0.8 needs at least 3 mm...
+    A: only 1.5 mm wide in the tab at its end... (and 1 more place), but birch-plywood-0.8 needs at least 3 mm...
     """
     if strip.layout.size is not None:  # the section law already limits thickness or diameter
         return ()

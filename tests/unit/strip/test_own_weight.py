@@ -85,3 +85,9 @@ def test_level_strips_small_strips_and_bows_have_no_warning():
     bow = ec.bow(ec.PlaneCurve.arc((0, 0), 5000, 0.6 * np.pi, 0.4 * np.pi), glass, max_width=30, min_width=30)
     for strip in (level, small, bow.strip):
         assert not any(STANDS in text for text in strip.warnings)
+
+
+def test_a_straight_strip_between_its_ends_cannot_sag():
+    straight = ec.Rod.straight(1500, [1, 1, 1])
+    spec = ec.StripSpec(straight.curve, "birch-plywood-0.8", max_width=40)
+    assert not any(STANDS in text for text in spec.make().warnings)
