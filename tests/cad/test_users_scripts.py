@@ -253,6 +253,7 @@ class TestWhatAScriptExpects:
 
     POINTS = ((0, 0), (60, 50), (120, 0))
 
+    @pytest.mark.build123d
     def test_a_strip_is_bent_and_has_a_flat_one(self):
         with bd.BuildPart() as part:
             with bd.BuildLine(bd.Plane.XZ) as drawn:
@@ -264,11 +265,13 @@ class TestWhatAScriptExpects:
         again = bd_strips.elastic_strip(drawn, sheet=SHEET, max_width=12)  # a builder stands for its line
         assert again.volume == pytest.approx(rib.volume)
 
+    @pytest.mark.cadquery
     def test_a_curve_drawn_in_metres_is_refused(self):
         edge = cq.Edge.makeSpline([cq.Vector(x / 1000, y / 1000) for x, y in self.POINTS])
         with pytest.raises(InputError, match="Draw it in millimetres"):
             cq_strips.bent_strip(edge, SHEET, max_width=12)
 
+    @pytest.mark.cadquery
     def test_a_fixture_of_cadquery_has_its_own_name_and_colour(self):
         rib = cq_strips.bent_strip(
             cq.Edge.makeSpline([cq.Vector(*point) for point in self.POINTS]), SHEET, max_width=12
