@@ -284,6 +284,7 @@ class Flexure:
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         reduced = SPARE * most
+        # a part whose thickness was reduced may use the reserve
         for enough in (reduced, *[most] * MOST_CORRECTIONS):
             try:
                 bends, stretch = self._shapes_at(scale)

@@ -2,9 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
-
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
@@ -53,7 +50,7 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
         return None
     light = replace(rod, warnings=())
     share = (strip.sheet.elasto_gravity_length / gravity.length) ** 3
-    newtons = share * _newtons_per_mm(strip)
+    newtons = share * strip.layout.weight_at(rod.s)
 
     def under(fraction: float) -> Rod | None:
         """Return the rod under a fraction of its weight, or None if it collapses."""
@@ -88,13 +85,3 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
 def collapses(strip: Strip) -> bool:
     """Return True if a warning of the strip states that it collapses under its weight."""
     return any(isinstance(text, Refusal) and text.text == COLLAPSES for text in strip.rod.warnings)
-
-
-def _newtons_per_mm(strip: Strip) -> FloatArray:
-    s, layout = strip.rod.s, strip.layout
-    if layout.section is not None and layout.size is not None:
-        return layout.section.weight_per_length(layout.size(s))
-    width = layout.material(s)
-    backing = None if layout.backing is None else np.minimum(layout.backing.width(s), width)
-    law, parameter = layout.law(width, backing)
-    return law.weight_per_length(parameter)

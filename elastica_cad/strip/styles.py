@@ -217,6 +217,15 @@ class Layout:
         backing = np.minimum(self.backing.width(s), material)
         return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, backing)
 
+    def weight_at(self, s: FloatArray) -> FloatArray:
+        """Return the weight per length (n,), N/mm, at arc lengths (n,), mm."""
+        if self.section is not None and self.size is not None:
+            return self.section.weight_per_length(self.size(s))
+        material = self.material(s)
+        backing = None if self.backing is None else np.minimum(self.backing.width(s), material)
+        law, parameter = self.law(material, backing)
+        return law.weight_per_length(parameter)
+
     def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
         """Return the weight per length (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
 
