@@ -22,11 +22,11 @@ change affects the code that it tests, and before a release. [CONTRIBUTING.md](.
 them. Two campaigns have pages of their own: [strips bent by finite elements](finite_elements.md) and [bodies in
 three CAD kernels](kernels.md).
 
-*Passed*: no check of the run failed. *Failed*: a check failed. The program of this commit may then do something
-wrong in what the row tests, or the check itself may be out of date. Both are mended before a release. The row
+*Commit*: the version of the program that was tested. *Passed*: no check of the run failed. *Failed*: a check
+failed, because the program is wrong or because the check is out of date. Either is mended before a release. The row
 *release* installs the files of a release and runs a part of the tests, so it can pass while another row fails. The
-campaigns *elements* and *mutants* also measure something for which there is no limit: how near strips come to
-their design, and how many errors the tests notice. *Passed* then means that the measurement was completed.
+campaigns *elements* and *mutants* measure something for which there is no limit: how near strips come to
+their design, and how many errors the tests notice. There, *passed* means that the measurement was completed.
 
 Most rows of random cases are short runs of two or three minutes (*minutes*). They cover few cases: a longer run
 may find more. *Figures* is the last line that the run printed, for those who develop the program:
@@ -38,8 +38,8 @@ may find more. *Figures* is the last line that the run printed, for those who de
 - *MET*, *FAR*, *UNSETTLED*, *NOT_MET*: what the program itself reports, namely that the limits are met, met but
   far from the drawn curve, met by a search that stopped early, and not met. It would be a fault to report a
   limit as met that is not met.
-- *seed*: a number with which the same random cases are made again. *longest_s*, *most_mib*: longest time and
-  largest memory of a case. *Mib*: memory in MiB.
+- *seed*: start of the random generator; the same seed gives the same cases. *longest_s*, *most_mib*: longest time
+  (seconds) and largest memory (MiB) of a case. *Mib*: memory in MiB.
 
 | campaign | what it tests | outcome | date | commit | figures |
 | --- | --- | --- | --- | --- | --- |
@@ -50,19 +50,19 @@ TESTED = {
     "bodies": "bent and flat bodies in build123d and CadQuery stay valid when they are cut, joined and rounded",
     "elements": "cut files, bent by finite elements, take the drawn curve; a deviation of 1.0e-03 is 1 mm in 1 m",
     "fuzz: commands": "every option of every command, with any value, gives a result or a message",
-    "fuzz: compiled code": "compiled code uses only its own memory; figures: cases, refused and all wrong calls",
+    "fuzz: compiled code": "compiled code stays within its memory; figures: cases, refused and all wrong calls",
     "fuzz: cutting files": "outlines of random strips are closed, do not cross themselves and fit on the sheet",
     "fuzz: designs": "random changes of design files give a result or a message",
     "fuzz: files": "damaged drawings, tables and meshes give curves or a message",
     "fuzz: limits that are met": "random nearest curves meet the limits that they are reported to meet",
     "fuzz: lost curves": "no curve of a random DXF drawing is left out without a message",
-    "fuzz: nonsense in Python": "every public function, called with nonsense, gives a result or a message",
-    "fuzz: typed files": "damaged files, given to the commands, give a result or a message in time",
+    "fuzz: nonsense in Python": "every public function, called with nonsense values, gives a result or a message",
+    "fuzz: typed files": "damaged files, given to the commands, give a result or a message in a short time",
     "galleries": "every model of the gallery is made, its parts do not collide, and its strips bend",
-    "held": "random strips on rails, pins and ties agree with other methods; *above 8* is a stiffness ratio",
-    "kills": "killed runs and full disks leave no half-written file; temporary folders are gone a day later",
-    "letters": "the program works whatever its messages say: each is replaced by random letters",
-    "manual": "every command, output and table of this manual is as the program has it",
+    "held": "random strips on rails, pins and ties agree with other methods (*above 8*: ratio, not bent)",
+    "kills": "killed runs, full disks leave no half-written file; the next day's run clears their folders (*left*)",
+    "letters": "every message is replaced by random letters, and the program still works",
+    "manual": "every command and table of this manual is true, and every output is what the program prints",
     "mutants": "how many small errors, put into the program on purpose, its tests notice",
     "oldest": "the program works with the oldest libraries that it permits",
     "programs": "Inkscape, LibreCAD, FreeCAD and others open the cutting files",
@@ -74,7 +74,7 @@ TESTED = {
     "soak": "memory, threads and open files do not grow over many strips (memory by at most 60 MiB)",
     "solids": "operations on bodies of thirty curves in three CAD kernels",
     "studio": "the page of the studio in a browser, by mouse and keyboard",
-    "typing": "editors find mistakes in users' programs, and none in the examples of this manual",
+    "typing": "a type checker finds the mistakes in sample programs, and none in the examples of this manual",
     "windows": "every panel and button of FreeCAD 0.20, by mouse and keyboard",
 }
 """What each campaign tests, for a user of the program."""

@@ -82,7 +82,7 @@ def _folders(row, _):
         assert (ROOT / name).is_dir(), name
 
 
-@asks("CONTRIBUTING.md", "campaign", "what it proves", "minutes")
+@asks("CONTRIBUTING.md", "campaign", "what it tests", "minutes")
 def _campaigns(row, _):
     (name,) = quoted(row[0])
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
