@@ -377,7 +377,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield the first of all messages that differ only in numbers and names, with the number of the others."""
+    """Yield one message of each group that differs only in numbers and names, with the number of the others."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

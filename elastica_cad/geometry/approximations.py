@@ -181,7 +181,7 @@ _SAMPLES = np.linspace(0.0, 1.0, 33)
 """Fractions of a spline piece at which a biarc is compared with it."""
 
 _USED_SHARE = 0.95
-"""Largest distance of samples, as a fraction of the tolerance, because samples may miss the largest error."""
+"""Fraction of the tolerance that samples may use, because samples may miss the largest error."""
 
 _NEAR = 0.05
 """Relative accuracy of the search for the longest biarc within the tolerance."""

@@ -24,7 +24,9 @@ class Constraint(Protocol):
     """Equations that the control points of a curve must satisfy."""
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return residuals (k,), and derivatives (k, 2 m) by the coordinates x0, y0, x1, ... of the points q."""
+        """Return residuals (k,), and derivatives (k, 2 m) by the coordinates of the control points: x0, y0, x1,
+        ...
+        """
 
 
 @dataclass(frozen=True, eq=False)

@@ -173,12 +173,13 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors.
 
     D = det(A, B - A, A - 2B + C). A, B and C are the points two steps before the end of de Casteljau's algorithm.
-    The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with the weight w and the result h of `hodograph`.
+    The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with the weight w and the vector h from `hodograph`,
+    which is parallel to the velocity.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    # equal weights count as 1, which makes D the cross product of `step` and `bend`
+    # equal weights may be replaced by 1, and D is then the cross product of `step` and `bend`
     if np.ptp(bezier[..., 2]) == 0:
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])

@@ -305,7 +305,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Return the matrix from Bernstein coefficients of degree `degree - times` to `scaled_bernstein`."""
+    """Return the matrix that raises a Bernstein polynomial by `times` degrees, for `scaled_bernstein`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)

@@ -155,7 +155,7 @@ def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
 
 
 def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
-    """Return twice the signed area of the triangles a b c: positive if c is to the left of a b."""
+    """Return twice the signed area of triangles abc: positive if c is to the left of the line a b."""
     return cross(b - a, c - a)
 
 
@@ -189,7 +189,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
             _point_and_velocity(a, inside_u),
             _point_and_velocity(b, inside_v),
         )
-        # extend both segments along their tangents, so that Newton's method can leave and return
+        # extend both segments along their tangents, so that Newton's method can leave the segments and return
         gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
         gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
         det = adx * bdy - ady * bdx

@@ -55,7 +55,7 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
 
 
 def _basis(name: str, points: ArrayLike) -> FloatArray:
-    """Return the matrix that maps the three unit vectors and their sum to the four points, in homogeneous form."""
+    """Return the matrix from the unit vectors and their sum to the four points, in homogeneous coordinates."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
         raise InputError(f"{name} has the shape {handles.shape}: give four handles (x, y), shape (4, 2)")

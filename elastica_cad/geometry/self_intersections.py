@@ -28,7 +28,7 @@ _MOST_HALVINGS = 40
 
 _NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
-"""Number of pairs of pieces above which parts overlap. Then only a tenth of this number is examined."""
+"""With more pairs of pieces, parts of the curve overlap, and only a tenth of this number is examined."""
 
 
 def find_self_intersections(
@@ -114,7 +114,7 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Solve gamma(t1) = gamma(t2) by Newton's method from each pair. Omit pairs that do not converge."""
+    """Improve pairs (t1, t2) with gamma(t1) = gamma(t2) by Newton's method; omit pairs without convergence."""
     start = pairs
     for _ in range(12):
         if not pairs.size:

@@ -30,7 +30,6 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    # first knot of each run of equal knots, followed by the number of knots
     first = rises.nonzero()[0]
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
@@ -94,7 +93,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Cache the check of knots, which are given as bytes."""
+    """Check knots that are passed as bytes, because arrays cannot be keys of the cache."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -202,7 +201,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Cache the spans of knots, which are given as bytes."""
+    """Return the spans of knots that are passed as bytes, because arrays cannot be keys of the cache."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
@@ -413,7 +412,7 @@ _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated by a dense linear system."""
 
-# largest move of a parameter, as a fraction of the distance to the next, where moves could change the order
+# largest move of a parameter, as a fraction of the distance to the next parameter, to keep the order
 _STRIDE_SHARE = 0.4
 # penalty that has no visible effect, but determines the coefficients where there are no data
 _LEAST_PENALTY = 1e-11

@@ -26,8 +26,8 @@ def plane_curve(
     """Return the curve of an edge, a wire, or several consecutive edges, and the plane of the curve.
 
     NURBS, lines and conics are converted exactly. Offset curves are approximated to 1e-6 mm. `placed_curve`
-    describes how the direction of the curve and the axes of the plane are chosen. By default the axes are chosen
-    before the rotation `turned` of the edges, and then rotate with the edges.
+    describes how the direction of the curve and the axes of the plane are chosen. Without `plane`, the axes are
+    chosen for the edges before their rotation `turned` (3, 3), and rotate with the edges.
     """
     if _has_faces(shape):
         raise InputError(

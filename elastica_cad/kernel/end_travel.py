@@ -74,7 +74,7 @@ class SkinMesh:
 
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
-    """Return the surface mesh of each sheet of a strip, the base first."""
+    """Return the surface mesh of each sheet of a strip. The base of a laminate is first."""
     radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
     half = centred_thickness(strip) / 2

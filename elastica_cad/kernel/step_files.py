@@ -77,7 +77,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         os._exit(1)
     try:
         status = os.waitpid(copy, 0)[1]
-    except BaseException:  # such as KeyboardInterrupt
+    except BaseException:  # for example after Ctrl-C
         os.kill(copy, signal.SIGKILL)
         raise
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):

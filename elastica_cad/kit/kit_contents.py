@@ -180,7 +180,7 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the limits for a strip. If long strips are joined, their pieces must fit on a nested sheet."""
+    """Return the fabrication limits of a strip. The pieces of a joined strip must fit on a nested sheet."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -200,7 +200,7 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     messages: list[str] = []
-    # pairs of layers and limits without faults, shared by equal strips
+    # pairs of layers and limits without faults, because equal strips are checked only once
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)

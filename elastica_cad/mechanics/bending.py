@@ -198,7 +198,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state and None, or the state after a snap and the fraction of the path at the snap."""
+    """Return the rest state and None, or after a snap the new rest state and the fraction reached before it."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -341,7 +341,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distance, mm, by which each slack rail will still move or each slack tie will still shorten
+    # distances, mm, by which slack rails will still move, and slack ties will still shorten
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -407,7 +407,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Correct the flag in `taut` that contradicts forces and gaps most, or return None if no flag does."""
+    """Return `taut` with the flag changed that contradicts the forces or gaps most, or None if no flag does."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -759,7 +759,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # the applied force is the edge force at the first node, and its negative at the last
+        # the applied force is the edge force at the first node, and the negative edge force at the last node
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

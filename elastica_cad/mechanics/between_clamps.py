@@ -261,7 +261,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """Return the angle plus whole turns, within half a turn of `near`, rad."""
+    """Return the angle nearest to `near`, rad, that differs from `angle` by whole turns."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 

@@ -98,7 +98,7 @@ class _Edges:
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the weighted sum of the edge vectors.
+        """Return the derivatives (2, m) of a weighted sum of edge vectors by the m angles and strains.
 
         `weights` is (n,), or (2, n) if the weights of x and y differ.
         """
@@ -112,13 +112,13 @@ class _Edges:
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the position at arc length s."""
+        """Return the derivatives (2, m) of the position at arc length s by the m angles and strains."""
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
         return self.moves_with(self.covered(s) - from_end[:, None])
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
-        """Return the unit vector (2,) between the points at two arc lengths s (2,), and their distance, mm."""
+        """Return the unit vector (2,) from one arc length to another, s (2,), and the distance, mm."""
         p, q = (self.covered(float(place)) for place in s)
         chord = self.edge_length * ((q - p) @ self.tangents)
         size = float(np.hypot(*chord))

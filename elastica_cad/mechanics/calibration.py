@@ -257,7 +257,7 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
 
 
 def _length_for(part: float) -> float:
-    """Return elasto-gravity length / overhang for `part` = droop / overhang."""
+    """Return the ratio of elasto-gravity length to overhang for the ratio `part` of droop to overhang."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:

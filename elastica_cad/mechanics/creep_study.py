@@ -81,7 +81,7 @@ class Creep:
 
         The start of the strip does not move.
         """
-        rod = self.later  # the bend that remains is a fraction of the bend after creep
+        rod = self.later
         start = rod.position[0]
         free = Rod.straight(
             rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),

@@ -396,7 +396,7 @@ class ElementForce:
 
     @property
     def size(self) -> float:
-        """Magnitude of the force, 1/mm2, divided by the least bending stiffness; the pull of a tie."""
+        """Magnitude of the force over the least bending stiffness, 1/mm2; for a tie, its pull."""
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:

@@ -249,7 +249,7 @@ _TURNS = 67
 
 @dataclass(frozen=True)
 class LineMeeting:
-    """Inadmissible meeting of line and curve at arc length s, mm: "crossing", "touch" or "tangent"."""
+    """Meeting of line and curve that Theorem 1 forbids: arc length, mm, and "crossing", "touch" or "tangent"."""
 
     s: float
     kind: str

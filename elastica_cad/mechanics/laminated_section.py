@@ -83,7 +83,7 @@ class LaminatedSection:
         A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # x is E A of the backing, A1 is E A of the base, and D is the missing stiffness: p x^2 + q x = D A1
+        # p x^2 + q x = D A1 for x = E A of the backing, A1 = E A of the base, and the missing stiffness D
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
@@ -410,7 +410,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # unknowns are deflection and strain divided by the change of curvature, so they are finite where it is 0
+    # unknowns are deflection and strain divided by the change of curvature, finite even if this change is 0
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]

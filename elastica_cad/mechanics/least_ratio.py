@@ -163,7 +163,6 @@ class _AlongArc:
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # number of knots in each cell of a panel
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -502,7 +501,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # keep the weight beta K, because K is divided by its least value
+    if weight is not None:  # K is divided by its least value, so multiply beta, which keeps the weight beta K
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -518,7 +517,7 @@ def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
 
 
 KINK_SHARE = 0.005
-"""A kink closer to a rail, pin or tie than this fraction of the length is caused by its force."""
+"""Largest distance of a rail, pin or tie from a kink that its force causes, as a fraction of the length."""
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
@@ -564,7 +563,7 @@ def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator
 
 
 def _elements_loaded_by(request: RodRequest, support: EndName) -> tuple[Element | PointForce, ...]:
-    """Return the elements that are not slack if the end support of a clamped rod changes to `support`."""
+    """Return the rails, pins and ties that are not slack if `support` replaces the clamp at the end."""
     if not request.supports.clamped:
         return ()
     try:
@@ -773,14 +772,14 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate (None without convergence) and the last relative change of the stiffness."""
+    """Return the laminate, or None without convergence, and the last relative change of its stiffness."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
     bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
     scale = base.scale(rod)
     history: list[float] = []
-    change, least = np.inf, 1.0  # the smoothest stiffness may have a least value above 1
+    change, least = np.inf, 1.0  # `least` is the least relative stiffness, which smoothing may raise above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
         # an extrapolated E I may be less than that of the base alone, or more than that of two full layers
@@ -823,7 +822,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`, without errors of the spline below 1."""
+    """Return the relative stiffness at arc lengths `s`. Values of its spline below 1 are raised to 1."""
     return np.maximum(rod.profile(s), 1.0)
 
 

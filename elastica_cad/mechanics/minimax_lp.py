@@ -168,7 +168,7 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # x >= -box and R >= 0, which meet in the first vertex, then x <= box, as rows @ (x, R) >= limits
+        # rows @ (x, R) >= limits: x >= -box and R >= 0, which meet in the first vertex, then x <= box
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -229,7 +229,7 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # coefficients of the active conditions: `parts` for the new condition, `share` for R
+            # coefficients of the active conditions in the new condition (`parts`) and in R (`share`)
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:

@@ -160,7 +160,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
-    b = np.zeros((count + 2, 2, size))  # force b before the curve, in each panel, and after the curve
+    b = np.zeros((count + 2, 2, size))
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
         # from the end of the curve towards its start, the force b jumps at each rail, pin and end of a tie
@@ -560,7 +560,10 @@ class BalancedStiffness:
 
 @dataclass(frozen=True, eq=False)
 class StateFamily:
-    """Stiffnesses of a rod in equilibrium, with parameters y. The numbers of `MomentRows` are fixed + basis @ y."""
+    """Stiffnesses of a rod in equilibrium with free parameters y.
+
+    The numbers that `MomentRows` describes are fixed + basis @ y.
+    """
 
     family: StiffnessFamily
     basis: FloatArray
@@ -736,7 +739,7 @@ class ConditionedRows:
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
-        """Return all stiffnesses without the known loads or, with `loaded`, under any positive multiple of them."""
+        """Return all stiffnesses in equilibrium, with any positive multiple of the known loads or without loads."""
         basis = np.diag(self.scale)
         if self.rows.loaded and not loaded:
             basis = np.delete(basis, 3, axis=1)
@@ -752,7 +755,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the conditions that the numbers with the indices `sides` are at least 0."""
+        """Return the rows that require the numbers with the indices `sides` to be 0 or more."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:

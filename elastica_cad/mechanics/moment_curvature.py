@@ -328,7 +328,7 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """At most the last of `curvatures`; see `MaterialLaw.injective_limit`."""
+        """Curvature where the moments first decrease, or the last curvature; see `MaterialLaw.injective_limit`."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 

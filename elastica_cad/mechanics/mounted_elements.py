@@ -218,7 +218,7 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """Flags (2,) for x and y: 1 if measured from the end of the rod, 0 if measured from the start."""
+        """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 if from its start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
@@ -231,7 +231,7 @@ class MountedElements:
 
 
 MEETS_SHARE = 1e-9
-"""Within this fraction of the length, a strip touches a rail and a cord is taut."""
+"""A strip touches a rail, and a cord is taut, if the gap is at most this fraction of the length."""
 
 PULLS_SHARE = 1e-9
 """Forces in the wrong direction up to this fraction of the largest force are rounding errors."""
@@ -364,7 +364,7 @@ def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
 
 
 def violation(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the distance, mm, by which a shape penetrates a rail or is longer than a cord."""
+    """Return how far, mm, a strip is beyond a rail, or by how much a cord is too short; negative for a gap."""
     if isinstance(action.element, Tie):
         p, q = (shape.at(s) for s in action.s)
         return float(np.hypot(*(q - p))) - action.mounting.length

@@ -405,7 +405,7 @@ def _direction(state: RodState) -> float:
 
 
 def _nearest_angle(near: float, chord: FloatArray) -> float:
-    """Return the angle of `chord` plus whole turns, within half a turn of `near`."""
+    """Return the angle of `chord`, rad, plus the whole turns that bring it nearest to `near`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 

@@ -205,7 +205,7 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau, the inverse of the least bending stiffness, at the least stiffness ratio.
+    """Return tau, the inverse of the least bending stiffness, that minimises the stiffness ratio.
 
     If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best
     ratio.
@@ -464,7 +464,7 @@ def _balance_by_descent(
     """
     deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1 if E I has an upper limit, or else 1
+    # with -1, the least E I is maximised; with 1, the largest E I is minimised
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):

@@ -158,7 +158,6 @@ def cut_into_panels(
     places = sorted(
         fixed + [t for (t, apart), distance in zip(breaks, away, strict=True) if distance > apart]
     )
-    # ends of panels on which the speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
     finer = between[
@@ -235,7 +234,7 @@ class _Cut:
 
 
 def _parts_per_panel(tail: FloatArray) -> IntArray:
-    """Return the number of parts of each panel: 2, 4 or 8.
+    """Return the numbers of parts (2, 4 or 8) of panels, from their last Legendre coefficients `tail`.
 
     Halving a panel of p nodes divides its last Legendre coefficient by about 2^p.
     """
@@ -347,7 +346,7 @@ REFINEMENTS = 6
 
 # relative size of the last Legendre coefficients above which a panel is cut
 _ROUGH = 1e-9
-# a knot of the load ends a panel if the stiffness has fewer continuous derivatives there
+# a knot of the load ends a panel if the stiffness has fewer than this number of continuous derivatives there
 _SMOOTH = 4
 # largest number of parts of a panel under a large weight
 _MOST_PARTS = 50

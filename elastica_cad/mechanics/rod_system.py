@@ -24,7 +24,7 @@ from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedEle
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
-# a relative imbalance of moments below its rounding error is reported as at most this value
+# largest relative imbalance of moments that is reported if the imbalance is only a rounding error
 ROUNDED_IMBALANCE = 1e-12
 
 
@@ -305,7 +305,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """Bending moments (n+1,) by Hooke's law, 1/mm; applied moments at ends that are free to turn."""
+        """Bending moments (n+1,) by Hooke's law, 1/mm; at ends that are free to turn, the applied moments."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -346,7 +346,7 @@ class RodState:
             if held is None:
                 spring[node] = 0.0
                 work += float(moment * self.angles[node])
-        # the dead loads do the work -<lambda, T> per length, with the unit tangent T
+        # per length, the dead loads do the work -<lambda, T>, with their force lambda and the unit tangent T
         work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
         if system.elements is not None:
             work += float(system.elements.load @ system.elements.shift(self._numbers))
@@ -397,7 +397,7 @@ class RodState:
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
-        # a rail, pin or tie less than two edges from an end is distributed to nodes that include the end
+        # forces of rails, pins and ties less than two edges from an end act partly on the end node
         element_load = lumped(self.actions, n + 1, system.length)
         start, end = at_ends(system.length, (*self.actions, *point_forces))
         force[0] = edge[0] - system.load[0] - element_load[0] + start

@@ -108,8 +108,8 @@ def anticlastic_factor(
 def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the term `flat` of `anticlastic_factor` for a strip with the natural curvature `rest`, 1/mm."""
-    # `flat` decreases faster than kappa, so `scaled` tends to 0
+    """Correct the term `flat` of `anticlastic_factor` for the natural curvature `rest`, 1/mm."""
+    # where kappa is 0, `scaled` tends to 0, because `flat` decreases faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)

@@ -197,7 +197,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
 
 
 def _torsion_factor(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
-    """Return the torsional stiffness (n,) of rectangles, divided by G w h^3/3; see `EDGE_LOSS` for the symbols."""
+    """Return the torsional stiffness (n,) of rectangles, divided by G w h^3/3 (shear modulus, width, thickness)."""
     return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
 
 
@@ -221,7 +221,7 @@ Finite elements show that ribbons are more stable than the rod model.
 """
 
 MOST_RIBBON_NUMBER = 80.0
-"""Largest w^2 b / h that was compared with finite elements; see `RIBBON_NUMBER` for the symbols."""
+"""Largest w^2 b / h (width, change of curvature, thickness) that was compared with finite elements."""
 
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
@@ -547,7 +547,7 @@ def _band(
     N = left_of(T)
     spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
         "i,ij,ik->ijk", torsion / weight, T, T
-    )  # matrices of the nodes (n + 1, 2, 2)
+    )
     for node, is_free in zip((0, -1), free, strict=True):
         if is_free:
             spring[node] = 0.0
@@ -557,7 +557,7 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # blocks beside the diagonal: -spring and half of -M (phi_i x phi_{i+1}); the other half is in the transpose
+    # off-diagonal blocks; half of the term -M (phi_i x phi_{i+1}) is in the block, half in its transpose
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))

@@ -48,10 +48,11 @@ class Determinant:
     def sign_changes(self) -> FloatArray:
         """Arc lengths (k,), mm, at which the determinant Z changes its sign.
 
-        Sign changes before the first zero of zeta are omitted, because they are rounding errors.
+        Sign changes before the first zero of the Jacobi solution zeta are omitted, because they are rounding
+        errors.
         """
         beyond = np.flatnonzero(self.fields[1:, 0] <= 0)
-        # before the first zero of zeta the rod is stable even if its end is free to move (Jacobi's test)
+        # before the first zero of the Jacobi solution zeta, the rod is stable even if its end is free to move
         first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
         at, z = self.s[first:], self.value[first:]
         k = np.flatnonzero(z[:-1] * z[1:] < 0)
@@ -201,7 +202,7 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
 
 
 def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:
-    """Solve the Jacobi recursion for zeta_1 .. zeta_{n+1}, a lower triangular system with three bands."""
+    """Solve the Jacobi recursion (a triangular system with three bands) for the values zeta_1 .. zeta_{n+1}."""
     spring = rod.stiffness / rod.node_lengths
     if not rod.held_angles[0]:
         spring[0] = 0.0

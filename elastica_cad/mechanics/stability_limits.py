@@ -267,7 +267,7 @@ def _limit_at(
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """Return "snap" if a change of the load does work on the critical mode, or else "bifurcation".
 
-    Work that is small compared with the work on the response of a rod without axial force counts as 0.
+    Work below a thousandth of its upper bound for a rod without axial force counts as 0.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)

@@ -449,7 +449,7 @@ def scale_within(
     if solved is None:
         return B
     bounded = solved < B
-    # a search limits the section only at the nodes, so it may be slightly larger between nodes
+    # a search limits the section only at the nodes, so the section may be slightly larger between nodes
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     unchanged = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if unchanged else B

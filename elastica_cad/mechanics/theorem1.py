@@ -614,7 +614,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # scale the weights of the second part to continue those of the first, which does not change its shape
+        # continue the weights of the first part; a common factor of all weights does not change the shape
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())

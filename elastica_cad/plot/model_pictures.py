@@ -382,7 +382,6 @@ def lit(patches: FloatArray) -> FloatArray:
 
 
 def _normals_of(patches: FloatArray) -> FloatArray:
-    """Return the unit normals (n, 3) of patches (n, 3 or 4, 3)."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None])
 

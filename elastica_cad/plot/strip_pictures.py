@@ -42,10 +42,10 @@ END_LABEL_INCHES = 0.3
 """Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Least and largest displacement that is also drawn enlarged, and its enlarged size, by the strip's length."""
+"""Least, largest and enlarged size of a displacement that is also drawn enlarged, by the strip's length."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
-"""Panel for a drawing with two axes, a title, and a legend below the title."""
+"""Panel for a drawing with numbers on both axes, a title, and a legend below the title."""
 
 STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 """Panel for the graph of K along the strip, with a title."""

@@ -27,11 +27,11 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 # weight of a displacement along the curve, relative to a displacement across the curve
 _ALONG = 0.1
-# displacement (fraction of the length) that counts in the norm of a move like a curvature change of 1 / length
+# in the norm of a move, a curvature change 1 / length counts like a move by this fraction of the length
 _BEND = 0.005
-# displacement (fraction of the length) that counts like a doubled parametric speed
+# in this norm, a doubled parametric speed counts like a move by this fraction of the length
 _STRETCH = 0.05
-# displacement (fraction of the length) that counts like a change of the moment by its largest value
+# in this norm, a change by the largest moment counts like a move by this fraction of the length
 _LINE_STEP = 0.02
 # relative size of singular values below which conditions count as dependent
 _RANK = 1e-11
@@ -105,7 +105,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # matrix from the scaled moment at the centre of the curve, and its gradient, to a, b_x and b_y
+        # matrix from the scaled moment and its gradient at the curve's centre to a, b_x and b_y of the line
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
@@ -412,14 +412,15 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
         """Return rows that keep the compliance at least c / R - s: R (C + dC u) - c + R s >= 0.
 
-        R is the largest ratio, c the largest compliance and s the slack.
+        C + dC u is the compliance after the move u, R the largest ratio, c the largest compliance and s the
+        slack.
         """
         ones = np.ones((places.size, 1))
         rows = np.hstack([aim.ratio * dC[places], -ones, aim.ratio * ones, 0 * ones])
         return rows, -aim.ratio * C[places]
 
     def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows that keep the compliance at most c: c - (C + dC u) >= 0."""
+        """Return rows that keep the compliance C + dC u after the move u at most c: c - (C + dC u) >= 0."""
         ones = np.ones((places.size, 1))
         return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
 
