@@ -60,7 +60,7 @@ def second_variation(
     stiffness: FloatArray, node_lengths: FloatArray, edge_lengths: FloatArray, pull: FloatArray,
     tangents: FloatArray, *, free_ends: tuple[bool, bool], held: tuple[bool, bool], straight: float,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return the two diagonals of `DiscreteRod.hessian`, and `DiscreteRod.constraint_rows`."""
+    """Return the diagonal and off-diagonal of `DiscreteRod.hessian`, and `DiscreteRod.constraint_rows`."""
     n = edge_lengths.size
     out = np.empty(n), np.empty(n - 1), np.empty((sum(held), n))
     given = map(_plain, (stiffness, node_lengths, edge_lengths, pull, tangents))

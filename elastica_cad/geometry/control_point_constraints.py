@@ -24,9 +24,7 @@ class Constraint(Protocol):
     """Equations that the control points of a curve must satisfy."""
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return residuals (k,), and derivatives (k, 2 m) by the coordinates of the control points: x0, y0, x1,
-        ...
-        """
+        """Return residuals (k,), and derivatives (k, 2 m) by control point coordinates x0, y0, x1, y1, ..."""
 
 
 @dataclass(frozen=True, eq=False)

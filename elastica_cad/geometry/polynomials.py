@@ -388,7 +388,7 @@ class PanelFunction:
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Return values (N, k, ...) at the same k coordinates in every panel, from the `legendre_basis` there."""
+        """Return values (N, k, ...) at k coordinates of every panel; `basis` is their `legendre_basis`."""
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:

@@ -28,7 +28,7 @@ _MOST_HALVINGS = 40
 
 _NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
-"""With more pairs of pieces, parts of the curve overlap, and only a tenth of this number is examined."""
+"""Above this number of pairs of pieces, parts of the curve overlap, and a tenth of the number is examined."""
 
 
 def find_self_intersections(

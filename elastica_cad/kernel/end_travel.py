@@ -30,7 +30,7 @@ TURN_RAD = 2.5
 """Angle, rad, of the circular arc into which a strip is bent for meshing, so that its tabs do not meet."""
 
 CHORD = 5e-5
-"""Largest distance of triangles from this arc, as a fraction of its length: about 80 triangles along a strip."""
+"""Largest distance of triangles from the bent strip, by its length: about 80 triangles along a strip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +126,7 @@ def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
 
 
 STATIONS = 24
-"""Number of shapes along the path that are computed first, as initial guesses for others."""
+"""Number of shapes along the path that are computed first, as initial guesses for other shapes."""
 
 
 @dataclass(frozen=True, eq=False)

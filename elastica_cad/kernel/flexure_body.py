@@ -38,7 +38,7 @@ class MadeFlexure:
 
     @property
     def solid(self) -> FlatSolid:
-        """Solid of the flexure in this state."""
+        """Solid of the flexure in the state of the body."""
         return self.flexure.solid_in(self.state)
 
 

@@ -63,7 +63,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
 
 def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
-    """Return a body or surface of OpenCASCADE as a surface for plane sections.
+    """Convert a body or surface of OpenCASCADE to a `Surface`, which can be cut by planes.
 
     Lengths are multiplied by `scale`.
     """

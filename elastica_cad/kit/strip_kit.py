@@ -158,7 +158,7 @@ class StripResult:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """Drawing of each layer, with the name of its file as its own name."""
+        """Drawing of each layer, with the file name as its name."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 

@@ -638,7 +638,7 @@ class DiscreteRod:
 
     @cached_property
     def sideways_pull(self) -> FloatArray:
-        """Derivative (n,), 1/mm2, of the axial component of the force lambda of each edge by the edge angle."""
+        """Derivative (n,), 1/mm2, of the axial component of the force in each edge by the edge angle."""
         return np.asarray(np.einsum("nk,nk->n", self.force, left_of(self.directions)))
 
     @cached_property

@@ -453,9 +453,9 @@ def _place_of_extreme_ratio(
 ) -> float | None:
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
-    The stiffness is the distance from the line divided by the excess curvature. At a zero of the excess
-    curvature, the limit is the sine of the angle between curve and line, divided by the slope of the excess
-    curvature. A line through a single zero may turn by `spare` rad in both directions.
+    The stiffness is the distance from the line divided by the excess curvature (curvature minus natural curvature).
+    At a zero of the excess curvature, the limit is the sine of the angle between curve and line, divided by the
+    slope of the excess curvature. A line through a single zero may turn by `spare` rad in both directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -480,7 +480,7 @@ def _place_of_extreme_ratio(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the unit tangents (k, 2) of the curve and the slopes (k,) of the excess curvature, at zeros t (k,)."""
+    """Return the unit tangents (k, 2) and the slopes (k,) of curvature minus natural curvature, at zeros t (k,)."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope

@@ -83,7 +83,7 @@ The error is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
 """
 
 SPARE = 0.07
-"""Fraction of the tolerance to which the first knots should fit, so that a second fit is rarely needed."""
+"""Fraction of the tolerance that the first knots should need, so that a second fit is rarely necessary."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:

@@ -95,16 +95,16 @@ class LineLoad:
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
-    """Stiffness, force and moment along a rod as linear functions of m numbers, on N panels with p nodes each.
+    """Stiffness, force and moment along a rod as linear functions of m unknowns, on N panels with p nodes each.
 
-    The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
+    The unknowns are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
     bending moment, b the negative internal force turned clockwise by 90 degrees, and tau the inverse of the
     least bending stiffness.
 
     Attributes
     ----------
     loaded : bool
-        True if part of the load is not proportional to the stiffness; tau is then the fourth number.
+        True if part of the load is not proportional to the stiffness; tau is then the fourth unknown.
     stiffness : (N, p, m) array
         Coefficients of the stiffness K at the nodes of the panels.
     force : (N, p, 2, m) array
@@ -124,7 +124,7 @@ class MomentRows:
 
     @property
     def elements_from(self) -> int:
-        """Index of the first unknown force among the m numbers."""
+        """Index of the first unknown force among the m unknowns."""
         return 4 if self.loaded else 3
 
 
@@ -189,7 +189,7 @@ def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
 
 
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
-    """Return the moments at the ends of panels, with exact zeros where the excess curvature is zero.
+    """Return the moments at the ends of panels, with exact zeros where the strip has its natural curvature.
 
     Rounding errors at these zeros would be large compared with the moment nearby. The errors are interpolated
     linearly between the zeros and subtracted.
@@ -525,7 +525,7 @@ WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations, far above the ratio of any strip."""
 
 LARGEST_LOAD = 1e3
-"""The program is rescaled if the load requires more than this multiple of the largest stiffness."""
+"""The linear program is rescaled if the load requires more than this multiple of the largest stiffness."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -562,7 +562,7 @@ class BalancedStiffness:
 class StateFamily:
     """Stiffnesses of a rod in equilibrium with free parameters y.
 
-    The numbers that `MomentRows` describes are fixed + basis @ y.
+    The unknowns that `MomentRows` describes are fixed + basis @ y.
     """
 
     family: StiffnessFamily
@@ -627,7 +627,7 @@ class RodRequest(EqualByValue):
 
     @property
     def needs_line(self) -> bool:
-        """True if the rod has no weight, point force, rail, pin or tie."""
+        """True if the inflections must be on a line: without weight, point forces, rails, pins and ties."""
         return self.gravity is None and not self.between and not self.point_forces
 
     @property
@@ -680,7 +680,7 @@ class RodRequest(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class ConditionedRows:
-    """Moment and stiffness as linear functions of m numbers, and conditions at the inflections and supports."""
+    """Moment and stiffness as linear functions of m unknowns, and conditions at the inflections and supports."""
 
     request: RodRequest
     panels: Panels
@@ -693,7 +693,7 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Matrix C (k, m) of the conditions C @ numbers = 0 on the m numbers that `MomentRows` describes.
+        """Matrix C (k, m) of the conditions C x = 0 on the m unknowns x that `MomentRows` describes.
 
         The moment is zero at inflections, and the force is zero along coordinates that an end leaves free. A rail,
         pin or tie at an inflection exerts no force normal to the strip, because the stiffness would jump there.
@@ -720,7 +720,7 @@ class ConditionedRows:
 
     @cached_property
     def scale(self) -> FloatArray:
-        """Orders of magnitude (m,) of the unknown numbers."""
+        """Orders of magnitude (m,) of the unknowns."""
         size = np.full(self.rows.edge_moment.shape[1], 1 / self.check.length)
         size[0] = 1.0
         moment = self.rows.stiffness[..., 3:] * self.panels.curvature[..., None]
@@ -755,7 +755,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows that require the numbers with the indices `sides` to be 0 or more."""
+        """Return the rows that require the unknowns with the indices `sides` to be 0 or more."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -800,7 +800,7 @@ class ConditionedRows:
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return optimal numbers that do not depend on the rotation of the drawing.
+        """Return optimal unknowns that do not depend on the rotation of the drawing.
 
         If a constant moment is optimal, as for arcs, it is chosen. If a single jump of the curvature determines the
         ratio, the optimum with the smoothest stiffness is chosen.
@@ -825,7 +825,7 @@ class ConditionedRows:
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
-        """Return the numbers (m,) of the least ratio.
+        """Return the unknowns (m,) for the least stiffness ratio.
 
         If inflections allow several optima, the result is the optimum with the smoothest stiffness.
         """
@@ -848,7 +848,7 @@ class ConditionedRows:
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """Return the numbers (m,) and tau that maximise the least E I if the largest E I is `most`, N mm2.
+        """Return the unknowns (m,) and tau for the greatest least E I, 1 / tau, if the largest E I is `most`, N mm2.
 
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
         The result is None if no stiffness within these limits is in equilibrium.
@@ -879,7 +879,7 @@ class ConditionedRows:
         return numbers.fixed + numbers.basis @ y, tau
 
     def balance(self, state: FloatArray) -> BalancedStiffness:
-        """Return the stiffness, moment and force for given numbers (m,)."""
+        """Return the stiffness, moment and force for given values (m,) of the unknowns."""
         K = self.rows.stiffness @ state
         return BalancedStiffness(
             self.panels,

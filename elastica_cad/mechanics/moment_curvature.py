@@ -338,7 +338,7 @@ class TabulatedLaw(MaterialLaw):
         return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
-        """Also refuse a curvature beyond the last of `curvatures`; see `MaterialLaw.require_injective`."""
+        """Refuse the law also if `largest_curvature` exceeds the measured curvatures."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
                 f"the material law ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but the curve has "

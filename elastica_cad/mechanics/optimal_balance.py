@@ -61,14 +61,14 @@ class OverloadError(InputError):
 
 
 def balance_of(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio for a request."""
+    """Return the stiffness K with the least ratio max K / min K for a request."""
     if request.section is not None:
         return _with_section(request, request.section)
     return _with_weight(request) if request.is_loaded else balance_without_weight(request)
 
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio of a rod without weight (paper, Eq. 4)."""
+    """Return the stiffness K with the least ratio max K / min K of a rod without weight (paper, Eq. 4)."""
     problem, numbers, cut = _weightless(request)
     state = problem.least(numbers, smooth=bool(request.elements))
     return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
@@ -99,7 +99,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
 
 
 def _with_weight(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio under weight (paper, Eq. 6)."""
+    """Return the stiffness K with the least ratio max K / min K under weight (paper, Eq. 6)."""
     cut, gravity, weight = request.cut, request.gravity, request.weight
     if weight is None and request.forces:
         weight = Weight(own=gravity is not None)
@@ -279,7 +279,7 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness of least ratio with the largest value `most`, N mm2, and the inverse of its least value.
+    """Return the stiffness of least ratio with the largest value `most`, N mm2, and 1 / its least value.
 
     The method iterates, because a weight proportional to the stiffness depends on the least value.
     """
@@ -369,7 +369,7 @@ SLOWEST_RATE = 0.99
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
-    """Return the stiffness of least ratio in equilibrium, scaled to the limits of a section.
+    """Return the stiffness K with the least ratio max K / min K, scaled to the limits of a section.
 
     Each iteration linearises the weight at the last E I, solves the linear program in the relative stiffness
     K (paper, Eq. 6), and updates the scale. The result is a local optimum, because the full problem is not

@@ -282,7 +282,7 @@ def _evaluated(
 ) -> tuple[_Nodes, FloatArray]:
     """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
-    `zeros` and `orders` (k,) are the parameters and orders of the zeros of the excess curvature.
+    `zeros` and `orders` (k,) are parameters and orders of the zeros of curvature minus natural curvature.
     """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT

@@ -142,7 +142,7 @@ class RodSystem:
 
     @cached_property
     def chord(self) -> FloatArray:
-        """Required differences, mm, between end and start of the coordinates that both ends hold."""
+        """Required end position minus start position, mm, for the coordinates that both ends hold."""
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     @cached_property
@@ -374,7 +374,7 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Largest relative error of ends, rails, pins and ties, as in `missed`."""
+        """Largest relative error of the positions and forces of ends, rails, pins and ties."""
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:

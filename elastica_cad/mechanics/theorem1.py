@@ -769,7 +769,7 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Return the zeros of the excess curvature. Zeros near an end, or just beyond it, are moved to the end."""
+    """Return the zeros of curvature minus natural curvature. Zeros near or just beyond an end are moved to it."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -788,7 +788,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # True if the excess curvature, extrapolated linearly, becomes zero just beyond this end
+        # True if curvature minus natural curvature, extrapolated linearly, is zero just beyond this end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             slope_sign = int(np.sign(slope))

@@ -155,7 +155,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """Return the result of `_as_cut` for a strip that bends as a plate, with the stiffness times `stiffer` (n,)."""
+    """Return the result of `_as_cut` for a strip that bends as a plate. `stiffer` (n,) multiplies the stiffness."""
     kappa = np.asarray(rod.curvature)
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)

@@ -83,7 +83,7 @@ class CurveChanges:
         return np.sqrt((panels.stretch * WEIGHTS).ravel() / self.state.curve.length)[:, None]
 
     def offsets(self, target: PlaneCurve) -> FloatArray:
-        """Return the weighted distances (2 g,) from a curve with the same parameter; see `distance_rows`."""
+        """Return the distances (2 g,) from `target` at equal parameters, weighted as in `distance_rows`."""
         off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
         return np.concatenate([(off * d * self._root_weights).sum(axis=1) for d in self._frame])
 
@@ -214,7 +214,7 @@ _PENALTY = 0.1
 _ROW_PENALTY = 10.0
 # accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12
-# missing stability margin that counts as a violation of 1
+# a missing stability margin is divided by this value to obtain its violation
 _MARGIN_UNIT = 50.0
 # largest ratio after a step, as a multiple of the present ratio or of its bound
 _COARSE = 3.0
