@@ -23,7 +23,7 @@ _EPS = float(np.finfo(float).eps)
 _DEGREE = 11
 
 _FOLLOWED = 1e-13
-"""A polynomial is accepted if its last coefficients are below this fraction of the size of the function."""
+"""A polynomial represents a function if its last coefficients are below this fraction of the function's size."""
 
 _FOLLOWED_NOISE = 1e-12
 """Coefficients below this fraction of the size of the function are rounding errors."""

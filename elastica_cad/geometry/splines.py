@@ -206,7 +206,6 @@ def _spans(written: bytes, degree: int) -> Spans:
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
-    # the last axis of these arrays counts the knot spans
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
@@ -574,7 +573,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Mark the bad spans and their wide neighbours, because narrow spans cannot compensate for wide ones."""
+    """Mark the bad spans and their wide neighbours, because narrow spans cannot compensate for wide spans."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])

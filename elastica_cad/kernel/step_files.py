@@ -144,7 +144,7 @@ def _with_wires_apart(shape: Shape) -> Shape:
 
 
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
-    """Convert shapes to STEP entities without checking their wires, for which a new controller is needed.
+    """Convert shapes to STEP entities without checks of their wires, by means of a new controller.
 
     The later transfer of the document reuses these entities.
     """

@@ -381,7 +381,7 @@ def _pack(files: Sequence[str], path: Path) -> None:
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            # otherwise only root could read the unpacked files on Unix
+            # without this mode, only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 

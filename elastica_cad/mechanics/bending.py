@@ -62,7 +62,7 @@ from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
-# force components up to this fraction of the force are rounding errors
+# force components up to this fraction of the largest force in the rod are rounding errors
 ROUNDED_SHARE = 1e-12
 # smaller movements of an end, as a fraction of the length, are rounding errors
 STILL_SHARE = 1e-9
@@ -708,7 +708,9 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 
 
 def _with_reactions(state: RodState) -> RodState:
-    """Return the state whose forces of supports, rails, pins and ties give the least imbalance of moments."""
+    """Return the state with the forces of supports, rails, pins and ties that give the least imbalance of
+    moments.
+    """
     if not state.reactions.size:
         return state
     rows = np.where(state.places[:, None], state.rows, 0.0)

@@ -206,7 +206,7 @@ def bracing_of(
         # a rod held by ties alone can turn as a whole without a change of energy, so exclude this rotation
         turn = left_of(edges.chord(ties[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
         rows = np.concatenate([rows, turn[None]])
-    # avoid a division by zero, because a term can be zero on a straight strip
+    # avoid a division by zero, because a row of `terms` can be zero on a straight strip
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
     for brace in braces:

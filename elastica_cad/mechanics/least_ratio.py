@@ -107,7 +107,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fit ramps separately, so that they do not spoil the fit beside them
+    # fit the ramps of jumps separately, because they would spoil the fit beside them
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:

@@ -352,7 +352,7 @@ def least_variation(
         values[active[active >= 0]] = 0.0
         edges = np.linalg.inv(normals)
         slopes = np.sign(values[:terms]) @ planes[:terms] @ edges
-        # slopes of the sum along both directions of each edge
+        # slopes of the objective along both directions of each edge
         changes = np.array([slopes, -slopes]) + ((active >= 0) & (active < terms))
         changes[1, active >= terms] = np.inf
         steepness = changes / np.linalg.norm(edges, axis=0)

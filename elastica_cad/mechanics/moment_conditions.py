@@ -396,7 +396,7 @@ def _continuous_ratio(
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
             # the solution has converged to the accuracy of the solver
             tolerance = BOUNDED
-            # allow for rounding errors of the sum, because large terms may cancel
+            # allow for rounding errors of `rows` @ `y`, because large terms may cancel
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
@@ -489,8 +489,8 @@ def _bounded(
 def find_violations(family: StiffnessFamily) -> FloatArray:
     """Return the arc lengths (k,), mm, of the samples that prevent a stiffness that is positive everywhere.
 
-    With a single free parameter, the stiffness has the less frequent sign at these samples. With more parameters,
-    these samples limit how large the least stiffness can be.
+    With a single free parameter, these are the samples at which the stiffness has its less frequent sign. With
+    more parameters, these samples limit how large the least stiffness can be.
     """
     from scipy.optimize import linprog
 
@@ -848,7 +848,7 @@ class ConditionedRows:
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """Return the unknowns (m,) and tau for the greatest least E I, 1 / tau, if the largest E I is `most`, N mm2.
+        """Return the unknowns (m,) and 1 / least E I for the greatest least E I, if the largest is `most`, N mm2.
 
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
         The result is None if no stiffness within these limits is in equilibrium.

@@ -55,7 +55,6 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
-    """Yield the largest displacement of the strip, per mm of error, for each taut rail, pin or tie."""
     at, shape = len(state.system.held), shape_of(state)
     for action in acting:
         if isinstance(action.element, Pin):

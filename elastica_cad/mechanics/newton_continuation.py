@@ -343,7 +343,7 @@ def _relative_error(state: RodState, residual: Residual) -> float:
 
 # largest difference of edge angles of a straight rod; it moves an end by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
-# difference of the held end angles above which its sign determines the default side
+# if the held end angles differ by more than this, the sign of the difference determines the default side
 DECIDING_TURN_RAD = 0.5
 # least distance between the ends of the first buckled rod, as a fraction of the length
 FIRST_CHORD = 0.9

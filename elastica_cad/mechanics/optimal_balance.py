@@ -498,7 +498,7 @@ def _balance_by_descent(
 def _best_numbers_near(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the parameters near `here` that minimise the largest value of the family, or None.
+    """Return the parameters near `here` that minimise the largest stiffness of the family, or None.
 
     The root mean square change of the values is at most `reach`. If there is no solution, this limit is increased
     up to 64 times.
@@ -566,7 +566,6 @@ def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
 
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
-    """Return the linearised weight along the rod, for the least bending stiffness `scale`, N mm2."""
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))

@@ -912,7 +912,7 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Return messages about bent joints of straight tails, and arc lengths, mm, of joints with a small slope."""
+    """Return messages about tails at whose joint the curvature jumps, and arc lengths, mm, of small slopes there."""
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0

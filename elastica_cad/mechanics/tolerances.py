@@ -173,7 +173,6 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """Return the rod with the weight of the cut strip, whose least stiffness is `width_factor` times as large."""
     if rod.gravity is None:
         return rod
     if rod.weight is None:

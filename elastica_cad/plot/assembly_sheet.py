@@ -416,7 +416,6 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _translated(table: Table, words: Wording) -> Table:
-    """Translate a table, except names and numbers, which are plain texts."""
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]

@@ -334,7 +334,6 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
 
 def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
-    """Draw the designed shape and, if the displacement is small, an enlarged shape. Return both lines."""
     light = {"color": FAINT, "linewidth": 1.2}
     lines = [design.position]
     axes.plot(*design.position.T, label="design", linestyle=(0, (4, 2)), **light)

@@ -164,10 +164,9 @@ class CurveChanges:
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Derivatives of arc lengths with respect to the r coordinates of a change.
-
-        The function holds for arc lengths from the left end of each panel. The arrays hold at the left ends
-        of the N panels (N, r) and for the whole curve (r,).
+        """Derivatives of arc lengths by the r coordinates u of a change of the curve.
+        The arc lengths are measured from the left end of a panel (a function), or from the start of the curve to
+        the left ends of the N panels (N, r) and to the end (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
@@ -461,7 +460,6 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
-    """Return the indices of the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])
