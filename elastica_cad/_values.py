@@ -121,7 +121,7 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Return values as arrays of their own shapes. Raise InputError if the shapes cannot be broadcast together.
+    """Return the values as arrays, not broadcast. Raise InputError if the shapes cannot be broadcast together.
 
     Examples
     --------

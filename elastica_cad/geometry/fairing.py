@@ -292,7 +292,7 @@ class _Problem:
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 
     def start(self) -> FloatArray:
-        """Return control points close to the drawn curve, with a small penalty on the third derivative."""
+        """Return control points close to the drawn curve, smoothed by a small penalty on the third derivative."""
         rows = self._rows(self.across, 3)
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 

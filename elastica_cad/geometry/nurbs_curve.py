@@ -705,7 +705,7 @@ class NurbsCurve:
         return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
     def siblings(self, control_points: FloatArray) -> list[Self]:
-        """Return curves with the same knots and control points (n, m, 2), without weights.
+        """Return n curves with the same knots, the given control points (n, m, 2) and no weights.
 
         The speed of the curves must be positive everywhere. A check would be slow for thousands of curves.
         """

@@ -15,7 +15,7 @@ from elastica_cad.refusals import Length
 _MOST_HALVINGS = 30
 
 IN_LINE_SHARE = 1e-9
-"""Points are collinear if their triangle is lower than this fraction of the size of all four points."""
+"""Three points are collinear if their triangle is lower than this fraction of the extent of all four points."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:

@@ -390,7 +390,7 @@ def _bent_on_elements(
 
 
 def shape_of(state: RodState) -> ShapeOfRod:
-    """Return the shape of the rod in a state."""
+    """Return the shape of the rod whose unknowns have the values `state`."""
     return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
 
 
@@ -708,9 +708,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 
 
 def _with_reactions(state: RodState) -> RodState:
-    """Return the state with the forces of supports, rails, pins and ties that give the least imbalance of
-    moments.
-    """
+    """Return the state with the support, rail, pin and tie forces that give the least imbalance of moments."""
     if not state.reactions.size:
         return state
     rows = np.where(state.places[:, None], state.rows, 0.0)

@@ -118,7 +118,7 @@ class _Edges:
         return self.moves_with(self.covered(s) - from_end[:, None])
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
-        """Return the unit vector (2,) from one arc length to another, s (2,), and the distance, mm."""
+        """Return the unit vector (2,) from the first to the second arc length `s`, and the distance, mm."""
         p, q = (self.covered(float(place)) for place in s)
         chord = self.edge_length * ((q - p) @ self.tangents)
         size = float(np.hypot(*chord))

@@ -123,7 +123,7 @@ class Terms(NamedTuple):
 
     The sum is the Schur complement of D in the larger matrix [[A, G^t], [G, D]], which is used instead.
 
-    A sum G^t C G has D = -C^-1. A constraint G h = 0 with a compliance has D = -compliance.
+    For an added matrix G^t C G, D is -C^-1. For a constraint G h = 0 with a compliance, D is -compliance.
 
     Attributes
     ----------

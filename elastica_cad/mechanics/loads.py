@@ -133,7 +133,7 @@ class PointMass:
 
     @property
     def s(self) -> float:
-        """Arc length of the mass, mm. First move a mass at a point (x, y) to a curve."""
+        """Arc length of the mass, mm. A mass at a point (x, y) must first be moved to a curve."""
         if isinstance(self.at, tuple):
             raise InputError(
                 "The point mass at {point} has no arc length. Give its place in mm along the rod.",

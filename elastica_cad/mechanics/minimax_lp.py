@@ -312,8 +312,8 @@ def least_variation(
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
     If a term is the second derivative K'' of the stiffness times the length of a sample, the sum is the total
-    variation of K' (paper, section 5.3). On a plane, a term is zero or a condition is an equation. In a vertex, m
-    of these planes meet. Each step follows the steepest edge of a vertex while the sum decreases.
+    variation of K' (paper, section 5.3). A plane contains the x for which a term is zero or a condition is an
+    equation. In a vertex, m planes meet. Each step follows the steepest edge of a vertex while the sum decreases.
 
     Parameters
     ----------

@@ -848,7 +848,7 @@ class ConditionedRows:
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """Return the unknowns (m,) and 1 / least E I for the greatest least E I, if the largest is `most`, N mm2.
+        """Return the unknowns (m,) and 1 / B with the largest B for stiffnesses E I from B to `most`, N mm2.
 
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
         The result is None if no stiffness within these limits is in equilibrium.

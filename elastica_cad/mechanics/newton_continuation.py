@@ -152,9 +152,9 @@ def follow(
 ) -> Reached:
     """Continue from a state to an equilibrium by reducing the imbalance of the state to zero in adaptive steps.
 
-    Positions and angles of the ends change linearly from present to required values. Weight, forces,
-    stiffness and supports change in proportion. The continuation ends early if the branch turns back, or if
-    `stop` returns True.
+    Positions and angles of the ends change linearly from present to required values. The effects of new weight,
+    forces, stiffness and supports grow in the same proportion. The continuation ends early if the branch turns
+    back, or if `stop` returns True.
 
     Parameters
     ----------

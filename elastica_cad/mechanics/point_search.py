@@ -19,7 +19,7 @@ from elastica_cad.mechanics.support_search import MOST_RATIO
 Found = TypeVar("Found")
 
 MOST_POINTS = 30
-"""Largest number of control points of a curve of which points are moved."""
+"""Largest number of control points of a curve whose points are moved."""
 
 DIRECTIONS = 16
 """Number of evenly spaced directions in which a control point is moved."""

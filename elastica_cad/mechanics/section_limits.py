@@ -75,7 +75,7 @@ class StrainVerdict:
     def percent(self) -> int:
         """Strain in percent of the limit.
 
-        The number is rounded such that it exceeds 100 exactly if the strain exceeds the limit.
+        The number is rounded such that it exceeds 100 if and only if the strain exceeds the limit.
         """
         percent = round(100 * self.used)
         return min(percent, 100) if self.allowed else max(percent, 101)

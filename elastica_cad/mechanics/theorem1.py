@@ -645,7 +645,7 @@ AT_END_SHARE = 1e-6
 """A zero of the curvature closer to an end than this fraction of the length is at the end."""
 
 SEAM_SHARE = 0.01
-"""The start of a closed curve is moved if its curvature is below this fraction of the largest curvature."""
+"""The start of a closed curve is moved if the curvature there is below this fraction of the largest."""
 
 PINNED_SHARE = 1e-6
 """At a pinned end, a curvature up to this fraction of the largest curvature counts as 0."""
@@ -912,7 +912,7 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Return messages about tails at whose joint the curvature jumps, and arc lengths, mm, of small slopes there."""
+    """Return messages about tails with a jump of curvature at the joint, and arc lengths, mm, of small slopes."""
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0
@@ -1002,7 +1002,7 @@ def _warn_of_widths(
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
     """Return the relative jumps (n,) of the curvature, and the jumps (n,) of its slope.
 
-    Both are divided by the curvature, and the jumps of the slope are multiplied by the length of the curve.
+    All jumps are divided by the curvature, and the jumps of the slope are multiplied by the length of the curve.
     """
     after = np.array([place.t for place in breaks])
     low, high = curve.domain

@@ -42,7 +42,7 @@ END_LABEL_INCHES = 0.3
 """Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Least, largest and enlarged size of a displacement that is also drawn enlarged, by the strip's length."""
+"""Range of displacements that are also drawn enlarged, and the enlarged size, as fractions of the length."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Panel for a drawing with numbers on both axes, a title, and a legend below the title."""
