@@ -456,7 +456,7 @@ def _halve_chords(
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # of a point beyond an end of the chord, as in hairpins, the distance is measured from this end
+    # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)

@@ -194,7 +194,7 @@ class Travel:
         """Distance of the translation, mm, or angle of the rotation, degrees."""
         if self.angle is None:
             return float(np.hypot(*self._way))
-        # rounded, so that a CAD joint with this range accepts the final angle
+        # round the range, so that a CAD joint accepts the final angle
         return round(float(abs(np.degrees(self._turn))), 9)
 
     @property

@@ -119,7 +119,7 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 class Terms(NamedTuple):
-    """Matrix -G^t D^-1 G that is added to a tridiagonal matrix A (n, n).
+    """Matrix -G^t D^-1 G that is added to a matrix A (n, n).
 
     The sum is the Schur complement of D in the larger matrix [[A, G^t], [G, D]], which is used instead.
 

@@ -65,7 +65,7 @@ def _compare_fits(
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
-    ):  # correct an outlier first, because it would decide the comparison of the fits
+    ):  # an outlier must be corrected first, because it would decide the comparison of the fits
         return None
     distance = _largest_distance(points, drawn)
     for curve in _other_curves(points, distance):

@@ -92,8 +92,8 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    At a jump, the result is the inverse of the mean compliance near the node, because the shape of the rod must
-    depend continuously on the position of the jump.
+    At a jump, the result is the inverse of the mean compliance near the node. The shape of the rod then depends
+    continuously on the position of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -754,7 +754,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # a rail, pin or tie at a node makes the force at this node ambiguous, so take the median of all nodes
+        # a rail, pin or tie at a node makes the force there ambiguous, so take the median difference of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length = self.length / angles.size

@@ -165,8 +165,9 @@ class CurveChanges:
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
         """Derivatives of arc lengths by the r coordinates u of a change of the curve.
-        The arc lengths are measured from the left end of a panel (a function), or from the start of the curve to
-        the left ends of the N panels (N, r) and to the end (r,).
+
+        The function is measured from the left end of each panel. The arrays are measured from the start of the
+        curve: to the left ends of the N panels (N, r), and to the end of the curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
