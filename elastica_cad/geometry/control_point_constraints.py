@@ -87,7 +87,7 @@ class SmoothJoints:
     at : (k,) array
         Indices of the control points in which pieces meet.
     size : (k,) array
-        Distance, mm, from each joint to the next control point, which makes the residuals lengths.
+        Distance, mm, from each joint to the next control point. This factor makes the residuals lengths.
     """
 
     at: IntArray

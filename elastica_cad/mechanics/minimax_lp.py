@@ -22,7 +22,7 @@ class Exchange(NamedTuple):
     first_step : int
         For a smooth stiffness, the first program contains every `first_step`-th sample of the curve.
     box : float
-        Bound of the scaled unknowns, usually about 1. The first vertex is at this bound.
+        Bound of the unknowns, which are scaled to about 1. The first vertex is at this bound.
     feasible : float
         Largest violation of a condition that counts as a rounding error. The violation is relative to 1, or to
         the ratio R if the condition contains R.

@@ -359,7 +359,7 @@ WIDEST_REACH = 0.1
 MOST_STEPS = 150
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent after a reversal of direction, and after other steps."""
+"""Factors on the largest step of a descent: after a reversal of direction, and after any other step."""
 
 LONGEST_JUMP = float(np.log(4.0))
 """Largest change of the natural logarithm of a scale by extrapolation."""

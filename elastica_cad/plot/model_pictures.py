@@ -234,7 +234,7 @@ def model(
 
     Strips have their tabs, slots and holes. Of a laminate, only the base is drawn. `holders` are drawn in
     addition to the plates of the model. Plates have their holes but no slots. `flat` is the number of different
-    flat parts that are drawn below at a common scale, among them the first and the last.
+    flat parts that are drawn below at a common scale, including the first and the last part.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
