@@ -67,6 +67,7 @@ def _left_out(row, _):
         "anticlastic stiffening": "plain, nu 0.3",
         "slots make a strip softer": "slotted, nu 0.3",
         "inclined ligaments": "perforated, nu 0.3",
+        "tabs that are narrower": "narrow tabs, nu 0.3",
     }
     cause = next((words for words in of if row[0].startswith(words)), None)
     if cause is not None:

@@ -31,14 +31,13 @@ reports for the same strip.
 
 Words in the tables:
 
-- *nu*: Poisson ratio of the sheet, which makes a bent strip curl across its width.
+- *nu*: Poisson ratio of the sheet. If it is not 0, a bent strip curls across its width.
+- *Heavy*: the strip is designed and bent with its own weight.
 - *Corrected*: the widths are changed so that the strip takes its curve although it curls or has slots,
   narrow tabs or steps.
 - *2 x 12* of a perforated strip: 2 columns and 12 rows of holes. *Steps of width*: the width changes abruptly.
 
-Most finite elements were run on 21 November 2026. Two groups were run on 26 November: strips drawn by a seed, and
-corrected strips with slots, narrow tabs or steps of the width. Their computed deviations are of 26 November,
-all others of 24 November.
+The row *elements* of [the long test runs](trust.md) has the date and commit of the last run.
 """
 
 DEFAULT = """The columns differ in the option `compensate`. *Not corrected*: `compensate=False`. *By default*:
@@ -52,40 +51,50 @@ strips, but four uncertainties of the model were set after these results: for sl
 are closer together than they are deep; for perforated and laminated plywood; and the least
 uncertainty of any strip (1e-4 of the length).
 
-Plywood has E / G = 15 and nu = 0.1. In the finite elements alone, its modulus across the grain is 0.3 of the
-modulus along the grain. Sheets without grain have nu = 0.3.
+Plywood has a Young's modulus of 15 times its shear modulus, and nu = 0.1. In the finite elements alone, its
+modulus across the grain is 0.3 of the modulus along the grain. Sheets without grain have nu = 0.3.
 
-*Uncertainty* is the reported error of the model. *From the sheet* is the reported effect of a thickness that
-varies by 1 %, grain off by 2 degrees, clamps off by 0.5 degrees and a kerf off by 0.05 mm. The finite elements
-do not include these errors. The last column is *yes* if finite elements and computed deviation differ by at
-most the uncertainty. The slots in the sheet without grain are 6 mm apart, and the program warns of this."""
+*Uncertainty* is the error that the program expects of its own model. *From the sheet* is the reported effect of
+a thickness that varies by 1 %, grain off by 2 degrees, clamps off by 0.5 degrees and a kerf off by 0.05 mm. The
+finite elements do not include these errors. *Agrees*: the deviations of finite elements and program
+differ by at most the uncertainty. The slots in the sheet without grain are 6 mm apart, and the program warns
+of this."""
+
+DRAWN_WORDS = {"even": "no grain", "ply": "plywood", "leaves": "glued plies", "tabbed": "narrow tabs",
+               "tapered": "tapered in thickness", "made up for": "corrected"}  # fmt: skip
+"""Words of the page for the words in the names of the strips."""
 
 TABS = """A random generator with the seed 541127 draws two curves, widths and thicknesses. The tabs at both
 ends have 0.2, 0.35 and 0.5 of the width of the strip. The sheets are those of the twelve strips
-above. After these results, only the length over which a clamp prevents curling (`RESTRAINT`) was
-set. The sum of computed deviation and uncertainty is at least the deviation of the finite
-elements, and at most twice as large."""
+above. The length over which a clamp prevents curling (`RESTRAINT`) was set after these results, and
+nothing else. The sum of computed deviation and uncertainty is at least the deviation of the
+finite elements, and at most twice as large."""
 
-SIDEWAYS = """The column *sideways* has the lowest eigenvalue (`*FREQUENCY, PERTURBATION` after the nonlinear
-step) of a uniform strip, in units of E I over mass per length and L^4. The strips are 300 mm
-long, with nu = 0.3; plain strips are 0.8 mm thick, laminated strips consist of two sheets of 0.5
-mm. If the eigenvalue is negative, the strip leaves its shape. *Computed* is the rating by
-`Strip.sideways` for the same rod."""
+SIDEWAYS = """Does a strip of equal width tip out of the plane of its curve? The columns *sideways* and *in its
+plane* have its lowest eigenvalues (`*FREQUENCY, PERTURBATION` after the nonlinear step), in units
+of E I / (m L^4), with the bending stiffness E I, the mass per length m and the length L. If an
+eigenvalue is negative, the strip leaves its shape. *Computed* is the rating by `Strip.sideways`:
+*ample* is stable, *undecided* means that the program cannot decide. *Ends pushed together*: both
+ends are clamped in one line, and are the closer the larger k is; at k = 0.91 they meet. The strips
+are 300 mm long, with nu = 0.3. Plain strips are 0.8 mm thick, laminated strips consist of two
+sheets of 0.5 mm."""
 
 TAPERED = """Strips 8 mm wide whose thickness varies. The mesh is made from the side view (DXF), with two
 bricks across the width and elements of 8 mm along the strip. Rods are round, with twelve bricks
 in a cross-section, and their diameter is the height of the side view. The tabs are held as drawn.
 The required deviation is at most 1e-03."""
 
-JOINED = """Strips 20 or 30 mm wide of two pieces. The base is cut through, and a plate of the same sheet, as
+JOINED = """Strips 20 or 30 mm wide, made of two pieces. The strip is cut through, and a plate of the same sheet, as
 wide as the strip, is glued over the joint. The tabs are held as drawn."""
 
 FLEXURES = """Parts cut in the plane of a sheet. Each part is meshed from its DXF file, bent into each of its
-states, and then released except for its pads. The columns of the states have the largest distance
-of the centre line from the drawn curve, divided by the length. The required distance is at most 3e-03. The clip
-is pushed at its middle from either state. The largest push must be within a tenth of the computed
-push. After the snap, the clip is released as in a viscous fluid (implicit steps along the slope
-of the energy), until it rests in the other state."""
+states, and then released except for its pads, by which it is clamped. The columns of the states
+have the largest distance of the centre line from the drawn curve, divided by the length. The
+required distance is at most 3e-03. The clip is pushed at its middle from either state. The largest
+push must be within a tenth of the computed push. After the push, the clip is released and moves
+slowly, as in a viscous fluid. *Rests in the other state*: from the first, from the
+second. *No*: not within 3e-03 of its curve; on 26 November
+2026 the clip rested in both."""
 
 POCKETS = """Rigid walls 0.15 mm off both faces of the tabs hold the strips. The walls are 10 mm deep and
 without friction, and the weight of the strips is included. Each tab touches the walls at two
@@ -95,14 +104,16 @@ six minutes of processor time."""
 
 
 BETWEEN = """The cutting files of strips with forces between their ends are bent into the drawn shape, and then
-released except for their clamps. A cord is a spring that only pulls, between the means of two
-cross-sections. A rail is a cord 100 m long, along which the strip can slide. The pull follows
-from the elongation of the spring. If the spring is made for a force 20 % too large, the pull
-changes by less than 1 % (tie, bow). The required deviation is at most 3e-03 of the length, and
-the required error of the force at most 3 %. The strips are also compressed along their length. The
-force computed for a strip on a rail includes this compression and the elongation of the spring.
-The design of a strip neglects this compression. For the shallow arch, its rail force is therefore larger
-than that of the finite elements: by 4.5 % for a sheet of 0.8 mm, and by 1.2 % for one of 0.4 mm."""
+released except for their clamps. In the finite elements a cord is a spring that only pulls, from
+the middle of one cross-section to the middle of another. A rail is a cord 100 m long: the strip can
+slide, and the force keeps its direction. The force follows from the elongation of the spring. If the
+spring is made for a force 20 % too large, the force changes by less than 1 % (tie, bow). The deviation
+may be at most 3e-03 of the length, and the error of the force at most 3 % (column *within*).
+
+The forces also compress the strips along their length. The force computed here for a strip on a
+rail includes this compression. The design of a strip neglects it. For the shallow arch, the designed
+rail force is therefore larger than that of the finite elements: by 4.5 % for a sheet of 0.8 mm, and
+by 1.2 % for one of 0.4 mm."""
 
 
 @dataclass(frozen=True)
@@ -222,7 +233,7 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
     if everything.get("flexures"):
         lines += ["", "## Parts with two states", "", FLEXURES, ""]
         head = ("strip", "first state", "second state", "push computed (N)", "found", "back computed (N)", "found",
-                "snapped")  # fmt: skip
+                "rests in the other state")  # fmt: skip
         lines += _table(head, everything["flexures"], _flexed)
     if everything.get("between"):
         lines += ["", "## With forces between the ends", "", BETWEEN, ""]
@@ -257,7 +268,8 @@ def _strip(row: dict[str, Any]) -> tuple[str, ...]:
 def _drawn(row: dict[str, Any]) -> tuple[str, ...]:
     shares = (f"{row[name]:.1e}" for name in ("strayed", "told", "open", "sheet"))
     within = abs(row["strayed"] - row["told"]) <= row["open"]
-    return row["name"], *shares, "yes" if within else "no"
+    name = ", ".join(DRAWN_WORDS.get(word, word) for word in row["name"].split(", "))
+    return name, *shares, "yes" if within else "no"
 
 
 def _swung(row: dict[str, Any]) -> tuple[str, ...]:
