@@ -321,7 +321,10 @@ class _Hidden:
         return cls(frozen.union(off), frozen)
 
     def hides(self, entity: Any, layer: str) -> bool:
-        """A block is hidden if its layer is frozen, but not if its layer is off."""
+        """Return True if an entity on `layer` is not displayed.
+
+        A block is hidden if its layer is frozen, but not if its layer is off.
+        """
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
             return True

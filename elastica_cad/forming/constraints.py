@@ -1,4 +1,4 @@
-"""Constraints of the search for a nearest rod: limits, and properties of the drawn curve to keep."""
+"""Constraints of the nearest rod: limits to meet, and properties of the drawn curve to keep."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -47,7 +47,11 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices (j,) of values that a step may violate, and their derivatives (j, p) by p unknowns."""
+        """Return the indices (j,) of values that a step may violate, and the derivatives (j, p) of the
+        values.
+
+        The derivatives are with respect to the p unknowns.
+        """
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
@@ -83,7 +87,7 @@ class EndPosition(Constraint):
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of both coordinates and their derivatives by the unknowns."""
+        """Return the indices of both coordinates, and the derivatives of the coordinates by the unknowns."""
         return _all_rows(sensitivities.position[-1])
 
 
@@ -99,7 +103,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the end angle by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the end angle by the unknowns."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -115,7 +119,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the scaled moment by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the scaled moment by the unknowns."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -132,7 +136,7 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the scaled force by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the scaled force by the unknowns."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -157,7 +161,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the signed distance by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the distance by the unknowns."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -205,7 +209,7 @@ class InflectionLine(Constraint):
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of both values and their derivatives by the unknowns."""
+        """Return the indices of both values, and the derivatives of the values by the unknowns."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -220,9 +224,9 @@ class InflectionLine(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfMirror(Constraint):
-    """Mirror symmetry of the rod.
+    """Condition that the rod is symmetric about an axis.
 
-    The middle of the rod crosses the mirror axis at a right angle, and the force there is normal to the axis.
+    The middle of the rod then crosses the axis at a right angle, and the force there is normal to the axis.
     """
 
     name: str = "symmetry"
@@ -240,7 +244,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of the three values and their derivatives by the unknowns."""
+        """Return the indices of all three values, and the derivatives of the values by the unknowns."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -259,7 +263,10 @@ class MiddleOfMirror(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfTurn(Constraint):
-    """Symmetry under rotation by 180 degrees: the middle is at the centre, and the moment there is 0."""
+    """Condition that the rod is symmetric under rotation by 180 degrees.
+
+    The middle of the rod is then at the centre, and the moment there is 0.
+    """
 
     name: str = "symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
@@ -272,7 +279,7 @@ class MiddleOfTurn(Constraint):
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of the three values and their derivatives by the unknowns."""
+        """Return the indices of all three values, and the derivatives of the values by the unknowns."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -296,9 +303,9 @@ def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
 # values above this fraction of a limit enter the quadratic program, because a step may violate the limit
 _NEAR = 0.6
 _STEP = 1e-5  # relative change of the stiffness in finite differences of the strain
-# reserve for larger curvatures between the nodes, as a fraction of the largest stiffness
+# reserve in `LargestSection.values`, because the curvature can be larger between nodes
 _SAFETY_SHARE = 0.01
-# relative change of stiffness and curvature in finite differences, large enough to average out kinks
+# relative change of stiffness and curvature in finite differences; smaller changes could fall on a kink
 _TANGENT_STEP = 1e-3
 
 
@@ -330,7 +337,7 @@ class MarginLimit(Constraint):
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the value by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the value by the unknowns."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -343,9 +350,11 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives (n+1,) of the margin by the tangent stiffness to derivatives by stiffness and moment.
+        """Convert the derivatives `by_tangent` (n+1,) of the margin to derivatives by the stiffness and by
+        the moment.
 
-        The derivatives by the moment are None if the moment has no effect.
+        `by_tangent` are derivatives by the tangent stiffness. The second result is None if the moment has no
+        effect.
         """
         _ = rod
         return by_tangent.copy(), None
@@ -383,7 +392,8 @@ class FollowedMarginLimit(MarginLimit):
         return tangent_rod
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives of the margin by the tangent stiffness to derivatives by stiffness and moment."""
+        """Convert the derivatives of the margin by the tangent stiffness to derivatives by the stiffness and
+        by the moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -445,7 +455,8 @@ class BendLimit(Constraint):
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / (limit * length of the target), (n+1,), for nodes of this stiffness (n+1,)."""
+        """Return 1 / (curvature limit * length of the target) at the nodes (n+1,), for their `stiffness`
+        (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
@@ -485,7 +496,8 @@ class StrainLimit(BendLimit):
     name: str = "strain"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the fraction of the strain limit for a unit change of curvature, at the nodes (n+1,)."""
+        """Return the strain for a change of curvature of 1, divided by the strain limit, at the nodes
+        (n+1,)."""
         return self.section.strain(stiffness, self.strain) / self.size
 
 
@@ -532,11 +544,14 @@ class LeastStiffness(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 minus the least stiffness (1,): at least 0 here, at most 0 by the bounds of the coefficients."""
+        """Return 1 minus the least stiffness (1,).
+
+        The constraint requires values of at least 0. The bounds of the coefficients keep the value at most 0.
+        """
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 and the derivatives of the value by the unknowns."""
+        """Return the index 0 of the only value, and the derivatives of the value by the unknowns."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

@@ -82,7 +82,8 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return the slope (n,) for Newton's method: 1 - curvature * distance, but at least 0.3."""
+        """Return the derivative (n,) for Newton's method in `feet`: 1 - curvature * distance, at least
+        0.3."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
@@ -144,7 +145,7 @@ class Distance(Protocol):
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a convex Gauss-Newton model of the distance as a function of a step of the unknowns.
 
-        The last column of the sensitivities is the change to equilibrium.
+        The last column of the sensitivities is the change that brings the rod into equilibrium.
         """
 
 
@@ -227,10 +228,10 @@ class LargestDistance:
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
-        # signed distances after the change to equilibrium, negative on the right of the target
+        # signed distances of the nodes after the change to equilibrium; negative to the right of the target
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # a small fraction of the mean square makes the best step unique
+        # add a small fraction of the mean square, so that the best step is unique
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )

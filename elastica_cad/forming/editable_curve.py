@@ -16,12 +16,12 @@ DEGREE = 4  # least degree for which the curvature has a continuous derivative
 STRAIGHT_RAD = 1e-9  # largest change of direction along a rod, rad, that is only a rounding error
 # largest distance between curve and rod, mm; less than the repeatability of a laser cutter
 TOLERANCE_MM = 1e-3
-# largest relative error of the least and the largest stiffness, so small that limits are still met
+# largest relative error of the least and the largest stiffness, small enough for the rod to meet its limits
 FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# the fit multiplies errors of curvature by the square of this fraction of the rod's length
+# in the fit, the weight of curvature errors is the square of this fraction of the rod's length
 _REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
@@ -149,7 +149,8 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
-    # at an end that is free to turn, the end itself replaces nearby zeros, which are rounding errors
+    # at an end that is free to turn, drop nearby zeros of the moment, which are rounding errors of the zero
+    # at the end
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -193,7 +194,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # if the strip has a rest curvature, the parameter must be the arc length at inflections
+    # if the strip has a rest curvature, the spline parameter at inflections must be the arc length
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [

@@ -34,7 +34,8 @@ LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Largest curvature of an almost straight end, as a fraction of the largest curvature of the curve."""
+"""Largest curvature of an end that counts as straight, as a fraction of the largest curvature of the
+curve."""
 
 SLIGHT_MM = 0.1
 """Displacement by smoothing, mm, above which a note becomes a warning. A cut has a larger tolerance."""
@@ -91,7 +92,7 @@ class Smoothing:
         if self.fairing is None:
             return self.drawn
         provenance, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if provenance is not None:  # the smoothed curve also reports outliers of the measured points
+        if provenance is not None:
             provenance = replace(provenance, measured=provenance.measured if outlier else None)
         return self.fairing.curve.drawn_as(provenance)
 
@@ -126,7 +127,7 @@ class Smoothing:
 
     def _has_width_steps(self) -> bool:
         curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:  # the smoothed curve may be realizable even if the drawn curve is not
+        if rod is None:
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
         widest, narrowest = self.widths
@@ -298,7 +299,7 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
 def _smoothed(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # `round_corners` has already fitted a smooth curve to the points
+    if measured_points(curve) is not None:
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

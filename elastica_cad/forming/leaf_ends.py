@@ -20,7 +20,7 @@ FINE_NODES = 1001
 """Number of nodes of the returned rod; with fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
 
 SHORTEST_SHARE = 0.01
-"""Least distance between two ends of plies, and least length of a ply, as a fraction of the length."""
+"""Least distance between two ply ends, and least length of a ply, as fractions of the rod's length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
 """Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
@@ -200,7 +200,8 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return offsets from `drawn`. The sum of their squares is the mean squared distance / length^2.
+        """Return scaled offsets from `drawn`: the sum of their squares is the mean squared distance /
+        length^2.
 
         The offsets are large if the stack has no rest shape.
         """

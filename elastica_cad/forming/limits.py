@@ -69,14 +69,6 @@ class HalfPlane:
 
 @dataclass(frozen=True)
 class Box:
-    """Rectangle with edges along x and y that the rod must not enter.
-
-    Parameters
-    ----------
-    lower, upper : (2,) array_like
-        Opposite corners, mm.
-    """
-
     lower: Annotated[tuple[float, float], Option("Corner with the smallest x and y.", "mm")]
     upper: Annotated[tuple[float, float], Option("Corner with the largest x and y.", "mm")]
 

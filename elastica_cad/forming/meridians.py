@@ -33,7 +33,7 @@ STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
 """Least fraction of a Newton step that is tried before the search ends."""
 
-SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
+SOLVED = 1e-11
 LONGEST = 1.5
 """Largest ratio of the lengths of a meridian and of a smooth curve through the points, to exclude extra turns."""
 
@@ -260,7 +260,8 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Return the unknowns of `_Equations` for the shortest meridian through all points, or None."""
+    """Search for the shortest meridian through all points. Return its unknowns (see `_Equations`), or
+    None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -287,7 +288,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
         share = _largest_fraction(equations, unknown, step)
-        # with `not`, the condition is true for NaN, so that a step to NaN is halved
+        # `not` makes the condition true for NaN, so that a step to NaN is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):
@@ -345,7 +346,6 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _largest_fraction(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
-    """Return a fraction of a step, at most 1, for which all lengths remain positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
     return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
@@ -368,12 +368,13 @@ MOST_TURNS = 20
 """Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-# a last point closer to the axis than this fraction of the largest distance adds `TO_THE_POLE` to a message
+# fraction of the largest distance from the axis; if the last point is closer, a message suggests
+# `TO_THE_POLE`
 NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 
 NARROW_SHARE = 1e-3
-"""Default distance of a meridian's end from the axis, as a fraction of length plus distance of the start."""
+"""Default distance of the end from the axis, divided by the sum of length and distance of the start."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -221,7 +221,7 @@ def _continued_search(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Continue a similar search. Return None if the result violates limits or is much farther from its target."""
+    """Continue a similar search. Return None if the result violates limits or is much farther than before."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -233,7 +233,10 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Return the search with an equally near rod of least stiffness ratio, or with all equally near results."""
+    """Return the search with the rod of least stiffness ratio if rods follow the target exactly.
+
+    Otherwise, return the search with all equally near rods as `ties`.
+    """
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -292,10 +295,9 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Yield initial guesses: pairs of a distance and a function that returns the guess.
+    """Yield pairs of a distance, in diagonals of the target, and a function that returns an initial guess.
 
-    The guess is needed only if no known optimum is nearer to the target than this distance, in diagonals of
-    the target.
+    The guess is skipped if a known optimum is nearer to the target than the distance.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)

@@ -61,7 +61,6 @@ WIDTH_TOLERANCE_MM = 0.1
 
 
 def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    """Return the rod, with a warning if its largest width is less than the requested width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod

@@ -98,7 +98,7 @@ class SectionLine:
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
         cuts = i + height[i] / (height[i] - height[i + 1])
-        if not self.is_closed:  # an open line is not split at its ends
+        if not self.is_closed:
             cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
         return self._split(cuts) if cuts.size else (self,)
 
@@ -260,7 +260,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
     x = points[:, 0]
     if np.all(x >= 0):
         return [points]
-    if closed:  # start at x < 0, so that no part with x >= 0 contains the start of the line
+    if closed:  # start the closed line at x < 0, so that its start does not divide a part with x >= 0
         shift = int(np.argmin(x[:-1]))
         points = np.concatenate([points[shift:-1], points[: shift + 1]])
         x = points[:, 0]

@@ -178,7 +178,7 @@ class _Cut:
             return self.ratio_of(start, end) <= self.ratio
         try:
             piece, held, tolerance = self._held(start, end)
-            if piece.is_closed:  # a closed curve has no ends, so it is not a piece
+            if piece.is_closed:
                 return False
             return examine(piece, held, tolerance=tolerance).realizable
         except InputError:

@@ -665,7 +665,7 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 def _penalties(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
-    """Return the penalties of the merit function by Powell's rule, from the penalties `before`."""
+    """State of a search: present iterate, penalties of the merit function, trust region, and damping."""
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)
@@ -692,7 +692,8 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # minimise an additional unknown that is at least every peak; the large penalty makes this exact
+        # the maximum of the peaks is an additional unknown; a large penalty keeps the unknown at least at
+        # every peak
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -738,7 +739,7 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Return a point in equilibrium whose small violations are reduced to rounding errors.
+    """Return a point in equilibrium near `point` whose constraints are violated only by rounding errors.
 
     Newton's method is used, with steps of least norm within the bounds.
     """

@@ -24,7 +24,8 @@ HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 
 SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
-"""A plate, frame or block that holds strips. See `Model.base_plate`, `Model.slotted_frame`, `Model.fixtures`."""
+"""Plate, frame or block that holds strips; see `Model.base_plate`, `Model.slotted_frame`,
+`Model.fixtures`."""
 
 Shape = TypeVar("Shape")
 
@@ -211,7 +212,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends without a holder, by the index of their strip."""
+    """Return the supported ends without a holder, as a mapping from the index of a strip."""
     places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(

@@ -283,7 +283,7 @@ class Batten:
 
     @property
     def strip_spec(self) -> StripSpec:
-        """Request for the batten's strip: its curve between hinges, with the stiffness law of the stock."""
+        """Request for the batten's strip: its curve, hinged ends, and the stiffness law of the stock."""
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,

@@ -25,7 +25,7 @@ from elastica_cad.strip.strip_spec import DOWN, make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
 ENDS = Supports("pinned", "pinned")
-"""Pinned supports, which act like a cord and also fix the direction of the line between the ends."""
+"""Pinned supports. They act like a cord, and also fix the direction of the line between the ends."""
 
 FINE_NODES = 2401
 """Number of nodes of a bow of constant section. The relative error of the force in the cord is then 2e-7."""

@@ -362,7 +362,7 @@ def _has_slot(strip: Strip, stations: FloatArray) -> bool:
 
 
 def self_contact(strip: Strip) -> Places | None:
-    """Return the two arc lengths, mm, at which the bent strip touches itself, or None.
+    """Return the two arc lengths, mm, at which the bent strip touches itself, or None without contact.
 
     Arc lengths on tabs are below 0 or above the length. Contact in the lap of a closed strip or at a slot is
     ignored.

@@ -517,7 +517,7 @@ class Crossing:
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
         normals = a.normal(tangent), b.normal(other)
-        # the tangent of half the angle is accurate for every angle
+        # compute the tangent of half the angle, which is accurate for every angle
         apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
         return CrossingPoints(
             np.column_stack([p.s_a, p.v]),

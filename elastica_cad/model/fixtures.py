@@ -598,7 +598,6 @@ class _Prism:
 
     @classmethod
     def of(cls, solid: FlatSolid) -> "_Prism":
-        """Return the prism of a solid whose outline is an anticlockwise polygon."""
         up = solid.frame.z_axis
         lower = solid.frame.point([segment.start for segment in solid.outline.segments])
         upper, after = lower + solid.thickness * up, np.roll(lower, -1, axis=0)

@@ -400,8 +400,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # in `profile`, x is along the tab and y away from its upper side; the plate's back has points p with
-        # <n, p> = low
+        # `profile` has x along the tab and y away from the tab's upper side; the plate's back has the points
+        # p with <n, p> = low
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness

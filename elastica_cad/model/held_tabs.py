@@ -18,7 +18,7 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
 def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    # use the points of a wall that the tab reaches, or else the nearest point
+    # use the points of a wall that the tab reaches; if the tab reaches none, use the nearest point
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))

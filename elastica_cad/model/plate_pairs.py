@@ -50,7 +50,7 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""A strip is reversed if its distances to a neighbour's ends then decrease by more than this fraction."""
+"""Relative decrease of its distances to a neighbour's ends, above which a strip is reversed."""
 
 PRESSED_MM = 0.01
 """Largest gap, mm, between a tab and a wall against which the load presses the tab."""
@@ -200,7 +200,7 @@ def _tested_cures(
     sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
     if length < np.inf and len(slotted) == len(plates):
-        # a tab of given length has no default width, so also suggest a width if tabs depend on the gap
+        # a tab of given length has no default width, so a width is also suggested if tabs depend on the gap
         sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:
         long, wide = sized
@@ -470,7 +470,7 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
 
 
 LEVEL_GAIN_MM = 0.5
-"""A plate is inclined if its tabs' differences of height then decrease by more than this value, mm."""
+"""Decrease of the height differences of tabs, mm, above which a plate is inclined."""
 
 
 def end_plates(

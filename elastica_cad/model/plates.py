@@ -446,7 +446,7 @@ def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
 
 
 def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOptions) -> tuple[Fault, ...]:
-    """Return the faults of strips that would run into a base plate because they are wider than their tabs."""
+    """Return a fault for each strip that would run into a base plate, because it is wider than its tab."""
 
     def depth(tab: PlacedTab) -> float:
         height = float(ground.local(tab.frame.origin)[2])
@@ -457,7 +457,7 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
 
 
 STANDS_MM = 0.2
-"""Tips of tabs are reported if they are deeper than this, mm, below the lowest plate of a base."""
+"""Depth, mm, of a tab's tip below the lowest plate of a base, above which the tip is reported."""
 
 
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:

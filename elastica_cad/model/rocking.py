@@ -66,7 +66,7 @@ def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
     right, left = np.abs(np.degrees(seat.turning))
-    # if the tab turns to the left of the curve, the strip tips to the right, in direction z
+    # if the tab turns to the left of the curve, the strip tips to its right, in the direction z
     lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)
 

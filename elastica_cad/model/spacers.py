@@ -209,7 +209,10 @@ class _Placement(NamedTuple):
 def _places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> _Placement:
-    """Return the first placement that is spread around the middle of the tabs, or else the most spread one."""
+    """Return the first placement that surrounds the middle of the tabs.
+
+    If there is none, return the placement that is most spread.
+    """
     most, best, sheet = 0, None, plates[0].sheet
     bridge = limits_or_default((plates[0].options or PlateOptions()).shop).bridge_for(sheet)
     for tried in _sizes(plates):

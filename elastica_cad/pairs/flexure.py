@@ -82,11 +82,13 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
-# largest number of corrections of a reduced thickness, whose path differs; usually none is necessary
+# largest number of corrections of the thickness, because the path changes with the thickness; usually none is
+# needed
 MOST_CORRECTIONS = 3
 # largest number of tried enlargement factors, of which usually the second is sufficient
 MOST_ENLARGEMENTS = 4
-# spare factor on an enlarged part's thickness, because fillets at another node change it by up to 2 %
+# spare factor on the thickness of an enlarged part, which changes by up to 2 % if fillets begin at another
+# node
 FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
@@ -284,7 +286,7 @@ class Flexure:
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         reduced = SPARE * most
-        # a part whose thickness was reduced may use the reserve
+        # after a reduction of the thickness, the strain may use the reserve of `SPARE`
         for enough in (reduced, *[most] * MOST_CORRECTIONS):
             try:
                 bends, stretch = self._shapes_at(scale)
@@ -857,7 +859,7 @@ class Flexure:
     def _enlargement(self, least: float) -> float:
         """Return a factor that enlarges both curves until the least thickness is `least` mm or more.
 
-        The fillet keeps its radius, so the strain is about that of this part with a smaller fillet.
+        The fillet keeps its radius, so it is smaller relative to the enlarged part.
         """
         least *= FILLET_SPARE
         share = rounded_up(least / self.scale, 3)

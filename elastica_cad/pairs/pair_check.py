@@ -189,7 +189,7 @@ def _with_orders(
 ) -> tuple[PairZero, ...]:
     """Return the zeros of the curvature difference with their orders.
 
-    Move zeros to a near end, and merge close zeros.
+    Zeros near an end are moved to the end, and close zeros are merged.
     """
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
@@ -339,7 +339,7 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # moment difference N at a node: N at the panel's near end, which may be a zero, plus a step
+        # N at a node is N at the nearer end of the panel, which may be 0, plus the change between both points
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])

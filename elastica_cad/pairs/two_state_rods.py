@@ -227,7 +227,10 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) with the least ratio within the limits, and then with the least bend."""
+    """Return the moment parameters (6,) with the least stiffness ratio within the limits.
+
+    Among all such parameters, these have the least bend.
+    """
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -270,7 +273,7 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 
 
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
-    """Return the numbers (6,) that give the same stiffness and the least bend.
+    """Return moment parameters (6,) with the same stiffness and the least bend.
 
     The bend is the largest change of curvature in both states. Usually only a_1 has no effect on the stiffness. For
     congruent or mirrored curves, more parameters have no effect, and several rods have the least bend. Then the
@@ -354,7 +357,7 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 
 
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of the flexure whose thinnest place is as thick as possible at a given strain.
+    """Return the moment parameters (6,) of the flexure with the largest least thickness at a given strain.
 
     A section with moment M, stiffness K and thickness h ~ K^(1/3) has the strain |M| h / (2 K) ~ |M| K^(-2/3),
     which is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3) in both

@@ -238,7 +238,10 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return how curling changes the stiffness, or None for no effect. Plates over joints are ignored."""
+    """Return the effect of curling on the stiffness as a function, or None without effect.
+
+    Plates over joints are ignored.
+    """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
@@ -457,7 +460,7 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all effects on its stiffness, including curvature.
+        """Rod with the stiffness of the finished strip, which can depend on the curvature.
 
         It is not in equilibrium until its rest shape is computed.
         """
@@ -573,7 +576,7 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacements (n, 2), mm, of the nodes that the ends of shorter plies cause; zero without plies.
+        """Displacements (n, 2), mm, of the nodes due to the ends of shorter plies; zero without plies.
 
         The neutral axis is not at the centre of the full-length ply, so the force in the strip adds a moment.
         """

@@ -387,7 +387,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return how many derivatives of the curve are geometrically continuous at a knot."""
+    """Return the number of derivatives of the curve that are geometrically continuous at a knot."""
     if continuity >= 2:
         return continuity
     t0, t1 = curve.domain

@@ -164,7 +164,8 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # if each of the four coordinates differs by SAME_MM, two boxes are sqrt(4) SAME_MM apart
+    # if no coordinate differs by more than SAME_MM, two boxes (4 coordinates) are at most sqrt(4) SAME_MM
+    # apart
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):

@@ -260,7 +260,7 @@ def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
 
 
 def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
-    """Yield a warning for each cord that crosses the strip between its two ends."""
+    """Yield a warning for each cord that crosses the strip between the ends of the cord."""
     for action in rod.between:
         if not isinstance(action.element, Tie):
             continue

@@ -379,9 +379,10 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line of a corner, in order of y, and 1 (up) or -1 (down).
+        """Return the corners on the station line through `corner` in order of y, and a direction: 1 (up) or
+        -1 (down).
 
-        The interval is on the left of this direction.
+        `interval` is on the left of this direction.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:

@@ -280,7 +280,7 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # masses are missing in the annotation of `ElementForce.element`
+    mass: Any
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])

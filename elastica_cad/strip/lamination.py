@@ -108,7 +108,7 @@ class Laminated:
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # `laid_out` reports this error
+        if least >= most:  # `laid_out` raises the error for these limits
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))

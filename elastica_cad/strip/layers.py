@@ -112,7 +112,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # index of the first station below each chord, and number of stations below the chord
+        # stations in the x range of each chord: index of the first station, and number of stations
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
@@ -284,8 +284,8 @@ PLATE_END, PLATE_CUT = 0.25, 0.82
 """Lengths along which a glued plate does not stiffen the strip, as multiples of the plate's thickness.
 
 `PLATE_END` is for each end of the plate, fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is
-for the joint, which is an edge crack through half of the total thickness. Such a crack in bending adds the
-angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
+for the joint, which is an edge crack through half of the total thickness. In bending, such a crack acts like
+an added length of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
 
 
 @dataclass(frozen=True, eq=False)

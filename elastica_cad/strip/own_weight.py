@@ -53,7 +53,6 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     newtons = share * strip.layout.weight_at(rod.s)
 
     def under(fraction: float) -> Rod | None:
-        """Return the rod under a fraction of its weight, or None if it collapses."""
         weight = Weight(alpha=Profile.interpolate(rod.s, fraction * newtons))
         heavy = replace(light, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness)
         try:
@@ -64,7 +63,7 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
 
     try:
         bent = under(1.0)
-    except InputError:  # a straight strip that is as long as its ends are apart
+    except InputError:  # `bend` refuses a straight strip whose ends are as far apart as the strip is long
         return None
     if bent is None:
         low, high = 0.0, 1.0

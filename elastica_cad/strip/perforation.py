@@ -51,7 +51,8 @@ CLEAR_OF_SLOTS_MM = 0.02
 
 @dataclass(frozen=True, eq=False)
 class DiamondPattern:
-    """Pattern of rows of full diamond holes, diamonds in the gaps between them, and half diamonds at the edges.
+    """Pattern of diamond holes: in every second row, diamonds are between the columns, and half diamonds at
+    the edges.
 
     Let H = width - material be the total width of the holes, n = `columns`, and t = material / (2 n + 2). T(s)
     rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n. Diamonds in the gaps
@@ -286,7 +287,10 @@ class _Stretch:
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Return the lower side (along x) and the upper side (against x) of each of `across` holes side by side."""
+        """Return the lower and the upper side of each of `across` holes side by side.
+
+        Lower sides are directed along x, and upper sides against x.
+        """
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond

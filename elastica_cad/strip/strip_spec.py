@@ -93,7 +93,7 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`. `share` is the fraction that acts in the plane of the curve."""
+    """Return the weight for `optimal_rod`. `share` is the fraction of the weight in the curve's plane."""
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt

@@ -167,7 +167,8 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Return knots and coefficients (m, 5) of a spline: axis, unit normal * radius, and radius."""
+        """Return knots and coefficients (m, 5) of a spline: axis point (2), unit normal * radius (2), and
+        radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -196,7 +197,10 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the surface with `share` times the outer radius. Return two half circles for each end of a piece."""
+        """Add the surface of the rod (`share` 1) or of its bore (`share` is inner / outer diameter).
+
+        Return the indices of two half circles for each end of a piece.
+        """
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 

@@ -273,7 +273,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # rank of the narrowest place found so far near each place
+    thinnest, known = ranks.copy(), None  # for each place, rank of the narrowest place found nearby so far
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -322,7 +322,8 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """For each row (m,), return True if the chord of `others` is within `least` mm across the material."""
+        """Return True (m,) for each chord whose partner in `others` is within `least` mm across the
+        material."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
