@@ -179,7 +179,7 @@ class _StripShape(_Jointed, StripBody):
 
     @property
     def layers(self) -> tuple[bd.Solid, ...]:
-        """Sheets of the bent strip, the base first, with names and colours."""
+        """Sheets of the bent strip with names and colours, the base layer first."""
         solids = []
         for shape, name, color in self._layers():
             solid = Layer(shape)

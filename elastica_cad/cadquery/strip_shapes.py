@@ -159,7 +159,7 @@ class _StripShape(StripBody, _Moved):
 
     @property
     def layers(self) -> tuple[_Layer, ...]:
-        """Sheets of the bent strip, the base first, with labels and colours."""
+        """Sheets of the bent strip with labels and colours, the base layer first."""
         solids = []
         for shape, name, color in self._layers():
             solid = _Layer(shape)

@@ -246,7 +246,7 @@ class _Request:
         smoothed = self.examined(requested)[1].fairing is not None
         if least["scale"] <= 1 or smoothed or self.smooth or self.natural_curvature or self.between:
             return ""
-        # the key counts the straight ends, too
+        # the key `length` includes the straight ends of the curve
         length = rounded_up(SPARE_LENGTH * least["scale"] * requested.curve.length, 3)
         width = typed_length(rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3))
         line = typed_line(

@@ -262,7 +262,10 @@ def report_reactions(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base first. The thickness of a planed or turned strip is its largest thickness."""
+    """Return the layers, the base layer first.
+
+    The thickness of a planed or turned strip is its largest thickness.
+    """
     worked = strip.layout.worked_size
     return [
         {

@@ -19,7 +19,7 @@ from elastica_cad.refusals import Refusal, note, sentences
 Value: TypeAlias = "float | FloatArray"
 
 MOST_LETTERS = 2000
-"""Largest number of characters in a formula. A longer one can be split with `let`."""
+"""Largest number of characters in a formula. A longer formula can be split with `let`."""
 
 LARGEST_RESULT = 1e300
 """Largest result of a formula. The sum of a few such results is still finite."""

@@ -377,8 +377,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with an end part of a longer run.
 
-    Each entry contains the end of the run (0 or 1), and an end of the longer run: its position on the run,
-    and its point (d,).
+    Each entry contains the end of the run (0 or 1), the position of an end of the longer run on the run, and
+    the point (d,) there.
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]

@@ -516,7 +516,7 @@ class Shape:
         True if the shape is not inside definitions or other hidden elements.
     clips : tuple of (box, str)
         Box and transforms of each clip path or mask. The box (low x, low y, high x, high y) is None if the
-        area is not a rectangle; the transforms lead from the shape to the area.
+        area is not a rectangle. The transforms lead from the shape to the area.
     """
 
     kind: str

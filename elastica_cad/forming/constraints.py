@@ -321,7 +321,7 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Difference between limit and margin that counts as a violation of 1."""
+        """Difference between limit and margin that is scaled to a violation of 1."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
@@ -407,7 +407,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """Condition that no section of the bent strip exceeds the largest section of its law."""
+    """Condition that no section of the bent strip exceeds the largest section that the section law allows."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -417,7 +417,7 @@ class LargestSection(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return (allowed / present stiffness) - 1 - reserve at the nodes (n+1,)."""
+        """Return allowed stiffness / present stiffness - 1 - reserve at the nodes (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 

@@ -174,7 +174,7 @@ class MeanDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return the model, which is exact if the positions are linear functions of the unknowns."""
+        """Return a model that is exact if the positions are linear functions of the unknowns."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
         return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 

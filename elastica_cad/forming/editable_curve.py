@@ -187,7 +187,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # omit inflections close to an end or to each other, because they need more control points
+    # omit inflections close to an end or to each other, because they would need more control points
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))

@@ -69,6 +69,14 @@ class HalfPlane:
 
 @dataclass(frozen=True)
 class Box:
+    """Rectangle with edges along x and y that the rod must not enter.
+
+    Parameters
+    ----------
+    lower, upper : (2,) array_like
+        Opposite corners, mm.
+    """
+
     lower: Annotated[tuple[float, float], Option("Corner with the smallest x and y.", "mm")]
     upper: Annotated[tuple[float, float], Option("Corner with the largest x and y.", "mm")]
 
@@ -131,7 +139,7 @@ class Limits:
         Largest ratio of largest to least stiffness, at least 1.
     margin : float, optional
         Least stability margin (see `stability`). A strip is stable above 0, and safely stable from 5. For a
-        strip that bends as a plate, the margin depends on the widths, and the largest width may be a few
+        strip that bends as a plate, the margin depends on the widths. The largest width may then be a few
         percent less than its limit.
     curvature : float, optional
         Largest change of curvature by bending, 1/mm.

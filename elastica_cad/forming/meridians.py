@@ -33,7 +33,7 @@ STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
 """Least fraction of a Newton step that is tried before the search ends."""
 
-SOLVED = 1e-11
+SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
 LONGEST = 1.5
 """Largest ratio of the lengths of a meridian and of a smooth curve through the points, to exclude extra turns."""
 

@@ -141,7 +141,8 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """This task, without a margin limit that depends on an unknown scale."""
+        """This task, without its limit of the margin if this limit depends on a scale that is not yet
+        known."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)

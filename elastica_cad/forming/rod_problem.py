@@ -162,8 +162,8 @@ RodOutcome: TypeAlias = Outcome[MappedRod]
 class Search(NamedTuple):
     """Result of a search: its last task and problem, the best outcome, and equally near outcomes (`ties`).
 
-    `steps` counts the steps of all searches. `off` is the mean distance of the rod from the target, divided
-    by the diagonal of the target, after the last search that used all initial guesses.
+    `steps` counts the steps of all searches. `off` is the mean distance of the rod from the target after the
+    last search from all initial guesses, in diagonals of the target.
     """
 
     task: NearestTask

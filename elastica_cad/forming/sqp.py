@@ -185,8 +185,8 @@ class ConstraintRows:
 class Linearization(Generic[Point]):
     """A point with its derivatives.
 
-    A change (p + 1,) is a step of the p unknowns, followed by the fraction by which the residuals of the state
-    equations are reduced.
+    A change (p + 1,) is a step of the p unknowns and, as the last number, a fraction. The residuals of the
+    state equations are reduced by this fraction.
 
     Attributes
     ----------

@@ -415,8 +415,8 @@ def _extreme_at_end(
     """Return the height extreme at which a line of equal height ends, or None where the surfaces touch.
 
     The line is on stretch k of strip a, with heights c_a, and on stretch m of strip b, with heights c_b. It ends at
-    the height `bound`. The result is the strip with the extreme ("a" or "b"), the index of its stretch that begins
-    there, and the index of the other strip's stretch.
+    the height `bound`. The result has the strip with the extreme ("a" or "b"), the index of its stretch that
+    begins there, and the index of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:

@@ -41,7 +41,7 @@ BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
 KEPT_OPENING = 0.5
-"""Spacers are first tried inside the slots if the opening then keeps at least this fraction of its radius."""
+"""Least fraction of its radius that an opening must keep if spacers are placed inside the slots."""
 
 GRID_MM, GRID_LINES = 2.0, 60
 """Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""

@@ -244,8 +244,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The excess over 1 of the stress concentration factor in tension is multiplied by (1 + nu) / (3 + nu), as
-    beside an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
+    Let k be the stress concentration factor in tension. In a bent plate, k - 1 is multiplied by (1 + nu) / (3
+    + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()

@@ -260,10 +260,11 @@ OPEN_FRACTIONS: Mapping[str, float] = {
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 """Uncertainties of the model as fractions of the length.
 
-`OPEN_PLAIN` is for any strip. `OPEN_CURLED` is for sheets that curl across the strip; it holds for nu = 0.3
-and is proportional to nu^2. `OPEN_BUILT` is for perforated and laminated strips. `OPEN_GRAINED` is added for
-perforated and laminated strips of sheets with grain, because their holes and borders are computed as
-isotropic. `OPEN_GRAINED` is multiplied by r - 1, where r is sqrt(E / G) divided by its isotropic value.
+`OPEN_PLAIN` is for any strip. `OPEN_CURLED` is for sheets that curl across the strip; it holds for the
+Poisson ratio nu = 0.3 and is proportional to nu^2. `OPEN_BUILT` is for perforated and laminated strips.
+`OPEN_GRAINED` is added for perforated and laminated strips of sheets with grain, because their holes and
+borders are computed as isotropic. `OPEN_GRAINED` is multiplied by r - 1, where r is sqrt(E / G) divided by
+its isotropic value.
 """
 
 OPEN_WIDE = 2e-3

@@ -145,7 +145,7 @@ class Layer:
 def cut_layers(
     layout: Layout, ends: Ends, slots: Sequence[Slot], cord_holes: Sequence[Path] = (), *, name: str
 ) -> tuple[Layer, ...]:
-    """Return the layers with tabs, slots and holes for cords, the base first."""
+    """Return the layers with tabs, slots and holes for cords, the base layer first."""
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
@@ -338,7 +338,7 @@ class LapPlates:
     Attributes
     ----------
     joints : tuple of float
-        Arc lengths, mm, at which the strip is cut into pieces; for a laminate, those of its base.
+        Arc lengths, mm, at which the strip is cut into pieces; for a laminate, the joints of its base.
     lap : float
         Length of the plates, mm. Half of each plate is on either piece.
     backing_joints : tuple of float

@@ -227,7 +227,7 @@ class Splice:
 
     @cached_property
     def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
-        """Pieces and plates by the name of their layer, the base first."""
+        """Pieces and plates by the name of their layer, the base layer first."""
         strip, layout = self.strip, self.strip.layout
         name, base = strip.label or "strip", strip.layers[0]
         marks = [drawing.on(MARK) for drawing in strip.drawings()]

@@ -90,7 +90,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""For each mistake, the wrong name under which a reading was written, by its right name."""
+"""For each mistake that exchanges readings: the name under which a reading was written, by its right name."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""

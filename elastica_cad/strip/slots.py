@@ -226,7 +226,8 @@ FLAT_MM = 1e-3
 SAME_POINT_MM = 1e-9
 
 SAME_PARAMETER = 1e-6
-"""Difference of the parameters of two positions on a segment, below which their distance is checked."""
+"""Difference of the parameters of two points of a segment, below which the distance of the points is
+checked."""
 
 REACHES = (1.0, 4.0, 16.0)
 """Extensions of a slot's sides, as multiples of its width, tried in order until the sides meet the edge."""

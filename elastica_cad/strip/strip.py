@@ -539,7 +539,7 @@ class Strip:
 
     @cached_property
     def layers(self) -> tuple[Layer, ...]:
-        """Sheets of the strip, the base first."""
+        """Sheets of the strip, the base layer first."""
         holes = cut_holes(self.rod, self.ends)
         return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
@@ -833,7 +833,7 @@ class Strip:
         return self.drawings()[0]
 
     def drawings(self) -> tuple[Drawing, ...]:
-        """Return the drawing of each sheet, the base first.
+        """Return the drawing of each sheet, the base layer first.
 
         All drawings have the same origin and the same holes in the tabs.
 

@@ -29,8 +29,8 @@ LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip as a multiple of the thi
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot that holds its tab, divided by the tab's thickness; for example, a plate of 3 mm may hold
-# a tab of 0.8 mm at 32 degrees
+# largest width of a slot, divided by the thickness of its tab; a plate of 3 mm can hold a tab of 0.8 mm at 32
+# degrees
 WIDEST_SLOT_THICKNESSES = 8.0
 FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
@@ -141,8 +141,8 @@ DEFAULT_LIMITS = FabricationLimits()
 # number of points along a cut per least width; the error of a width is then 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
-# least cosine of the angle between a normal and the line to the facing point; in corners wider than 50
-# degrees, no points face each other
+# least cosine of the angle between a normal and the line to the facing point; no points face each other in
+# corners wider than 50 degrees
 LEAST_FACING_COSINE = 0.9
 # largest slope of the width for which `_is_obviously_wide` is valid; each edge then slopes by 26 degrees
 STEEPEST_WIDTH_SLOPE = 1.0

@@ -180,7 +180,8 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     try:
         return design_of(alone, FilePath("design"), _no_file).entries[0].spec
     except InputError as problem:
-        while {"place", "why"} == set(problem.refusal.values):  # the page shows the strip's name
+        # remove the name of the strip, which the page shows itself
+        while {"place", "why"} == set(problem.refusal.values):
             problem.refusal = problem.refusal.values["why"]
         raise
 

@@ -355,7 +355,7 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """Mark features for recompute if a container moves the features without their sources, or the reverse."""
+    """Mark features for recompute if a container moves either the features or their sources, but not both."""
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)

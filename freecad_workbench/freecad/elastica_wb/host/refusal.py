@@ -95,10 +95,7 @@ def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]
 
 
 class _Worker:
-    """Operand for which `obj
-
-    worker` is the error that `work(obj)` returns, or `_Success`.
-    """
+    """Operand for which `obj | worker` is the error that `work(obj)` returns, or `_Success`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
@@ -117,10 +114,7 @@ next(_ended, None)
 
 
 class _Thrower:
-    """Operand for which `error
-
-    thrower` raises the error.
-    """
+    """Operand for which `error | thrower` raises the error."""
 
     __ror__ = staticmethod(_ended.throw)
 
