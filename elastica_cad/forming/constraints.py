@@ -47,10 +47,9 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices (j,) of values that a step may violate, and the derivatives (j, p) of the
-        values.
+        """Return the indices (j,) and derivatives (j, p) of the values that a step may violate.
 
-        The derivatives are with respect to the p unknowns.
+        The derivatives are with respect to the p unknowns of the search.
         """
 
 
@@ -350,11 +349,10 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert the derivatives `by_tangent` (n+1,) of the margin to derivatives by the stiffness and by
-        the moment.
+        """Convert derivatives (n+1,) by the tangent stiffness to derivatives by stiffness and by moment.
 
-        `by_tangent` are derivatives by the tangent stiffness. The second result is None if the moment has no
-        effect.
+        `by_tangent` are the derivatives of the margin by the tangent stiffness. The second result is None if
+        the moment has no effect.
         """
         _ = rod
         return by_tangent.copy(), None
@@ -392,8 +390,7 @@ class FollowedMarginLimit(MarginLimit):
         return tangent_rod
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert the derivatives of the margin by the tangent stiffness to derivatives by the stiffness and
-        by the moment."""
+        """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -455,8 +452,7 @@ class BendLimit(Constraint):
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / (curvature limit * length of the target) at the nodes (n+1,), for their `stiffness`
-        (n+1,)."""
+        """Return 1 / (curvature limit * length of the target) at nodes of this `stiffness` (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
@@ -496,8 +492,7 @@ class StrainLimit(BendLimit):
     name: str = "strain"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the strain for a change of curvature of 1, divided by the strain limit, at the nodes
-        (n+1,)."""
+        """Return the strain for a change of curvature of 1, divided by the strain limit, (n+1,)."""
         return self.section.strain(stiffness, self.strain) / self.size
 
 

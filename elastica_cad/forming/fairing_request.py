@@ -34,8 +34,7 @@ LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Largest curvature of an end that counts as straight, as a fraction of the largest curvature of the
-curve."""
+"""Curvature below which an end counts as straight, as a fraction of the curve's largest curvature."""
 
 SLIGHT_MM = 0.1
 """Displacement by smoothing, mm, above which a note becomes a warning. A cut has a larger tolerance."""

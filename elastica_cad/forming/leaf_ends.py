@@ -200,10 +200,10 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return scaled offsets from `drawn`: the sum of their squares is the mean squared distance /
-        length^2.
+        """Return scaled offsets from `drawn`.
 
-        The offsets are large if the stack has no rest shape.
+        The sum of their squares is the mean squared distance / length^2. The offsets are large if the stack
+        has no rest shape.
         """
         try:
             rod = self._bent(x, shape[0])

@@ -260,8 +260,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Search for the shortest meridian through all points. Return its unknowns (see `_Equations`), or
-    None."""
+    """Return the unknowns of `_Equations` for the shortest meridian found through all points, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):

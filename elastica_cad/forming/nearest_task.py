@@ -141,8 +141,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """This task, without its limit of the margin if this limit depends on a scale that is not yet
-        known."""
+        """This task, without a limit of the margin that depends on a still unknown scale."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)

@@ -92,7 +92,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
     `accuracy` is relative to the largest number in the gradient or on the diagonal of the Hessian. The
     multiplier y of a constraint is at most y_high = `penalty`, and at least y_low = -`penalty`, or 0 if
-    `one_sided`. Let p, q >= 0 be the slacks of A x - r = p - q. Then p (y - y_low) = 0 and q (y_high - y) =
+    `one_sided`. Let p, q >= 0 with A x - r = p - q. The conditions are p (y - y_low) = 0 and q (y_high - y) =
     0.
 
     Examples
@@ -142,8 +142,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # u (2, n + m) are the distances of z = (x, y) from its bounds; v are the multipliers or slacks, with u v
-    # = mu
+    # u (2, n + m) are the distances of z = (x, y) from its bounds, and v the multipliers or slacks: u v = mu
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u

@@ -405,8 +405,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in equilibrium for the unknowns z. The last moment is not finite if numbers
-        overflow."""
+        """Return the rod in equilibrium for z. The last moment is not finite if numbers overflow."""
         K, force, length = self._stiffness_forces_length(z)
         u = self.unknowns
         angles, moments = shoot(

@@ -536,23 +536,7 @@ def minimize(
 
 @dataclass(eq=False)
 class _Walk(Generic[Point]):
-    """State of a search.
-
-    Attributes
-    ----------
-    penalties : (c,) array
-        Penalties of the constraints in the merit function.
-    radius : float
-        Radius of the trust region, as a multiple of the typical sizes of the unknowns.
-    damping_fraction : float
-        Fraction of the full damping. The fraction is reduced if steps achieve the predicted decrease.
-    solved : pair of ConstraintRows and QuadraticSolution, or None
-        The last quadratic program.
-    settled : bool
-        True if no step predicts a decrease that exceeds the accuracy of the search.
-    active : ActiveSet
-        Rows that are active after the last step.
-    """
+    """State of a search: present iterate, penalties of the merit function, trust region, and damping."""
 
     here: Iterate[Point]
     penalties: FloatArray
@@ -665,7 +649,7 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 def _penalties(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
-    """State of a search: present iterate, penalties of the merit function, trust region, and damping."""
+    """Return the penalties of the merit function by Powell's rule, from the penalties `before`."""
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)

@@ -24,8 +24,7 @@ HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 
 SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
-"""Plate, frame or block that holds strips; see `Model.base_plate`, `Model.slotted_frame`,
-`Model.fixtures`."""
+"""Plate, frame or block that holds strips: see `Model.base_plate`, `slotted_frame` and `fixtures`."""
 
 Shape = TypeVar("Shape")
 

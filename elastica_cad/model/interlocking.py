@@ -101,8 +101,7 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Fraction of the crossing: a slot opens to the less preferred side if it becomes shorter by this
-fraction."""
+"""A slot opens to the less preferred side if it is shorter there by this fraction of the crossing."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""

@@ -127,8 +127,9 @@ def nest_pieces(
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
     Rows are parallel to the side of the sheet for which the pieces need fewer sheets. If the counts are
-    equal, the pieces use less of the last sheet. Pieces without grain may be rotated by 90 degrees. The grain
-    of a sheet is along its width, and `Sheet.grain` sets the direction of pieces with grain.
+    equal, the side that uses less of the last sheet is chosen. Pieces without grain may be rotated by 90
+    degrees. The grain of a sheet is along its width, and `Sheet.grain` sets the direction of pieces with
+    grain.
 
     Parameters
     ----------

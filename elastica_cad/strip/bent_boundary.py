@@ -61,8 +61,7 @@ class SpaceSurface:
     degree: tuple[int, int]
 
     def turned(self) -> "SpaceSurface":
-        """Return the same surface with the parameters (-v, u). The direction of its normal does not
-        change."""
+        """Return the same surface with the parameters (-v, u) and the same direction of its normal."""
         u, v = self.knots
         points = self.control_points[:, ::-1].swapaxes(0, 1)
         return SpaceSurface((-v[::-1], u), points, self.degree[::-1])

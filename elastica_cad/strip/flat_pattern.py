@@ -379,10 +379,9 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line through `corner` in order of y, and a direction: 1 (up) or
-        -1 (down).
+        """Return the corners on the station line through `corner`, and a direction: 1 (up) or -1 (down).
 
-        `interval` is on the left of this direction.
+        The corners are in the order of y. `interval` is on the left of the direction.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
