@@ -80,7 +80,6 @@ def _unprinted(problem: OSError) -> int:
 
 
 def _drop_output(*streams: int) -> None:
-    """Discard the buffered text of standard output (1) and standard error (2)."""
     for stream in streams:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
 

@@ -241,7 +241,6 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def enlarging(self, requested: RequestedCurve, report: Mapping[str, Any]) -> str:
-        """Return the command that enlarges the curve for a sheet, or "" if a sheet fits or lengths are given."""
         least = report["sheets"][0]
         smoothed = self.examined(requested)[1].fairing is not None
         if least["scale"] <= 1 or smoothed or self.smooth or self.natural_curvature or self.between:

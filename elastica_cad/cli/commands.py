@@ -241,7 +241,6 @@ def _usage_message(problem: click.UsageError, context: click.Context | None) -> 
 
 
 def _refuse_extra_words(context: click.Context) -> None:
-    """Raise InputError for extra words. If a word is the name of a sheet, suggest --sheet."""
     if not context.args:
         return
     from elastica_cad.mechanics.sheets import sheet_names

@@ -90,7 +90,6 @@ def sheets(name: str | None) -> None:
 
 
 def _sources(source: str) -> Iterator[tuple[str, str]]:
-    """Yield a title, then the notes on a sheet and the source of each property."""
     labels = "|".join(SOURCE_LABELS)
     parts = [part for part in re.split(rf"; (?=(?:{labels})(?:: | not ))", source) if part]
     if parts:

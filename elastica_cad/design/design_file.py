@@ -363,7 +363,6 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Raise InputError if two strips have the same label, unless they are copies of a part from one table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
@@ -407,7 +406,6 @@ differ by rounding."""
 
 
 def _comparison_key(entry: StripEntry) -> Any:
-    """Return a value that is equal for strips with equal requests and, apart from rounding, equal curves."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]

@@ -344,7 +344,6 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
 
 
 def _ends(strip: Strip) -> dict[str, Any] | None:
-    """Return the positions (mm) and angles (degrees) of the held ends, or None for a closed strip."""
     if strip.is_closed:
         return None
     ends = held_ends(strip)

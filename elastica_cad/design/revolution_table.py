@@ -94,7 +94,6 @@ class RevolutionTable:
 
     @property
     def _profile(self) -> PlaneCurve | None:
-        """Profile with x as the distance from the axis and y along the axis, or None."""
         if self.axis is None and self.axis_x is None:
             return self.curve
         if self.curve is None or (self.axis is not None and self.axis_x is not None):

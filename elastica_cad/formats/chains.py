@@ -111,7 +111,6 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Return the largest rounding error, mm, of the start and end of each of n chains (2 n,)."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -251,7 +250,6 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """Return the partner of each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -500,7 +498,6 @@ def curve_from_run(
 
 
 def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
-    """Return the largest distance, mm, of a drawn curve from the curve without its slight corners."""
     t = drawn.stations()
     points = drawn.at(t)
     away = np.hypot(*(points - healed.evaluate(t)).T)
@@ -613,7 +610,6 @@ def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
-    """Return a smooth curve through points, cut at corners if it is farther than `allowed` from the polyline."""
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance)]
     curve, distance = fit_polyline(points, tolerance)

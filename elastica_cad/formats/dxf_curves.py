@@ -475,7 +475,6 @@ def _full_period(
 def _without_doubled_poles(
     knots: FloatArray, poles: FloatArray, degree: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Remove inner knots of multiplicity degree + 1 at which two control points coincide."""
     if knots.size != len(poles) + degree + 1:
         return knots, poles
     inner = range(degree + 1, len(poles))
@@ -501,7 +500,6 @@ def _closed_spline(points: FloatArray) -> Edge:
 
 
 def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
-    """Return the cubic spline through points, parametrised by chord lengths. `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)

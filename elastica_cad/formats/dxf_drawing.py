@@ -248,7 +248,6 @@ def _vertices_with_bulges(path: Path) -> list[tuple[float, float, float]]:
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """Return the segment, with an arc of more than 180 degrees halved because of its large bulge."""
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]

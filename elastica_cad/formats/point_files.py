@@ -179,8 +179,6 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """Cell of a heading. Missing parts are empty."""
-
     axis: str
     name: str
     unit: str
@@ -579,7 +577,6 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
-    """Return the points (n, 2), mm, of each block between blank rows."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):

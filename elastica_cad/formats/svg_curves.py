@@ -136,7 +136,6 @@ def _is_exported_for_screens(tree: SvgTree) -> bool:
 
 
 def _scale(tree: SvgTree) -> FloatArray:
-    """Return the size, mm, of a user unit along x and y, computed from width, height and viewBox."""
     size = [read_length(text) for text in tree.size]
     box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
     if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
@@ -187,8 +186,6 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """Subpaths of a shape, and the matrix (2, 2) and offset (2,) that map them to user units."""
-
     runs: Sequence[Run]
     source: Source
     matrix: FloatArray
@@ -219,7 +216,6 @@ class _Shapes:
         self._paths: dict[int, PathData] = {}
 
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
-        """Return the shapes that have a stroke or a fill, or all shapes if none is painted."""
         shown = [shape for shape in shapes if not _is_hidden(shape)]
         visible = [shape for shape in shown if any(_is_painted(shape.values, what) for what in _PAINTS)]
         if visible:

@@ -80,7 +80,6 @@ def path_data(text: str) -> PathData:
 
 
 def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
-    """Yield every command with its numbers. A command that is repeated implicitly is yielded again."""
     at = _skip(text, 0)
     first = True
     while at < len(text):

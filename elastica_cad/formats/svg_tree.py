@@ -170,7 +170,6 @@ def _rank(part: re.Match[str]) -> int:
 
 
 def _key(part: re.Match[str]) -> str:
-    """Return the id, class or element name that a simple selector requires, or "*"."""
     return part["kind"] + _unescaped(part["name"]) if part["name"] else "*"
 
 
@@ -677,7 +676,6 @@ def _check_expanded_count(tree: SvgTree) -> None:
 
 
 def _elements_of_clones(root: ElementTree.Element, ids: set[str]) -> dict[str, ElementTree.Element]:
-    """Return the element of each id. If several elements have the same id, only the first keeps it."""
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")

@@ -82,7 +82,6 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return the derivative (n,) in Newton's method: 1 - curvature * distance, at least 0.3."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position

@@ -175,7 +175,6 @@ class _Search:
 
     @property
     def turned(self) -> list[int]:
-        """Clamped ends (0: start, 1: end) whose angle may change."""
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
@@ -220,7 +219,6 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """Return the rest shape for the unknowns x: positions of ply ends, and clamp angles."""
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])

@@ -208,7 +208,6 @@ class _Equations:
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the derivatives (m, count + 2 n) of the m residuals by `count` unknowns and n points (n, 2)."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -260,7 +259,6 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Return the unknowns of `_Equations` for the shortest meridian found through all points, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -569,7 +567,6 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
 
 
 def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
-    """Return the meridian as a curve in mm, up to the arc length `end`. `size`, mm, is the unit of `shape`."""
     tolerance = CURVE_TOLERANCE * shape.length * size
     return PlaneCurve.fit_function(
         lambda s: size * shape.position(s / size), 0.0, end, tolerance=tolerance, degree=5

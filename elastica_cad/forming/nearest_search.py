@@ -221,7 +221,6 @@ def _continued_search(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Continue a similar search. Return None if the result violates limits or is much farther than before."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):

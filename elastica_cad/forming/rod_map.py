@@ -495,7 +495,6 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _band(self, rod: MappedRod) -> FloatArray:
-        """Return the band of the lower triangular matrix of the recursion for alpha_1, M_1, ..., alpha_{n+1}."""
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
         band[1, 0:-1:2] = rod.edge_length * rod.pull  # minus the derivative of moment M_i by angle alpha_i

@@ -129,10 +129,6 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Return the linearised constraints.
-
-        If the sensitivities include the change to equilibrium, the values are those after the change.
-        """
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)

@@ -168,7 +168,6 @@ class _Cut:
 
     @property
     def least(self) -> float:
-        """Least parameter range of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
@@ -223,7 +222,6 @@ class _Cut:
         return float(offered[low]) if low >= 0 else start
 
     def turned(self, t: FloatArray) -> FloatArray:
-        """Return the parameters of the same positions on the reversed curve, in increasing order."""
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 

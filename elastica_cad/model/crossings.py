@@ -289,7 +289,6 @@ class _Heights:
 
     @cached_property
     def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
-        """Derivatives of the height along x and y of each strip's frame, and height of its origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -299,14 +298,12 @@ class _Heights:
     def common(
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
-        """Return the common points of both strips at arc lengths where their curves have equal heights."""
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = self._ruling_matrix @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
     @cached_property
     def _ruling_matrix(self) -> FloatArray:
-        """Matrix (2, 3) that maps a vector between both curves to distances (v, u) along both rulings."""
         return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 

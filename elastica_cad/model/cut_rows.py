@@ -256,7 +256,6 @@ def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], lines: Sequence[int]) -> str:
-    """Return rows as text, with a horizontal line above each row whose index is in `lines`."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     texts = []
     for row in rows:

@@ -590,8 +590,6 @@ def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """Convex prism: points (n, 3) along its edges, and a point and the normal of each face."""
-
     edges: FloatArray
     faces: FloatArray
     outward: FloatArray
@@ -614,6 +612,5 @@ class _Prism:
         return np.asarray(points[inside.all(axis=1)])
 
     def depths(self, points: FloatArray) -> FloatArray:
-        """Return the depths (n,), mm, of points (n, 3) below the surface, negative for points outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

@@ -232,14 +232,12 @@ class _RailPlan:
         options: PlateOptions,
         behind: float = 0.0,
     ) -> "_RailPlan":
-        """Return the rail with slots for the tabs of one end, shifted `behind` mm along the tabs."""
         name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return the seat of a rib on the rail, in line with the slots, at `station` mm along `across`."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -258,7 +256,6 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """Return the start and end (n, 2), mm, of each slot, measured in the direction `across` (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
@@ -307,8 +304,6 @@ class _RibPlan:
 
 
 class _Corner:
-    """Coordinates of a rib's corner: distance towards the other rail, and distance behind the face of the rail."""
-
     def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
         self.frame, self.seat = frame, seat
         self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along

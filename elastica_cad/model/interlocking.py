@@ -230,7 +230,6 @@ _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDi
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """Return the placed strip with more slots. It shares the layers of a strip in `drawn` with the same cut."""
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip

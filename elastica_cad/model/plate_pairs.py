@@ -259,7 +259,6 @@ def fitting_tabs(
 def _fitted_length(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, width: float
 ) -> float:
-    """Return the length, at least `length`, of tabs with which two plates can replace each plate."""
     _require_makeable(placed, length, width, plates[0].options)
     tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
     longer = max(length, *(np.ceil(max(needed.values())) for _, needed in tried))
@@ -405,7 +404,6 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple
 
 
 def _turned_left(tab: PlacedTab, angle: float) -> PlacedTab:
-    """Return the tab, turned by an angle, rad, to the left of the curve (direction -z of the tab)."""
     frame = tab.frame
     out = np.cos(angle) * frame.x_axis - np.sin(angle) * frame.z_axis
     return replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
@@ -460,7 +458,6 @@ def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -
 
 
 def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
-    """Return the length, mm, of a bent tab from its start to the plane z = 0 of `ground`."""
     slopes, places, left = lean.resting
     heights = ground.local(tab.frame.point(np.column_stack([places, np.zeros(places.size), -left])))[:, 2]
     lengths = np.append(0.0, np.cumsum(lean.piece * np.hypot(1.0, slopes)))

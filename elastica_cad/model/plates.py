@@ -249,7 +249,6 @@ class BasePlate:
         )  # fmt: skip
 
     def _bridge_note(self, options: PlateOptions, holes: PlateHoles) -> str:
-        """Return the note that a bridge has no effect, with a width that was tried and has an effect."""
         given = holes.bridge or 0.0
         widths = (given, *np.arange(np.ceil(given) - 1.0, 0.0, -1.0).tolist())
         works = (width for width in widths if self._has_bridge(options, replace(holes, bridge=width)))
@@ -264,7 +263,6 @@ class BasePlate:
         )  # fmt: skip
 
     def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
-        """Return True if the plate with these holes and without spacers has openings beside the bridge."""
         if not (self.is_round and self.tab_loops):
             return False
         options = replace(options, holes=holes, ignore_limits=False)
@@ -388,7 +386,6 @@ class BasePlate:
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    """Return the distance, mm, of a hole from a text with the base line `base` (2, 2), negative for an overlap."""
     low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
     points = np.concatenate([low, low + up])
     far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
@@ -642,7 +639,6 @@ def _least_distances(first: FloatArray, others: FloatArray) -> FloatArray:
 
 
 def _side_normals(rectangles: FloatArray) -> FloatArray:
-    """Return the unit normals of two adjacent sides of rectangles (..., 4, 2), as columns of (..., 2, 2)."""
     sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
     normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
     return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
@@ -732,7 +728,6 @@ Plate = TypeVar("Plate", bound=BasePlate)
 def _rim_text(
     name: str, inner: float, outer: float, center: Sequence[float] | FloatArray = (0.0, 0.0)
 ) -> tuple[Text, ...]:
-    """Return the name as the largest legible text between two radii above the centre, or no text."""
     largest, name = min(LABEL_MM, 0.4 * (outer - inner)), engravable(name)
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH

@@ -114,7 +114,6 @@ def _bisector_bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the first strip's bound at the plane midway between both strips, moved inwards by `gap` mm."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -375,8 +374,6 @@ class _Request:
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
-    """Return the least distance of a ring from the axis, in whole mm, at which all parts can be made, or None."""
-
     def works(ring: int) -> bool:
         try:
             request.made(meridian.to_ring(ring))

@@ -173,7 +173,6 @@ def _with_slots(
 
 
 def _rectangle(place: FloatArray, size: FloatArray) -> FloatArray:
-    """Return the corners (4, 2), anticlockwise, of a rectangle of a `size` (2,), mm, at (x, y, angle)."""
     along = np.array([np.cos(place[2]), np.sin(place[2])])
     sides = np.array([along, (-along[1], along[0])]) * size[:, None] / 2
     return np.asarray(place[:2] + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides, dtype=float)
@@ -240,7 +239,6 @@ def _places(
 
 
 def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
-    """Return a border, mm, of plates that are not round in which spacers fit beside the slots."""
     first, options = plates[0], plates[0].options or PlateOptions()
     slots = [plate.tab_loops for plate in plates]
     offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
@@ -250,7 +248,6 @@ def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
 def _near_a_line(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> str:
-    """Return the note that the plates can tilt, with a border that was tried and prevents this."""
     name, wide = plates[0].name, _wide_border(plates)
     first, second = (
         plate_with(

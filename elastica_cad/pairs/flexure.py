@@ -311,7 +311,6 @@ class Flexure:
         return bends, stretch
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
-        """Return the least thickness of the part, mm, at which the largest strain of k shapes is `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
@@ -802,7 +801,6 @@ class Flexure:
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        """Return the least gap, mm, between points of the part that are not neighbours (see `APART`)."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -1057,7 +1055,6 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """Integral of the tangent as a function of arc length, and the integral's value at the first node."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
@@ -1078,7 +1075,6 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
-    """Return the centre nearest to `middle` at which a box of half size `half` (2,) touches no hole and no box."""
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]

@@ -164,7 +164,6 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """Return the common length with the least change of curvature of both curves."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)

@@ -388,7 +388,6 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
-        """Coefficients (nodes, 5) of the moment difference as a linear function of the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property

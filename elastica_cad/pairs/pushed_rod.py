@@ -259,7 +259,6 @@ class _Chain:
         )  # fmt: skip
 
     def placed(self, x: FloatArray) -> FloatArray:
-        """Return the positions of the nodes (n + 1, 2), mm, in the coordinates of the drawing."""
         return np.asarray(self.origin + x @ self.frame)
 
     def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -325,7 +324,6 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return a linear estimate of the nodes after the pushed node has moved by `by` along the push."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -344,7 +342,6 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """Return the band matrix for a pushed node that is held along the push."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0

@@ -105,8 +105,6 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
 
 @dataclass(frozen=True)
 class _Ring:
-    """Indices of the remaining sides of a loop, and of the omitted sides after each remaining side."""
-
     sides: list[int]
     gaps: list[tuple[int, ...]]
 

@@ -336,7 +336,6 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
-        """Return the interval of a piece. A piece on a station line is in the interval to its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])

@@ -382,7 +382,6 @@ class LapPlates:
         return np.asarray(1 / compliance)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Return the fraction (n,) of the strip around each node that a plate stiffens."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

@@ -346,11 +346,6 @@ class Splice:
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
-    """A layer before it is cut into pieces.
-
-    `joints` are arc lengths, mm, and `ends` are the texts engraved at both ends.
-    """
-
     name: str
     layer: Layer
     width: Profile

@@ -226,8 +226,6 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """A row of holes: full diamonds, or diamonds in the gaps between them and half diamonds at the edges."""
-
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool

@@ -235,8 +235,6 @@ REACHES = (1.0, 4.0, 16.0)
 
 @dataclass(frozen=True)
 class _Place:
-    """A position on a chain of segments: the index of a segment and its parameter u in [0, 1]."""
-
     segment: int
     u: float
 
@@ -402,7 +400,6 @@ COARSE_MM = 0.02
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
-    """Return the anticlockwise corners (4, 2) of the box around a text, enlarged by `distance`, mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])

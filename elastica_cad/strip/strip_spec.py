@@ -93,7 +93,6 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`. `share` is the fraction of the weight in the curve's plane."""
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -706,7 +705,6 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Limits of the width if the loads determine the stiffness in N mm2, else None."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None

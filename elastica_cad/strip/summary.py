@@ -252,7 +252,6 @@ ALONG = 0.9
 
 
 def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
-    """Return the component (N) of the force on the start that points to the end."""
     chord = ends[1].position - ends[0].position
     return float(start_force @ chord / (np.linalg.norm(chord) or 1.0))
 

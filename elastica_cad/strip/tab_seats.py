@@ -253,7 +253,6 @@ class SeatedEnd:
 
 
 def _chain(pieces: int) -> FloatArray:
-    """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have stiffness 1."""
     # the first joint represents half a piece at the start of the tab, so it is twice as stiff
     springs = np.ones(pieces)
     springs[:1] = 2.0
@@ -457,10 +456,6 @@ class _ContactProblem:
         )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
-        """Return the sum of the second derivatives of the gaps times the contact forces, 1/mm3.
-
-        `pushes` (k,) are the contact forces divided by the bending stiffness B.
-        """
         blocks, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
         for end, part in self.parts(q):
             bends = end.seat.bends(*self.pose(part), end.way) * np.outer(scale, scale)
@@ -469,10 +464,6 @@ class _ContactProblem:
         return _block_diagonal(blocks)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the derivatives (k, n) of all gaps with respect to q, and the gaps (k,), mm.
-
-        Overlaps are negative.
-        """
         rows, room = zip(*(end.walls(part, self.design.length) for end, part in self.parts(q)), strict=True)
         return _block_diagonal(rows), np.concatenate(room)
 

@@ -322,8 +322,6 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for each chord whose partner in `others` is within `least` mm across the
-        material."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -671,7 +669,6 @@ def _faults_at(
     of_hole: bool = False,
     strip: Strip | None = None,
 ) -> Iterator[Fault]:
-    """Yield a fault for each thin place. `loops` are the names of the loops, holes with their position."""
     # list equal widths once, such as those between the slots around a ring
     alike: dict[str, list[ThinPlace]] = {}
     for place in places:

@@ -384,7 +384,6 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod, not of the drawn curve, and the line through them."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
@@ -461,7 +460,6 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
-    """Yield changes that remove one of two conflicting settings."""
     design, k = request["design"], request.get("strip", 0)
     for change in changes:
         removed = REMOVED.get(change.field, ())

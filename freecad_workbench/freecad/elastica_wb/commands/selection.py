@@ -175,7 +175,6 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True if an object can be cut. Broken links count, so that an error reports them."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 

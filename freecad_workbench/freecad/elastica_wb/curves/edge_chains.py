@@ -70,7 +70,6 @@ def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
 
 
 def _chained(edges: Edges, gap: float, turn: float = pi) -> list[tuple[str, ...]]:
-    """Chain edges whose ends are within `gap` mm and whose directions differ by at most `turn` rad."""
     chains: list[tuple[list[str], list[End]]] = []
     for name, edge in edges:
         first, last = edge.ParameterRange

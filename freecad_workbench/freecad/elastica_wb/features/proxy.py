@@ -281,7 +281,6 @@ def why_left_out(obj: Any) -> str:
 
 
 def _failed_before(obj: Any) -> bool:
-    """Return True if an object failed in FreeCAD, before the code of this workbench was called."""
     return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
 
