@@ -117,7 +117,7 @@ def model(
         say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
         contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
     except ElasticaError:
-        # an assumption, such as the position of the axis, may cause the error
+        # print assumptions, such as the position of the axis, because an assumption may cause the error
         for text in requested.reports:
             say_row(warning_row(text, "Note"))
         raise

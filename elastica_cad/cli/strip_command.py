@@ -229,7 +229,8 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     with suppress(NotConvergedError):
         if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
-            # the compensated strip can be more sensitive to its other errors
+            # check the expected deviation too, because a compensated strip can be more sensitive to other
+            # errors
             if (
                 better.correction is not None
                 and better.held_deviation < strip.held_deviation / 2

@@ -188,7 +188,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
     position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # turn the chord level
-    # make expected heights positive above the chord, whatever rule of signs the report follows
+    # make expected heights positive above the chord, because the report may use the opposite sign
     expected = np.array([measuring.expected[name] for name in LENGTHS[1:]])
     position = position if expected @ heights_of_marks(position) >= 0 else -position
     low, high = position.min(axis=0), position.max(axis=0)

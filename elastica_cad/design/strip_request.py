@@ -121,7 +121,7 @@ class FinishedStrip:
         rod_spec = spec.rod_spec
         # the stiffness of plies is piecewise constant, unlike the stiffness of other rods
         laid = isinstance(rod_spec.section, LaidLeaves)
-        # a section law, or the layers of a laminate with weight, determine weight and size
+        # weight and size depend on the section law, or on the layers of a laminate with weight
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
         assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
@@ -142,7 +142,7 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            # the stiffness also determines the largest width
+            # a plain strip also gets its largest width from the stiffness
             if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)

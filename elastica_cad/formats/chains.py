@@ -260,7 +260,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    # each joined end touches itself and one other end
+    # an end that touches exactly one other end counts twice, because it also touches itself
     paired = np.bincount(i, minlength=len(ends)) == 2
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):

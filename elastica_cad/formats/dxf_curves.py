@@ -65,7 +65,7 @@ def _dxf_rounding(path: Path) -> float:
         return 0.0
     sections = list(_SECTION.finditer(data))
     numbers: list[str] = []
-    for section in reversed(sections):  # read the section ENTITIES before the section BLOCKS
+    for section in reversed(sections):
         begin, end = section.end(), data.find(b"ENDSEC", section.end())
         for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
             numbers.append(match[1].decode("ascii"))

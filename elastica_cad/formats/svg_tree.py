@@ -107,7 +107,7 @@ def _apply_styles(root: Element) -> list[str]:
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
     """Yield the rules of a style sheet: selectors, declarations, and True if the rule applies on every screen."""
-    # results of `_applies_on_screen` for all open blocks
+    # for each open block, the result of `_applies_on_screen`
     holds: list[bool | None] = [_applies_on_screen(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
@@ -186,7 +186,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        # elements that have a previous sibling
+        # elements that follow a sibling
         self.after = set(self.before.values())
 
     def matches(self, element: Element, steps: _Steps) -> bool:

@@ -262,7 +262,7 @@ def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float,
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
-    rows: list[_Row] = []  # only rows with space for the shortest box
+    rows: list[_Row] = []  # rows that still have space for the shortest box
     ends: list[float] = []  # end of the last row on each sheet, mm
     places: list[_Place] = []
     for ways in queue:

@@ -52,7 +52,7 @@ SIDE_MM = 1e-3
 LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
-NAME_MM = 3.0  # height of the engraved names of states on the holder
+NAME_MM = 3.0  # height of the engraved names of both states on the holder, mm
 APART = 3.0
 """Distance along the part, as a multiple of its thickness, below which points are neighbours.
 

@@ -215,7 +215,7 @@ def _with_orders(
         t = float(curve.parameter(np.array(s)))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
-    for end in (0.0, curve.length):  # the zero may also be slightly beyond the end
+    for end in (0.0, curve.length):  # a zero computed near an end may be slightly beyond the end
         if all(z.s != end for z in zeros):
             t = curve.domain[int(end > 0)]
             value, slope = (abs(float(along(t))) for along in (difference.at, difference.slope_at))

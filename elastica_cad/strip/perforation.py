@@ -278,7 +278,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        # rounding can put the mean of equal knots beyond the ends
+        # rounding can put a Greville abscissa slightly beyond the ends
         sites = np.clip(greville(knots, 3), a, b)
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
@@ -406,7 +406,7 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # the zones are longest at half diamonds, which have the sharpest tips
+        # the zones at half diamonds are longest, because their tips are sharpest
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:

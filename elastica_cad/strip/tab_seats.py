@@ -302,11 +302,14 @@ def _constrained_step(
 
 
 MOST_STEPS = 60
-RENEWED_SHARE = 0.003  # step, as a fraction of the length, after which the stiffness of the ends is renewed
+# step, as a fraction of the length, after which the stiffness of the ends is recomputed
+RENEWED_SHARE = 0.003
 SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the step limit after a reversed step, and after other steps
 DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_FRACTION = 1e-9  # iterations stop at a shorter step, as a fraction of the length of the strip
-LEAST_EIGENVALUE_FRACTION = 1e-6  # least eigenvalue of a stiffness matrix, relative to the largest eigenvalue
+# least eigenvalue of a stiffness matrix, relative to the largest; smaller eigenvalues are raised to this
+# value
+LEAST_EIGENVALUE_FRACTION = 1e-6
 PENALTY_FACTOR = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
 LARGEST_PENALTY = 1e6  # a larger penalty means that the tab does not fit into its holder
 OVERLAP_FRACTION = 1e-7  # largest overlap, as a fraction of the length, that counts as a rounding error

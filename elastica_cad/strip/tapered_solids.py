@@ -260,7 +260,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # both halves of the cross section must meet exactly
+    weights[[0, -1]] = 1e6  # large weights, because both halves of the cross section must meet exactly
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

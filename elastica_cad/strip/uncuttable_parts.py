@@ -140,7 +140,7 @@ DEFAULT_LIMITS = FabricationLimits()
 
 # number of points along a cut per least width; the error of a width is then 1 %
 SAMPLES_PER_WIDTH = 12
-LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
+LONGEST_PART = 2.0  # longest chord in the search for facing points, as a multiple of the least width
 # least cosine of the angle between a normal and the line to the facing point; no points face each other in
 # corners wider than 50 degrees
 LEAST_FACING_COSINE = 0.9

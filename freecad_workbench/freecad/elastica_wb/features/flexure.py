@@ -96,7 +96,7 @@ class FlexureFeature(Feature):
         part = flexure_of(obj)
         shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
         obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
-        # the user chooses the placement of the part as cut
+        # only the user places the part as cut
         if obj.Form != "As cut":
             obj.Placement = drawn_curve(obj.Curve, obj).placement
         travel = part.travel
