@@ -119,7 +119,7 @@ def twice(table: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") 
 
 
 class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """Type of `KEY=VALUE` with the keys of a record, which shells can complete."""
+    """Parameter type of `KEY=VALUE` with the keys of a record. Shells can complete the keys."""
 
     name = "setting"
 

@@ -234,7 +234,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Merge the table of options with the table of `--set`. Raise InputError for a key that both set."""
+    """Merge the table of options with the table of `--set`. Raise InputError for a key in both tables."""
     for path in twice(table, settings):
         raise InputError(
             "{option} and --set {path} set the same value. Leave out one of them.",

@@ -339,7 +339,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""Functions that read records that are not written as tables of their fields."""
+"""Functions that read records of some classes from values that are not tables of fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:

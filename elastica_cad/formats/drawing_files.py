@@ -83,7 +83,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
 
 
 _MARGIN_MM = 1.0
-"""Space around the drawing, mm. Without it, strokes at its edge would be cut off."""
+"""Space around the drawing, mm. Without this space, strokes at the edge would be cut off."""
 
 _STROKE_MM = 0.1
 """Width of strokes, mm. Laser programs recognize thin strokes as cuts."""

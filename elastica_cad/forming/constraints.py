@@ -86,7 +86,7 @@ class EndPosition(Constraint):
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of both coordinates, and the derivatives of the coordinates by the unknowns."""
+        """Return the indices and the derivatives of both coordinates: see `Constraint.rows`."""
         return _all_rows(sensitivities.position[-1])
 
 
@@ -102,7 +102,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the end angle by the unknowns."""
+        """Return the index and the derivatives of the end angle: see `Constraint.rows`."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -118,7 +118,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the scaled moment by the unknowns."""
+        """Return the index and the derivatives of the scaled moment: see `Constraint.rows`."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -135,7 +135,7 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the scaled force by the unknowns."""
+        """Return the index and the derivatives of the scaled force: see `Constraint.rows`."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -160,7 +160,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the distance by the unknowns."""
+        """Return the index and the derivatives of the signed distance: see `Constraint.rows`."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -208,7 +208,7 @@ class InflectionLine(Constraint):
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of both values, and the derivatives of the values by the unknowns."""
+        """Return the indices and the derivatives of both values: see `Constraint.rows`."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -243,7 +243,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of all three values, and the derivatives of the values by the unknowns."""
+        """Return the indices and the derivatives of all three values: see `Constraint.rows`."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -278,7 +278,7 @@ class MiddleOfTurn(Constraint):
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices of all three values, and the derivatives of the values by the unknowns."""
+        """Return the indices and the derivatives of all three values: see `Constraint.rows`."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -336,7 +336,7 @@ class MarginLimit(Constraint):
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the value by the unknowns."""
+        """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -546,7 +546,7 @@ class LeastStiffness(Constraint):
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the index 0 of the only value, and the derivatives of the value by the unknowns."""
+        """Return the index and the derivatives of the value: see `Constraint.rows`."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

@@ -26,7 +26,7 @@ ROUNDINGS = (0.35, 0.5, 0.65)
 """Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
 
 DIFFERENCE = 1e-4
-"""Step of the finite differences by the ply ends, as a fraction of the length."""
+"""Step of finite differences with respect to the positions of ply ends, as a fraction of the length."""
 
 SETTLED = 1e-7
 """The search for ply ends stops at a smaller relative change of the ply ends or of the squared distance."""

@@ -93,7 +93,7 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation for a section law within limits. A `heavy` rod gets the largest scale.
+        """Return the relation between E I and K for a section law. A `heavy` rod gets the largest scale.
 
         Without weight, the shape does not depend on the scale. The scale then allows the largest curvature, because
         thin sections withstand larger curvatures.

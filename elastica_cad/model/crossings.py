@@ -194,7 +194,8 @@ SAME_HEIGHT = 1e-9
 LEVEL_SLOPE = 1e-12
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Least divisor of a Newton step. It limits the step where surfaces touch, because both heights have slope 0."""
+"""Least divisor of a Newton step. The divisor limits the step where surfaces touch, because both heights have
+slope 0 there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -509,7 +510,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,). Outside 0..1, they are beyond the ends of the crossing."""
+        """Return the points at parameters x (n,). Points with x outside 0..1 are beyond the ends."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves

@@ -141,7 +141,8 @@ def slot_width(
     """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other`.
 
     At the angle phi (rad), the width is other / sin(phi) + own |cot(phi)| + clearance. The second term is
-    needed because the slot is cut perpendicular to the sheet. `fit="paper"` omits it (paper, section 9.1).
+    needed because the slot is cut perpendicular to the sheet. `fit="paper"` omits the second term (paper,
+    section 9.1).
     """
     angle = numbers(angle, "slot angle")
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):

@@ -473,8 +473,8 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet is thicker than the part, so it is as compliant as a shorter piece of the part. It therefore
-        begins within the free length. The pad is as compliant as a half-plane.
+        The fillet is thicker than the part, so it is as compliant as a shorter piece of the part. The fillet
+        therefore begins within the free length. The pad is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)

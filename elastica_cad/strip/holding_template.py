@@ -34,7 +34,8 @@ MARKS = (0.25, 0.5, 0.75)
 """Positions at which heights are measured, as fractions of the length."""
 
 S_SHAPED = 0.01
-"""Ratio of heights on opposite sides of the chord above which a strip is S-shaped. Rounding stays below it."""
+"""Ratio of heights on opposite sides of the chord above which a strip is S-shaped. Rounding errors are
+smaller."""
 
 ELEMENT_LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 

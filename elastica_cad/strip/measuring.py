@@ -290,7 +290,8 @@ class Measuring:
     def _slips(
         self, measured: Mapping[str, float], errors: Mapping[str, float]
     ) -> Iterator[tuple[float, str]]:
-        """Yield the sum of squares and the message of each mistake that alone explains all readings."""
+        """Yield the sum of squared errors, and the message, of each mistake that alone explains all
+        readings."""
         from scipy.special import chdtri
 
         lengths = {name: measured[name] for name in errors if name in LENGTHS}

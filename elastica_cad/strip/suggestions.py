@@ -254,7 +254,7 @@ def suggest(
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
-    """Return the largest thickness below the present one, mm, that suits all requests, or None.
+    """Return the largest thickness below the present thickness, mm, that suits all requests, or None.
 
     The requests have the same sheet. At most `MOST_TRIED` thicknesses on sale are tested.
     """

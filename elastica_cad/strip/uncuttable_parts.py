@@ -38,7 +38,7 @@ LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat
 
 @dataclass(frozen=True)
 class FabricationLimits:
-    """Limits of a workshop. By default they depend on the sheet.
+    """Limits of a workshop. The default limits depend on the sheet.
 
     Parameters
     ----------

@@ -509,7 +509,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheet_rows(request: Mapping[str, Any]) -> Record:
-    """Try the named sheets, or all. The rod is solved again only if it depends on the sheet."""
+    """Try the named sheets, or all. The rod is computed again only if the rod depends on the sheet."""
     spec, names, rod, rows = _spec(request), request.get("names"), None, []
     solved = spec.rod_spec
     for sheet in cut_sheets():

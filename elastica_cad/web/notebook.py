@@ -24,7 +24,7 @@ MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
     "space.js", "starts.js", "studio.js",
 )  # fmt: skip
-"""Script files of the page. A file comes after those that it imports."""
+"""Script files of the page. A file comes after the files that it imports."""
 
 
 @installed_modules()

@@ -1,4 +1,4 @@
-"""Server of the page. It answers only requests of its own pages on this computer."""
+"""Server of the page. The server answers only requests of its own pages on this computer."""
 
 import asyncio
 import hmac

@@ -18,7 +18,7 @@ from elastica_cad.web.answers import CATALOGUES, Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
-"""Largest address space of a worker, bytes. A CAD kernel needs a third of it."""
+"""Largest address space of a worker, bytes. A CAD kernel needs a third of this size."""
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:

@@ -85,7 +85,7 @@ def write_cutting_files(
 ) -> list[Path]:
     """Write the files of strips, models and base plates into a folder.
 
-    `step` is called with the number of written files. If it returns False, no file remains.
+    `step` is called with the number of written files. If `step` returns False, no file remains.
 
     Raises
     ------

@@ -3,7 +3,8 @@
 
 """Undo steps for all versions of FreeCAD, made by lines of Python that recorded macros contain.
 
-Up to FreeCAD 1.1, a transaction belongs to the whole program. From FreeCAD 1.2, it belongs to one document.
+Up to FreeCAD 1.1, a transaction belongs to the whole program. From FreeCAD 1.2, a transaction belongs to one
+document.
 """
 
 from collections.abc import Callable

@@ -257,7 +257,7 @@ MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true",
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 SHEET, BACKING = "sheet", "backing"
-"""Keys of the sheets in the table of a strip. The document stores the data of both."""
+"""Keys of the sheets in the table of a strip. The document stores the data of both sheets."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:

@@ -16,7 +16,7 @@ class View(Unsaved):
 
     icon_name = "Elastica"
     panel_of: ClassVar[Callable[[Any], Any]]
-    """Function that makes the panel of a feature. The graphical interface sets it."""
+    """Function that makes the panel of a feature. The graphical interface sets this function."""
 
     def __init__(self, provider: Any) -> None:
         provider.Proxy = self

@@ -15,7 +15,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
-"""Function of the number of finished parts. It returns False if the user stops the work."""
+"""Function of the number of finished parts. The function returns False if the user stops the work."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
@@ -73,7 +73,8 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
 
 
 def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
-    """Run a function in another thread and return its result. After half a second the user can stop it.
+    """Run a function in another thread and return its result. After half a second the user can stop the
+    function.
 
     Raises
     ------

@@ -4,8 +4,8 @@
 """Errors of features, shown as the state of the feature and as one line in the report view.
 
 FreeCAD prints the traceback of an exception that `execute` raises, with all Python functions in it. Therefore
-Python functions return the error, and compiled code raises it. FreeCAD 1.x repeats the message at the end of
-the recompute, so its first output is suppressed.
+Python functions return the error, and compiled code raises the error. FreeCAD 1.x repeats the message at the
+end of the recompute, so its first output is suppressed.
 """
 
 import os

@@ -163,7 +163,8 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """Return the curvature combs within and beyond the strain limit. As in FreeCAD, they point outward."""
+    """Return the curvature combs within and beyond the strain limit. As in FreeCAD, the combs point
+    outward."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))

@@ -88,7 +88,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Write the slow results of an object. Return False while they are being computed."""
+        """Write the slow results of an object. Return False while the results are being computed."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 

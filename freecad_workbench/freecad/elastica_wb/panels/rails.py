@@ -68,7 +68,8 @@ KINDS = {
 }
 """Kinds of rails, pins, ties and loads.
 
-When the curve changes, rails and pins stay in place. Ties and loads keep their fraction of the length.
+When the curve changes, rails and pins stay in place. Ties and loads keep their positions as fractions of the
+length.
 """
 
 
