@@ -172,7 +172,7 @@ class MeanDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a model that is exact if the positions are linear functions of the unknowns."""
+        """Return a model of the distance that is exact for positions linear in the unknowns."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
         return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 
@@ -271,7 +271,7 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
     """Return the model of half the weighted mean square of r + J d for a step d, with the weights `shares` (k,).
 
-    The last column of J, the change to equilibrium, is added to r.
+    The last column of J is the change that brings the rod into equilibrium. This change is added to r.
     """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]

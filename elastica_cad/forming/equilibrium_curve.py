@@ -111,7 +111,7 @@ class EquilibriumCurve:
 
     @cached_property
     def stiffness(self) -> FloatArray:
-        """Stiffness at `places`, scaled to a minimum of 1."""
+        """Stiffness at the stations `places`, scaled to a minimum of 1."""
         return self.balance.stiffness.at(*self.places) / self.scale
 
     @property

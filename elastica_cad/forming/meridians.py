@@ -433,7 +433,7 @@ class Meridian:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod of a strip.
+        """Rod of one strip of the surface.
 
         The stiffness is proportional to the distance from the axis. The moment is proportional to a + <b, point>
         (paper, Eq. 4).

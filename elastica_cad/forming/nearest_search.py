@@ -202,7 +202,7 @@ def _narrowed(search: Search, task: NearestTask) -> Search:
     """Repeat the search with the scale of `task`, then with smaller scales, until the limits are met.
 
     Narrower strips may meet a margin that wider strips violate. Each scale is first tried with a part of the
-    margin.
+    required margin.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:

@@ -128,7 +128,7 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 _SIDES = np.array([[1.0], [-1.0]])
-"""Derivatives of the distances from the lower and the upper bound by the unknown."""
+"""Derivatives of the distances from the lower and the upper bound with respect to the unknown."""
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:

@@ -122,7 +122,7 @@ class SectionScale:
         return cls(law, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
-        """Return the relation with the largest scale that the section law and the strain limit allow.
+        """Return a `SectionScale` with the largest scale that the section law and the strain limit allow.
 
         `stiffness` (n,) is K at the nodes, and `bend` (n,) is the change of curvature there, 1/mm.
         """
@@ -143,7 +143,8 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the relation with a smaller scale, so that the sections withstand the change of curvature `bend`.
+        """Return a `SectionScale` with a smaller scale, so that the sections withstand the change of
+        curvature `bend`.
 
         `bend` (n,) is in 1/mm. Return None if the scale need not or cannot be reduced.
         """
@@ -156,7 +157,8 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Return the relation with the scale at which the largest section of the rod is as large as allowed.
+        """Return a `SectionScale` with the scale at which the largest section of the rod is as large as
+        allowed.
 
         At the nodes, `stiffness` (n,) is K, `bend` (n,) is the change of curvature, and `rest` is the natural
         curvature, 1/mm. The result is this object if the scale does not change.

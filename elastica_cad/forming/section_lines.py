@@ -62,7 +62,7 @@ class SectionLine:
 
     @property
     def places(self) -> FloatArray:
-        """Points in space (n, 3), mm."""
+        """Points of the line in space (n, 3), mm."""
         return self.frame.point(self.points)
 
     def reversed(self) -> "SectionLine":

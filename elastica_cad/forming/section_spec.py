@@ -238,7 +238,7 @@ class ParallelCuts:
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """Return the planes. Without `offsets` they depend on the extent of the surface."""
+        """Return the planes, which depend on the extent of the surface if `offsets` is None."""
         if self.offsets is not None:
             _refuse_twice("offsets", self.offsets)
             return parallel_planes(self.point, self.normal, self.offsets, up=self.up)

@@ -254,7 +254,7 @@ def _forwards(cut: _Cut) -> list[float]:
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
-    """Return the same number of supports, each as early as possible, searched from the end of the curve."""
+    """Return as many supports as `latest`, each as early as possible, searched from the curve's end."""
     curve = cut.curve
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)

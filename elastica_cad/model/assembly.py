@@ -211,7 +211,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends without a holder, as a mapping from the index of a strip."""
+    """Return, by the index of each strip, its supported ends that no holder holds."""
     places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(

@@ -34,7 +34,7 @@ from elastica_cad.strip.tapered_solids import side_view
 DEFAULT_STATIONS = 21
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Decimals of a column of the CSV table, by the unit at the end of its name."""
+"""Number of decimals in a column of the CSV table, by the unit that ends the column's name."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
@@ -197,7 +197,7 @@ class BattenSpec:
         Raises
         ------
         NotConvergedError
-            No taper puts the deepest point there.
+            No taper puts the deepest point at the requested position.
         """
         try:
             taper, chord = self._taper()
@@ -392,7 +392,8 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with zero curvature at its ends, by moving the third control point from each end."""
+    """Return the curve with its third control point from each end moved, so that both end curvatures are
+    0."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

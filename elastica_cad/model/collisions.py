@@ -201,8 +201,8 @@ def _deepest_sample(
 ) -> Collision | None:
     """Return the sample of strip `a` that is deepest inside strip `b`, or None if no depth exceeds `least`, mm.
 
-    Samples are slightly below both faces of `a`. If the strips are flush (side by side), samples are on its
-    middle surface.
+    Samples are slightly below both faces of `a`. If the strips are flush (side by side), samples are on the
+    middle surface of `a`.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]

@@ -82,7 +82,7 @@ class Rib:
     warnings: tuple[str, ...] = ()
 
     def checked(self, options: PlateOptions) -> Self:
-        """Return the rib with its warnings."""
+        """Return the rib with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)
         return replace(self, warnings=accept_faults(faults, options.ignore_limits))

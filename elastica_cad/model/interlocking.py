@@ -26,7 +26,8 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 MOST_NEWTON_STEPS = 30
 
 CLOSE_MM = 1e-6
-"""Accuracy, mm, of the points at which faces of two strips meet. It equals the accuracy of files."""
+"""Accuracy, mm, of the points at which faces of two strips meet. Coordinates in files have the same
+accuracy."""
 
 
 def _bent_slot_width(

@@ -386,7 +386,7 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a round widens a strip, and factor on `LARGEST_LOG_CHANGE` beyond.
+"""Largest factor by which a round widens a strip, and factor on its `LARGEST_LOG_CHANGE` if that is exceeded.
 
 A much wider strip would have wider shoulders beside its tabs.
 """

@@ -50,7 +50,7 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Relative decrease of its distances to a neighbour's ends, above which a strip is reversed."""
+"""Least relative decrease of the distances to a neighbour's ends, for which a strip is reversed."""
 
 PRESSED_MM = 0.01
 """Largest gap, mm, between a tab and a wall against which the load presses the tab."""
@@ -172,7 +172,7 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 
 
 Cures = Callable[[float], str]
-"""Function from the length that a tab needs, mm (infinity if it bends too far), to an instruction."""
+"""Function from the length that a tab needs, mm (infinity if the tab bends too far), to an instruction."""
 
 
 def _with_endless_tabs(plate: Plate) -> Plate:
@@ -267,7 +267,7 @@ def _fitted_length(
 
 
 def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Placed]:
-    """Return the strips with tabs of this length and, if it is finite, this width."""
+    """Return the strips with tabs of this length and, if `width` is finite, of this width."""
     strips = {
         strip: replace(
             strip,
@@ -297,7 +297,8 @@ def _require_makeable(
 def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[Plate, ...]:
     """Return two plates that replace plate `first`, or () if they cannot be made.
 
-    They hold the tabs of `placed`, which have the positions of the tabs in `first` but may have another size.
+    The plates hold the tabs of `placed`, which have the positions of the tabs in `first` but may have another
+    size.
     """
     try:
         plates, needed = _tried_pair(placed, first, gap)
@@ -467,7 +468,7 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
 
 
 LEVEL_GAIN_MM = 0.5
-"""Decrease of the height differences of tabs, mm, above which a plate is inclined."""
+"""Least decrease of the height differences of tabs, mm, for which a plate is inclined."""
 
 
 def end_plates(

@@ -214,7 +214,7 @@ class BasePlate:
         return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
 
     def checked(self, options: PlateOptions) -> Self:
-        """Return the plate with its warnings."""
+        """Return the plate with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]

@@ -171,7 +171,7 @@ TAB_END_MM = 2.0
 """Length, mm, by which a tab extends beyond the second of two rings."""
 
 TAB_GAP_MM = 0.5
-"""Least gap between the tabs of neighbours, mm."""
+"""Least gap between the tabs of neighbouring strips, mm."""
 
 TRIED_RINGS = 60
 """Number of ring sizes that are tried if the requested ring cannot be made."""

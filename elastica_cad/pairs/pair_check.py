@@ -318,7 +318,8 @@ class PairedPanels:
 
     @classmethod
     def of(cls, check: PairCheck, difference: ExcessCurvature) -> "PairedPanels":
-        """Return the coefficients for two curves, with the zeros of d at ends of panels."""
+        """Return the coefficients of two curves. Zeros of the curvature difference d are at ends of
+        panels."""
         zeros, first, second, size = check.zeros, check.first, check.second, check.length
         panels = cut_into_panels(
             first, [z.t for z in zeros], cuts=[t for t, _, _ in difference.kinks],
@@ -399,7 +400,8 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Last zeros of the curvature difference. A moment difference can have only the zeros before them."""
+        """Last zeros of the curvature difference. A moment difference can have only the zeros before
+        these."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:

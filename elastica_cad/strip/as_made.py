@@ -158,7 +158,10 @@ SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return the stiffness factor (n,) at each node. A cut is given as (position, added length), mm."""
+    """Return the factor (n,) by which cuts reduce the stiffness at each node.
+
+    A cut is given as (position, added length), mm.
+    """
     at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)

@@ -329,7 +329,7 @@ def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[Fl
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
-    """Return the maps of a rod from start to end, one for each part between jumps of its curvature.
+    """Return a `BentMap` for each part of a rod between jumps of its curvature, from start to end.
 
     `reach` is the largest distance of a face from the centre line, mm.
 

@@ -313,7 +313,7 @@ MEETING_MM = 1e-9
 """Largest distance, mm, between the ends of two segments that meet."""
 
 LINEAR_TOLERANCE = 1e-10
-"""Largest relative deviation of x from a linear function of the parameter that counts as linear."""
+"""Largest relative deviation of x from a linear function of the parameter, for which x counts as linear."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:

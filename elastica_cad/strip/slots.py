@@ -35,7 +35,7 @@ QUARTER_TURN_DEG = 90.0
 """Inclination, degrees, at and above which a slot is refused."""
 
 STRAIGHT_MM = 1e-7
-"""Largest deviation from a line, mm, of a side of a slot that is drawn as a line."""
+"""Largest deviation, mm, from a straight line for a side of a slot that is drawn as a line."""
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]

@@ -627,7 +627,7 @@ class StripSpec(EqualByValue):
     def rod_spec(self) -> RodSpec:
         """Request from which the rod of this strip is computed.
 
-        The request has no tabs, slots and label. It has widths only for loads, limits, a section law or
+        The request has no tabs, slots and label, and has widths only for loads, limits, a section law or
         smoothing.
         """
         gravity, share = self._gravity_and_fraction

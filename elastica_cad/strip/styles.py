@@ -257,7 +257,8 @@ class Plain:
     ) -> Layout:
         """Return the flat pattern of a rod.
 
-        The bending stiffness of the rod determines the widths. If it is None, `max_width` or `min_width` does.
+        The bending stiffness of the rod determines the widths. If this stiffness is None, `max_width` or
+        `min_width` determines them.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:

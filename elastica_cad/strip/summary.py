@@ -248,7 +248,7 @@ def hold_row(strip: Strip) -> Row:
 
 
 ALONG = 0.9
-"""Least fraction of a force along the line between the ends, for which the force is a push or pull."""
+"""Least fraction of a force, along the line between the ends, that is reported as a push or pull."""
 
 
 def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
