@@ -638,7 +638,7 @@ def _with_handles(edge: Edge) -> list[Edge]:
     curve.
 
     The curvature is infinite if the first two control points are equal. The first part of such a curve has
-    control points a, a, c, d. It is replaced by the parabola a, c, d, which has the same ends and end
+    control points a, a, c, d. This part is replaced by the parabola a, c, d, which has the same ends and end
     tangents.
 
     Examples

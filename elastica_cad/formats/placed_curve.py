@@ -232,7 +232,8 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
 
 
 def _total_turn(points: FloatArray, normal: FloatArray) -> float:
-    """Return the total turn, rad, of a polyline (m, 3) about a normal. If it is 0, return the first turn."""
+    """Return the total turn, rad, of a polyline (m, 3) about a normal. If the total is 0, return the first
+    turn."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]

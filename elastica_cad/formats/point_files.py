@@ -397,7 +397,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the first row with two numbers, else with one number, else of the second row."""
+    """Return the index of the first data row: the first row with two numbers, else with one, else row 2."""
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:

@@ -35,7 +35,8 @@ LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
 
 
 def require_file(path: str | Path) -> Path:
-    """Return the path of a file. Raise InputError if it is missing, empty, too large or not readable."""
+    """Return the path of a file. Raise InputError if the file is missing, empty, too large or not
+    readable."""
     path, noted = require_path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))

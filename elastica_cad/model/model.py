@@ -386,9 +386,10 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a round widens a strip, and factor on its `LARGEST_LOG_CHANGE` if that is exceeded.
+"""`LARGEST_WIDENING` is the largest factor by which a round of corrections widens a strip.
 
-A much wider strip would have wider shoulders beside its tabs.
+If a strip needs a larger factor, `REDUCED_CHANGE` multiplies its largest change of width. A much wider strip
+would have wider shoulders beside its tabs.
 """
 
 ROUNDS, MOST_ROUNDS = 2, 10

@@ -63,8 +63,11 @@ DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
 """Angles, rad, of the directions in which a plate may tilt over its spacers."""
 
 LEAST_SPREAD = 0.25
-"""Least extent of the spacers around the middle of the tabs, as a fraction of the slots' extent or, if larger, of a
-spacer's width. For two spacers, only the width counts. Three spacers at equal angles have about 0.5."""
+"""Least extent of the spacers around the middle of the tabs, relative to the extent of the slots.
+
+If a spacer is wider than the extent of the slots, its width is the reference. For two spacers, only the width
+counts. Three spacers at equal angles have about 0.5.
+"""
 
 LABEL_MM = 4.0
 """Height of the engraved word on a spacer, mm, if the spacer is large enough."""
@@ -432,9 +435,9 @@ def _spread(
 ) -> tuple[FloatArray, float]:
     """Return the chosen places, moved apart around the middle of the tabs, and their relative extent.
 
-    The extent of points is their least reach from the middle in any direction. It is negative if the middle
-    is not between the points. It is divided by the extent of the slots or, if larger, by `width`. Two spacers
-    support the plates only by their width, and more spacers by their positions.
+    The extent of points is their least reach from the middle in any direction. The extent is negative if the
+    middle is not between the points. It is divided by the extent of the slots or, if larger, by `width`. Two
+    spacers support the plates only by their width, and more spacers by their positions.
     """
     slots = [loop for plate in plates for loop in plate.tab_loops]
     middle, count = np.mean(slots, axis=(0, 1)), len(chosen)
