@@ -397,7 +397,10 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the first data row: the first row with two numbers, else with one, else row 2."""
+    """Return the index of the first data row.
+
+    This is the first row with two numbers, else the first row with one number, else the second filled row.
+    """
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:

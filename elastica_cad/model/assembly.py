@@ -162,7 +162,8 @@ class AssemblyStep:
         Name of the cut piece.
     ends : (str, str)
         Holders of end 1 and end 2. For a supported end without a holder, the text is "hold at (x, y, z)", mm.
-        It gives the angle of the strip to the line between its ends too. Other ends are "free" or glued.
+        The text also gives the angle of the strip to the line between its ends. Other ends are "free" or
+        glued.
     holders : (tuple of str, tuple of str)
         Short texts for both ends: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
     locks_into : tuple of str
