@@ -38,7 +38,8 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
     The discretisation error O(1/n^2) of a rod with n edges would disturb the curvature near inflections. Therefore
     the spline is fitted to position and curvature of the continuous rod with the same stiffness and ends. The
-    spline contains the inflections exactly, so that they are on one line if the rod has no weight (Theorem 1).
+    spline contains the inflections exactly, so that they are on one line if the rod has no weight (paper,
+    Theorem 1).
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Realizable curve with its stiffness, for methods that move the control points of a curve.
 
-The strip has no weight, as Theorem 1 requires.
+The strip has no weight, as Theorem 1 of the paper requires.
 """
 
 from collections.abc import Sequence
@@ -103,7 +103,7 @@ class EquilibriumCurve:
 
     @cached_property
     def line(self) -> tuple[float, FloatArray]:
-        """Coefficients a, 1/mm, and b (2,), 1/mm2, of the moment a + <b, position> (Eq. 3)."""
+        """Coefficients a, 1/mm, and b (2,), 1/mm2, of the moment a + <b, position> (paper, Eq. 3)."""
         first, left = np.array([0]), np.array([-1.0])
         b = self.balance.force.at(first, left)[0] / self.scale
         moment = float(self.balance.moment.at(first, left)[0]) / self.scale
@@ -132,7 +132,8 @@ class EquilibriumCurve:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # force lambda, which is perpendicular to b (Eq. 4)
+        # force lambda, which is perpendicular to b (paper, Eq. 4)
+        force = np.tile([-b[1], b[0]], (angles.size, 1))
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property

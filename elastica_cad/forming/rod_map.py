@@ -351,7 +351,7 @@ class StripGrid:
     basis : (n+1, m) array
         Values of the m basis functions of K at the nodes; their sum is 1.
     e : (2,) array
-        Vector e of Eq. 5, which points up, times the cube of the unit of length.
+        Vector e of Eq. 5 of the paper, which points up, times the cube of the unit of length.
     weight : callable, optional
         Function of K (n+1,) that returns the weight per length q (n+1,), in units of `e`, and the derivative of q
         by K. By default q = K.

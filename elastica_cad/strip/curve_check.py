@@ -52,7 +52,7 @@ def common_request(
 
 @dataclass(frozen=True, repr=False)
 class CurveCheck(EquilibriumCheck):
-    """Result of the check of a drawn curve by Theorem 1.
+    """Result of the check of a drawn curve by Theorem 1 of the paper.
 
     Attributes
     ----------

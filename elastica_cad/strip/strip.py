@@ -821,8 +821,8 @@ class Strip:
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.
 
-        The internal force is -lambda B, where B is the bending stiffness and lambda(s) is from Eq. 2. The
-        supports therefore push the start with lambda(0) B and the end with -lambda(L) B.
+        The internal force is -lambda B, where B is the bending stiffness and lambda(s) is from Eq. 2 of the
+        paper. The supports therefore push the start with lambda(0) B and the end with -lambda(L) B.
         """
         B, moment = self.bending_stiffness, self.rod.moment
         start, end = B * self.rod.support_forces

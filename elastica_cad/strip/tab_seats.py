@@ -327,8 +327,8 @@ def rest_in_seats(
 
     Tabs can shift across, turn and bend, but not slide along the strip. Contacts have no friction. Sequential
     quadratic programming minimizes the energy under the condition that tabs do not overlap their holders. The
-    gradient consists of forces and moments of the rod (Eq. 2). The Hessian consists of finite differences of these
-    forces and moments, and of the change of the contact forces with the angles.
+    gradient consists of forces and moments of the rod (paper, Eq. 2). The Hessian consists of finite
+    differences of these forces and moments, and of the change of the contact forces with the angles.
 
     Parameters
     ----------

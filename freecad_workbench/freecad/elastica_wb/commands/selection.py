@@ -88,7 +88,10 @@ def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any
 
 
 def _only_sketch_in(body: Any) -> Any:
-    """Return the sketch of a body that no feature uses or, if there is none, that only strips use."""
+    """Return the sketch of a body that no feature uses.
+
+    If there is none, return a sketch that only strips use.
+    """
     sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
     ours = [sketch for sketch in sketches if all(map(is_ours, users[sketch]))]
@@ -179,7 +182,10 @@ def _may_be_cut(obj: Any) -> bool:
 
 
 def _all_sources() -> list[Any]:
-    """Return models, plates, two-state parts and strips on plates, or else the only strip."""
+    """Return the models, plates, two-state parts and strips on plates of the document.
+
+    If there are none, return the only strip.
+    """
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)

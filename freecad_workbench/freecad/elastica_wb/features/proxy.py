@@ -376,7 +376,8 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move a feature's sources, except containers and dependents of the feature."""
+    """Return the containers that move a feature's sources, but neither contain the feature nor depend on
+    it."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container

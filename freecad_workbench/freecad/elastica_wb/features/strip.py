@@ -76,7 +76,8 @@ class StripFeature(Feature):
             obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Set PlacesLength to 0 after a change of ties or loads, because they fit the current curve."""
+        """Set PlacesLength to 0 after a change of ties or loads, because the new positions fit the current
+        curve."""
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")
