@@ -161,7 +161,7 @@ def _spelled(path: str) -> str:
 
 
 NEAR_OPTION = 0.8
-"""Least similarity of an unknown option to a known option that is suggested instead of a key for `--set`."""
+"""Least similarity of an unknown option to a known option, or to a key, that is suggested instead."""
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 """Options of `elastica` that may also follow the name of a command, and their numbers of values."""

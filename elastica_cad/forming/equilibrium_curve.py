@@ -29,7 +29,8 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in each panel at which the stiffness is computed to find its minimum
+# number of stations in each panel (an interval of the curve) at which the stiffness is computed to find its
+# minimum
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"

@@ -172,7 +172,10 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 
 
 Cures = Callable[[float], str]
-"""Function from the length that a tab needs, mm (infinity if the tab bends too far), to an instruction."""
+"""Function that returns an instruction for the length that a tab needs, mm.
+
+The length is infinite if the tab bends too far.
+"""
 
 
 def _with_endless_tabs(plate: Plate) -> Plate:

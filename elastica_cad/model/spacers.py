@@ -270,9 +270,10 @@ def _near_a_line(
 
 
 def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, BasePlate]]:
-    """Yield the plates as they are and, if round, with room for spacers inside the slots, outside, or both.
+    """Yield the plates as they are. If they are round, then yield them with room for spacers.
 
-    Sizes that close the openings, or reduce them too much, are the last.
+    The room is inside the slots, outside the slots, or both. Sizes that close the openings, or reduce them
+    too much, are the last.
     """
     yield plates
     first, second = plates

@@ -304,9 +304,10 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the numbers z (r,) that minimise the largest function within the bounds.
+    """Return the z (r,) within the bounds at which the largest function is least.
 
-    Each function or bound is a pair (rows, offset) with the value rows @ z + offset. Bounds must be at least 0.
+    Each function or bound is a pair (rows, offset) with the value rows @ z + offset. The values of bounds
+    must be at least 0.
     """
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]

@@ -336,7 +336,7 @@ def holding_template(strip: Strip) -> Drawing:
     tabs are on the layer ENGRAVE, and guide lines on the layer MARK. Nothing is cut.
 
     The view has the same side up as the page for measurements. Under gravity and with rails, pins, ties or loads,
-    it has the directions of the drawing.
+    the view has the directions of the drawing.
     """
     ends, rod, elements = held_ends(strip), strip.rod, held_elements(strip)
     shape = Spline(rod.curve)

@@ -436,8 +436,9 @@ class Perforated:
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
         """Return the largest extra width (n,), mm, that rounded tips leave near each joint of the pattern.
 
-        A corner with half angle a and radius r begins where the sharp corner is 2 r (sec a - tan a) wide.
-        Half diamonds have half the angle of full diamonds, so their corners begin farther from the joint.
+        The rounding of a corner with half angle a and radius r begins where the hole is 2 r (sec a - tan a)
+        wide. Half diamonds have half the angle of full diamonds, so their rounding begins farther from the
+        joint.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
