@@ -286,7 +286,7 @@ def kind_of(hint: Any) -> Kind:
         return Kind("names", (kind_of(inner[1]),))
     plain = _PLAIN.get(hint)
     if plain is None and not (callable(hint) or isinstance(hint, str)):
-        raise TypeError(f"{hint!r} cannot be declared: set its type in files with Option(written=...)")
+        raise TypeError(f"{hint!r} cannot be read from files: set the type in files with Option(written=...)")
     return plain or Kind("table", source=hint)
 
 

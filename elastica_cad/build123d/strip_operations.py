@@ -103,7 +103,7 @@ def elastic_strip(
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
     if not isinstance(form, str) or form not in forms:
-        raise InputError(f"Unknown form {form!r}. Use one of {', '.join(forms)}")
+        raise InputError(f"`form` is {form!r}. Use one of {', '.join(forms)}.")
     builder = bd.BuildSketch if form == "outline" else bd.BuildPart
     context = builder._get_context("elastic_strip")
     if path is None:

@@ -266,7 +266,7 @@ def _workplane_strip(
         have the tags "start" and "end".
     """
     if form not in get_args(Form):
-        raise InputError(f"Unknown form {form!r}. Use flat, bent or outline.")
+        raise InputError(f"`form` is {form!r}. Use one of flat, bent, outline.")
     if form == "outline" and combine:
         raise InputError(
             "An outline is a face and cannot be combined with a solid. Extrude it first, or choose form='flat'."

@@ -86,7 +86,7 @@ def batten(**chosen: Any) -> None:
     """
     name = chosen["name"]
     if "/" in name or "\\" in name:
-        raise InputError("The name {name!r} is used in file names. Leave out / and \\.", name=name)
+        raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)
     spec = BattenSpec(
         chosen["length"],
         chosen["camber"] / 100,

@@ -478,8 +478,8 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
     if direction @ gravity.direction < 0:
         yield note(
             "The rail at {point} is above the strip and pushes the strip down, because this point is below "
-            "the straight strip. For a rail below the strip, with a gap, draw the straight line, run "
-            "{command}, and bend the written report.",
+            "the straight strip. To put a rail below the strip, with a gap between them, draw the straight "
+            "line, run {command}, and bend the report that it writes.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip
 

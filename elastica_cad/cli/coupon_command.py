@@ -78,7 +78,7 @@ def coupon(**chosen: Any) -> None:
     """
     sheet, name = _sheet_of_coupon(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
-        raise InputError("The name {name!r} is used in a file name. Leave out / and \\.", name=name)
+        raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)
     if chosen["measured"]:
         _calibrate(sheet, chosen)
         return

@@ -383,7 +383,8 @@ def _only_sections(table: Table) -> Table:
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
-            "{place} has no effect together with sections. Leave out this key.", place=table.place(idle[0])
+            "{place} has no effect, because the strips follow sections of a surface. Leave out this key.",
+            place=table.place(idle[0]),
         )
     return table.table("sections")
 

@@ -42,7 +42,11 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     """Make the request for a two-state part from the parsed tables of the file `path`."""
     top = Table(data, str(path), {}).only(*names_of(DesignKeys))
     if not top.has("pair"):
-        raise InputError("{path} has no table [pair]. Name two curves, or run `elastica model`.", path=path)
+        raise InputError(
+            "{path} has no table [pair], so it does not describe a part with two states. Add this table, or "
+            "run `elastica model` for a model of strips.",
+            path=path,
+        )
     top.scope = top.within(top.raw("let", {}))
     pair = top.table("pair")
     curves = {state: pair.raw(state) for state in STATES}

@@ -538,7 +538,8 @@ def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
     closed = [gap for gap in joined.closed if gap > tolerance]
     if closed:
         notes.append(note(
-            "gaps of one unit in the last digit of the file were closed: {count}, the widest {widest:.2g}",
+            "gaps as small as the last digit of the numbers in the file were closed: {count}, the widest "
+            "{widest:.2g}",
             count=len(closed), widest=Length(max(closed)),
         ))  # fmt: skip
     return notes

@@ -283,7 +283,9 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
                 reason = note(
-                    "the file has no unit, $MEASUREMENT = 0 and a size of {size:.3g} units", size=size
+                    "the file has no unit, $MEASUREMENT = 0 means inches, and a size of {size:.3g} inches is "
+                    "likely",
+                    size=size,
                 )
                 assumed = note(_ASSUMED, field=UNIT, unit="in", reason=reason, other="mm")
                 return MM_PER_INCH, ReadUnit("in", note=assumed)

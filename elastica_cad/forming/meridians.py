@@ -364,11 +364,11 @@ ON_AXIS_SHARE = 1e-9
 MOST_TURNS = 20
 """Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
-HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
+HOPELESS = "the strips of a surface of revolution cannot follow these points"
 # fraction of the largest distance from the axis; if the last point is closer, a message suggests
 # `TO_THE_POLE`
 NEAR_AXIS_SHARE = 0.05
-TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
+TO_THE_POLE = ". So near to the axis, end the points on it (x = 0), or on a ring farther away"
 
 NARROW_SHARE = 1e-3
 """Default distance of the end from the axis, divided by the sum of length and distance of the start."""
@@ -541,7 +541,8 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         shape = _search_meridian(data[chosen] / size)
         if not shape.points[0, 0] > 0:
             raise NotConvergedError(
-                "the nearest meridian begins beyond the axis. Move its first point away from the axis"
+                "the nearest meridian (profile of the surface) begins beyond the axis. Move its first point "
+                "away from the axis"
             )
         length, start = shape.length * size, float(shape.points[0, 0]) * size
         end = _end(
@@ -550,7 +551,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         curve = _curve(shape, size, end)
     except NotConvergedError as problem:
         advice = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
-        raise NotConvergedError(f"{problem}: {HOPELESS}{advice}") from problem
+        raise NotConvergedError(f"{HOPELESS}: {problem}{advice}") from problem
     closes = end < length
     if len(chosen) == len(data):
         gaps = np.hypot(*(size * shape.points - data).T)
@@ -558,7 +559,8 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(shape, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            "every meridian is at least {most} from point number {given}: {hopeless}",
+            "{hopeless}: every meridian (profile of the surface) is at least {most} from point number "
+            "{given}. Move this point",
             most=Length(gaps.max()),
             given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,

@@ -303,15 +303,15 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
         return None
     if request.gravity is not None:
         raise InputError(
-            "a strip with weight has no line through its inflections: leave out `keep.line` or gravity"
+            "with gravity, the inflections of a strip are not on one line: leave out `keep.line` or gravity"
         )
     if not isinstance(line, bool):
         return np.asarray(line[0]), np.asarray(line[1])
     crossing = examine(curve, Supports(), request.natural_curvature).line
     if crossing is None:
         raise InputError(
-            "the drawn curve has no line through its inflections: set `keep.line` to two points "
-            "((x, y), (x, y))"
+            "no straight line passes through all inflections of the drawn curve: set `keep.line` to two "
+            "points ((x, y), (x, y)) of the line"
         )
     point, direction = np.asarray(crossing.point), np.asarray(crossing.direction)
     return point, point + direction * curve.length

@@ -353,7 +353,10 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
         )
     if kind == "turn":
         if task.request.gravity is not None:
-            raise InputError("a half turn reverses gravity: leave out `keep.symmetry` or the weight")
+            raise InputError(
+                "a strip with weight cannot be symmetric under a half turn, which reverses gravity: leave out "
+                "`keep.symmetry` or the weight"
+            )
         return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
     if task.request.gravity is not None and abs(np.dot(task.request.gravity.direction, axis)) < 1 - 1e-9:
         raise InputError(

@@ -77,8 +77,8 @@ class SectionLine:
         places = np.atleast_2d(np.asarray(points, dtype=float))
         if places.shape[1] != 2 or not np.all(np.isfinite(places)):
             raise InputError(
-                f"the points to split {self.name} cannot be read: give finite rows (k, 2), in mm, in its "
-                "plane"
+                f"the points to split {self.name} cannot be read: give finite rows (k, 2), in mm, in the "
+                "plane of the section"
             )
         return self._split(np.sort([_nearest(self.points, p) for p in places]))
 
@@ -587,7 +587,8 @@ def smooth_polyline(
     spans = numbers(where, "parts to smooth")
     if spans.size and spans.shape[1:] != (2,):
         raise InputError(
-            "the parts to smooth cannot be read: give rows (k, 2) of finite lengths along the points, in mm"
+            "the parts to smooth cannot be read: give rows (start, end) of finite lengths along the points, "
+            "in mm"
         )
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
     # from a wavelength of four line lengths, the result is a parabola; larger wavelengths only add rounding errors

@@ -269,13 +269,14 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
 def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
-    if cut.places is not None:
-        what = note("no strip can reach from this place to the next given support: give more places")
-    else:
-        what = note("no strip can begin there")
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)
     reason = note(
-        "Supports do not help {s} from the start: {what}{limit}.", s=Length(s), what=what, limit=limit
+        "Supports do not help {s} from the start: no strip can begin there{limit}."
+        if cut.places is None
+        else "Supports do not help {s} from the start: no strip can reach from there to the next given "
+        "place{limit}. Give another place between them.",
+        s=Length(s),
+        limit=limit,
     )
     try:
         why = examine_curvature(curve, cut.supports).reasons

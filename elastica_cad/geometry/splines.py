@@ -108,12 +108,13 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
         raise InputError(
-            "the knots span no domain, because the first and last inner knot coincide: give different knots"
+            "the first and the last knot of the domain are equal, so the spline has no length: give "
+            "different knots"
         )
     if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
         raise InputError(
-            f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
-            "vanish: scale them to 0..1"
+            f"the knots run from {start:.3g} to {end:.3g}, too small or too large for the computation: "
+            "scale them to 0..1"
         )
     values, counts = knot_runs(knots)
     inside = (values > start) & (values < end)

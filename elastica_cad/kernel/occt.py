@@ -80,7 +80,8 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
     builder.Perform()
     if builder.HasErrors():
         raise InputError(
-            "OpenCASCADE could not combine the prisms of a body. Move prisms that only touch each other."
+            "OpenCASCADE could not combine the prisms of a body. Let prisms that only touch each other "
+            "overlap, or move them apart."
         )
     return builder.Shape()
 

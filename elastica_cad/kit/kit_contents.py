@@ -309,8 +309,8 @@ def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
         return []
     return [
         note(
-            "{rods}: longer than a rod to buy ({length:g}). Join each from the lengths in the cut list with "
-            "sleeves, or state the length of your rods in {field}.",
+            "{rods}: longer than the rods that you buy ({length:g}). Join each from the lengths in the cut list "
+            "with sleeves, or state the length of your rods in {field}.",
             rods=Listed(long), length=Length(spec.shop.stock_for(rods[0].sheet)[0]), field=FieldName("shop.stock"),
         )
     ]  # fmt: skip

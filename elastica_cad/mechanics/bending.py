@@ -384,8 +384,8 @@ def _bent_on_elements(
                 ahead[i] = violation(elements[i], shape)
         elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
-        "No set of rails, pins and ties that carry load was found for this shape. Move the ends or change "
-        "the loads in smaller steps."
+        "The program could not decide which rails, pins and ties carry load in this shape. Move the ends or "
+        "change the loads in smaller steps."
     )
 
 
@@ -428,7 +428,7 @@ def _changed_taut_set(
 
 def _snap_warning(percent: float) -> Refusal:
     return note(
-        "the rod snaps into another shape after {percent:.3g} % of the path; the result is this other shape",
+        "the strip snaps into another shape after {percent:.3g} % of the path; the result is this other shape",
         percent=percent,
         severity="warning",
     )
@@ -457,7 +457,7 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
     return (
         note(
             (
-                "the rod turns by {turn:.0f} degrees between two nodes, so its shape is inaccurate: use more "
+                "the strip turns by {turn:.0f} degrees between two nodes, so its shape is inaccurate: use more "
                 "samples"
             ),
             turn=turn,

@@ -150,7 +150,8 @@ def elastica_between(
         require_positive(length, "length")
         if near is None:
             raise InputError(
-                "a strip with a free end would turn about its start: give the angle of a clamp at the start"
+                "with a free end, the strip turns about its start unless its start is clamped: give the angle "
+                "at the start"
             )
         bent = _bent_by_loads(
             Rod.straight(

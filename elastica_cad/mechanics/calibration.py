@@ -114,7 +114,7 @@ class Calibration:
         lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
         if len(self.readings) > 1:
             lines.append(
-                note("separate readings: {readings:.2f}", readings=Listed(map(Length, self.readings)))
+                note("from each reading alone: {readings:.2f}", readings=Listed(map(Length, self.readings)))
             )
         if self.youngs_modulus is not None and self.youngs_modulus_uncertainty is not None:
             modulus, apart = self.youngs_modulus, self.youngs_modulus_uncertainty

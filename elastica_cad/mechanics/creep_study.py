@@ -114,7 +114,8 @@ class Creep:
                 [
                     summary,
                     note(
-                        "The strip is then close to snapping (stability margin {margin:.3g}; at least 5 is safe).",
+                        "After creep the strip is close to snapping (stability margin {margin:.3g}; at least 5 is "
+                        "safe).",
                         margin=after.margin,
                     ),
                 ],

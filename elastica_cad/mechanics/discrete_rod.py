@@ -38,8 +38,8 @@ def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) 
         solution, info = lapack().dgtsv(off, diagonal + nudge, off, right)[-2:]
     if info != 0:
         raise NotConvergedError(
-            "the stiffness matrix of the rod is singular, because neighbouring shapes "
-            "are also in equilibrium. Hold one more position or angle of an end"
+            "the rod has no definite shape, because neighbouring shapes are also in equilibrium. Hold one "
+            "more position or angle of an end"
         )
     return np.asarray(solution)
 
@@ -112,8 +112,8 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
     )
     if info != 0:
         raise NotConvergedError(
-            "the stability of the rod cannot be computed, because its second variation overflows: check "
-            "its stiffness and its load"
+            "the stability of the rod cannot be computed, because the numbers become too large: check the "
+            "stiffness and the load of the rod"
         )
     return int(count)
 
@@ -202,7 +202,7 @@ def lowest_constrained(
     basis = orthonormal_rows(rows)
     rank = basis.shape[0]
     if n - rank < count:
-        raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
+        raise NotConvergedError(f"a rod of {n} segments is too coarse for {count} modes: use more samples")
     if n < _FEW and (rank or terms is None):
         return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
@@ -262,8 +262,8 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
         d, e, info = lapack().dpttrf(diagonal - shift, off)
     if info != 0:
         raise NotConvergedError(
-            "The stability is undecided, because the second variation of the rod has "
-            "numbers that are not finite. Check its stiffness and its load."
+            "The stability is undecided, because the computation gives numbers that are not finite. Check "
+            "the stiffness and the load of the rod."
         )
     return d, e, shift
 

@@ -73,12 +73,12 @@ class LaminatedSection:
         _refuse_stations(
             least * (1 - _TOUCH_SHARE) > EI,
             EI,
-            "less than the base alone has: narrow the base or raise the scale",
+            "less than that of the base alone: narrow the base or increase the stiffness",
         )
         _refuse_stations(
             most * (1 + _TOUCH_SHARE) < EI,
             EI,
-            "more than two full layers have: widen the base or lower the scale",
+            "more than that of two full layers: widen the base or reduce the stiffness",
         )
         A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights

@@ -454,7 +454,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise NotRealizable(refused)
     if rod.weight is not None and rod.bending_stiffness is None:
         raise InputError(
-            "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
+            "a straight vertical strip hangs straight with any stiffness: set its `bending_stiffness`"
         )
     # negative internal force: sum of the loads before each node, and half of the load at this node
     load = rod.nodal_load

@@ -136,7 +136,8 @@ class PointMass:
         """Arc length of the mass, mm. A mass at a point (x, y) must first be moved to a curve."""
         if isinstance(self.at, tuple):
             raise InputError(
-                "The point mass at {point} has no arc length. Give its place in mm along the rod.",
+                "The place of a point mass is the point {point}. Give its distance along the rod from the start "
+                "instead, in mm.",
                 point=Point(self.at),
             )
         return self.at

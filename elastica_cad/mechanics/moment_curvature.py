@@ -83,8 +83,8 @@ class MaterialLaw(ABC):
         reached = float(self.effective_curvature(top))
         if largest > reached * (1 + _ROUNDING_SHARE):
             raise InputError(
-                f"the largest moment needs an effective curvature of {largest:.4g} 1/mm, but the material "
-                f"law reaches only {reached:.4g} 1/mm: draw a gentler curve, or use a thinner sheet"
+                f"the material law reaches only {100 * reached / largest:.4g} % of the largest moment in the "
+                "strip: draw a gentler curve, or use a thinner sheet"
             )
         low, high = np.zeros(m.shape), np.full(m.shape, top)
         for _ in range(100):

@@ -460,7 +460,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
     if modes(1.0) < mode:
         raise InputError(
             "the load is too small to buckle the straight rod in mode {mode}: increase the load or the "
-            "length, or leave out `side`",
+            "length, or leave out `side` to keep the rod straight",
             mode=mode,
         )
     low, high = 0.0, 1.0

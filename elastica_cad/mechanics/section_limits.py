@@ -230,7 +230,8 @@ class ScaleRange:
         """Largest scale that can be built within the outer width (paper, section 8.1)."""
         if not self.feasible:
             raise InputError(
-                f"no bending stiffness (for K = 1) suits all stations (from 0): station {self.lowest_at} needs "
+                f"no bending stiffness (where the relative stiffness K is 1) suits all stations (numbered from "
+                f"0): station {self.lowest_at} needs "
                 f"at least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N "
                 f"mm2. Widen the strip at station {self.highest_at}, narrow the strip at station "
                 f"{self.lowest_at}, or lower the stiffness ratio"

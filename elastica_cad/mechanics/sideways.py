@@ -293,7 +293,9 @@ class SidewaysStability:
         return self.word in ("unstable", "low")
 
     def __str__(self) -> str:
-        return note("sideways {word}: {meaning}", word=note(self.rating), meaning=note(self.meaning))
+        return note(
+            "sideways stability: {word}; {meaning}", word=note(self.rating), meaning=note(self.meaning)
+        )
 
     @property
     def meaning(self) -> str:
@@ -601,15 +603,15 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
 def _two_lowest(lower: FloatArray) -> tuple[float, float]:
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError(
-            "The stability is undecided, because the second variation of the rod has "
-            "numbers that are not finite. Check its stiffness and its load."
+            "The stability is undecided, because the computation gives numbers that are not finite. Check "
+            "the stiffness and the load of the rod."
         )
     result = lapack().dsbevx(
         lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
     )
     if result[-1]:
         raise NotConvergedError(
-            "The stability is undecided, because the eigenvalues of the second variation do not converge. "
+            "The stability is undecided, because the computation of its eigenvalues does not converge. "
             "Compute the rod with more nodes."
         )
     return float(result[0][0]), float(result[0][1])

@@ -163,8 +163,9 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
         raise InputError(
-            "A conjugate point can be computed only if the angle at the end of the rod is held, but this "
-            "angle is free. If the angle at the start is held, reverse the rod."
+            "The conjugate point (the length at which the rod becomes unstable) can be computed only if the "
+            "angle at the end of the rod is held, but this angle is free. If the angle at the start is held, "
+            "reverse the rod."
         )
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
     count = _first_unstable_piece(rod)
@@ -214,7 +215,8 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
     solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
     if info != 0 or not np.all(np.isfinite(solution)):
         raise InputError(
-            "the conjugate point cannot be computed, because the tension in the rod is too large. Reduce the load"
+            "the conjugate point (the length at which the rod becomes unstable) cannot be computed, because the "
+            "tension in the rod is too large. Reduce the load"
         )
     return np.asarray(solution)
 

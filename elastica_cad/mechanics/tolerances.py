@@ -114,7 +114,9 @@ def feels_modulus(rod: Rod) -> bool:
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     """Return the least width of the strip, mm; refuse a `loss` of width that is at least as large."""
     if max_width is None:
-        raise InputError("a loss of width can be computed only for a known width: set `max_width`, in mm")
+        raise InputError(
+            "the effect of a loss of width depends on the width, which is unknown: set `max_width`, in mm"
+        )
     require_positive(max_width, "max_width")
     plate = _plate_of(rod.following())
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())

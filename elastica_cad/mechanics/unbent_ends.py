@@ -208,9 +208,9 @@ def _reasons(tail: FreeTail, off: float, allowed: float, reach: float) -> Iterat
     inside = tail.straight is not None and (tail.straight - tail.station) * (1 - 2 * tail.end) > reach
     if inside:
         yield note(
-            "The curve is straight as far as {straight}, but the element or load {station} from its start "
-            "would bend it there. Move the element or load to {straight}.",
-            straight=straight, station=Length(tail.station),
+            "The curve is straight between its free {end} and the place {straight} from its start, but the "
+            "element or load at {station} would bend this part. Move the element or load to {straight}.",
+            end=note("end" if tail.end else "start"), straight=straight, station=Length(tail.station),
         )  # fmt: skip
     elif off > allowed:
         yield note(

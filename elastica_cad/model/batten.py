@@ -181,7 +181,8 @@ class BattenSpec:
             raise InputError(f"the largest camber is at {100 * self.place:g} % of the chord: give 1 to 99 %")
         if not 0 <= self.full <= LARGEST_FULL_FRACTION:
             raise InputError(
-                "The batten has its full size over {percent:g} % of its length. Set {field} to 0 to {most:g} %.",
+                "The batten cannot have its full size over {percent:g} % of its length. Set {field} to 0 to "
+                "{most:g} %.",
                 percent=100 * self.full,
                 field=FieldName("full"),
                 most=100 * LARGEST_FULL_FRACTION,

@@ -304,8 +304,8 @@ class EndFixture(EqualByValue):
         shift, turn = self.lean
         yield note(
             "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the loaded "
-            "tab has its designed direction. In the drawing, its wall overlaps the straight tab by up to "
-            "{depth:.2g}. Do not correct the pocket.",
+            "tab has its designed direction. In the drawing, the wall of the pocket overlaps the straight tab by "
+            "up to {depth:.2g}. Do not correct the pocket.",
             fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)), depth=Length(depth),
             severity="note",
         )  # fmt: skip

@@ -191,7 +191,8 @@ def slotted_frame(
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
         raise InputError(
-            f"the tongue of a frame is {Mm(tongue):g} wide: for two rails, make it more than {Mm(2 * step):g}"
+            f"the tongue of a frame is {Mm(tongue):g} wide, too narrow to hold in its rails: make the "
+            f"tongue wider than {Mm(2 * step):g}"
         )
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
@@ -299,7 +300,8 @@ class _RibPlan:
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
-            f"{self.name}: the rails face each other, so no rib can join them from behind: use fixtures"
+            f"{self.name}: the rails face each other, so no rib can join them from behind. Hold the ends by "
+            "fixtures instead"
         )
 
 

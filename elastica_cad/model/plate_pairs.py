@@ -596,8 +596,11 @@ def through_slots(
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:
             raise InputError(
-                "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate, or inside it: give this "
-                "strip a longer tab, or move the ends of the strips into one plane",
+                "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate: lengthen this tab, or move "
+                "the ends of the strips into one plane"
+                if tip > 0
+                else "{name}: the tab of {name_2} ends inside the plate: lengthen this tab, or move the ends of "
+                "the strips into one plane",
                 name=options.name,
                 name_2=tab.name,
                 tip=Length(max(tip, 0.0)),

@@ -324,7 +324,10 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
     if seats:
         yield note("Glue or bolt each tab to its engraved outline on {rings}.", rings=_joined(seats))
     if any(plate.glued for plate in plates):
-        yield note("Glue each foot into the angle of its plate and the tab whose name it has.")
+        yield note(
+            "Glue each foot into the corner between its plate and the tab in its name, such as tab A:1 for "
+            "foot-A-1a."
+        )
     yield from engraved_marks(model, holders) if holders else ()
     # keep one plate of a pair, the plate next to the strips
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}

@@ -279,12 +279,12 @@ def bodies(
     """
     patches, colors = [], []
     if not is_series(meshes) or not all(is_series(mesh) and len(tuple(mesh)) == 3 for mesh in meshes):
-        raise InputError("The meshes have the wrong form. Pass a list of (vertices, triangles, color).")
+        raise InputError("The meshes cannot be read. Pass a list of (vertices, triangles, color).")
     for vertices, triangles, color in meshes:
         points, rows = numbers(vertices, "vertices"), numbers(triangles, "triangles").astype(int)
         if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
             raise InputError(
-                "A mesh has the wrong form. Pass vertices (n, 3) in mm and triangles (m, 3) of row numbers."
+                "A mesh cannot be read. Pass vertices (n, 3) in mm and triangles (m, 3) of row numbers."
             )
         patches.append(points[rows])
         colors.append(np.tile(np.asarray(color, dtype=float), (len(rows), 1)))

@@ -558,8 +558,8 @@ class BoundaryMaker:
             return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
         if isinstance(shape, BentMap):
             raise TypeError(
-                f"an edge across the bent strip is a {type(segment).__name__}, but its wall is plane only for "
-                "a Line. Draw the edges across the strip as lines"
+                f"an edge across the bent strip has the type {type(segment).__name__}. Draw it as a Line, so that "
+                "its cut face is plane"
             )
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)

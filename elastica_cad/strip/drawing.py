@@ -245,7 +245,7 @@ def _moved(item: LayeredPath, distance: float, kerf: float, tolerance: float) ->
         return offset_path(item.path, distance, tolerance=tolerance)
     except InputError as error:
         raise InputError(
-            "a kerf of {kerf:g} is too wide for a loop on {layer}: {error}",
+            "a kerf (width of the cut) of {kerf:g} is too wide for a closed cut on layer {layer}: {error}",
             kerf=Mm(kerf),
             layer=item.layer,
             error=error,
@@ -273,8 +273,8 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
             crossing = polylines_cross(outline(int(i)), outline(int(j)))
             if crossing is not None:
                 raise InputError(
-                    "with a kerf of {kerf:g} two cut loops meet at {crossing}: move them apart there or "
-                    "use a smaller kerf",
+                    "with a kerf (width of the cut) of {kerf:g}, two closed cuts meet at {crossing}: move them "
+                    "apart there or use a smaller kerf",
                     kerf=Mm(kerf),
                     crossing=place(crossing),
                 )
@@ -404,7 +404,7 @@ class _Loop:
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(
-                "the loop at {start} is {length:.4g} long, too short for {count} holding tabs {width:g} "
+                "the closed cut at {start} is {length:.4g} long, too short for {count} holding tabs {width:g} "
                 "wide: use fewer or narrower tabs",
                 start=place(self.segments[0].start),
                 length=Mm(self.length),

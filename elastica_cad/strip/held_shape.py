@@ -141,8 +141,8 @@ class HeldShape:
 
     def __str__(self) -> str:
         strays = note(
-            "A real strip, with widths that compensate anticlastic bending, deviates from its design by "
-            "about {far}, {percent:g} % of its length" if self.as_plate else
+            "A real strip, with widths that compensate anticlastic bending (bending across the strip), "
+            "deviates from its design by about {far}, {percent:g} % of its length" if self.as_plate else
             "A real strip deviates from its design by about {far}, {percent:g} % of its length",
             far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
         )  # fmt: skip

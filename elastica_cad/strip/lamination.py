@@ -143,8 +143,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "{field} is {most:g}, too narrow for the backing {high:.1f} from the start of the strip, because "
-                "the backing is at least {least:g} wide {low:.1f} from the start. Raise {field}",
+                "{field} is {most:g}, but a backing that is at least {least:g} wide {low:.1f} from the start of "
+                "the strip must be wider than {most:g} {high:.1f} from the start. Raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),

@@ -536,8 +536,8 @@ def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     if not faults or find_strip_faults(strip, shop):
         return better
     warning = note(
-        "The widths are not compensated, because the strip could then not be made: {fault}. Make the tabs as "
-        "wide as the ends of the strip, or the slots shallower.",
+        "The widths are not corrected for the expected deviation, because the corrected strip could not be "
+        "made: {fault}. Make the tabs as wide as the ends of the strip, or the slots shallower.",
         fault=faults[0].what,
         severity="warning",
     )

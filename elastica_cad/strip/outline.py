@@ -80,7 +80,7 @@ class TSlot:
         require_declared(TSlot, vars(self), "T-slot")
         if self.nut[0] <= self.screw:
             raise InputError(
-                "a nut {nut:g} wide is not held in a slot {screw:g} wide: make the nut wider",
+                "a nut {nut:g} wide slips through the slot of its screw, {screw:g} wide: make the nut wider",
                 nut=Length(self.nut[0]),
                 screw=Length(self.screw),
             )

@@ -493,8 +493,8 @@ class _Fit:
                     stiffness * self.K[i] / rigidity, scale * self.K[i] / rigidity, ".4g"
                 )
                 raise InputError(
-                    "the strip needs a material width of {needed:g} at {s:.1f} from the start, but only "
-                    "{given:g} fit: widen the outline or raise {field}",
+                    "{s:.1f} from the start, all ligaments (material between holes) together must be {needed:g} "
+                    "wide, but the outline and {field} allow only {given:g}: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
                     needed=Mm(needed),
                     s=Mm(self.s[i]),
@@ -560,7 +560,7 @@ class _Fit:
                 now=self.rod.ratio, most=rounded_down(ratio, 3),
             ))  # fmt: skip
         return note(
-            "if holes must also fit {s} from the start, {too_little}: {ways}",
+            "The outline is too narrow {s} from the start. If holes must fit there, {too_little}: {ways}",
             too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
         )  # fmt: skip
 

@@ -405,7 +405,8 @@ class BentSolid:
         solid = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
         if not solid.boundary.is_closed:
             raise InputError(
-                "loops of the flat pattern touch, so the bent strip is not a solid. Move holes and slots apart"
+                "holes, slots or edges of the flat part touch, so the bent strip is not a solid. Move the holes "
+                "and slots apart"
             )
         return solid
 
@@ -478,7 +479,7 @@ class PrismSolid:
             prisms = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
             object.__setattr__(self, name, prisms)
         if not self.added:
-            raise InputError("a body of prisms has no prisms: give at least one")
+            raise InputError("the list `added` of prisms is empty: give at least one prism")
 
 
 def convex_corners(points: FloatArray) -> FloatArray:

@@ -296,8 +296,8 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
-            "Where the strip closes, its ends are {start:.3g} and {end} wide. Choose another place for the "
-            "joint, leave out gravity, or make the curvature continuous there.",
+            "The ends of the closed strip do not fit together: one is {start:.3g} wide, the other {end}. Choose "
+            "another place for the joint, leave out gravity, or make the curvature continuous there.",
             start=start, end=Length(end), severity="warning",
         )  # fmt: skip
     widest = float(width.extremes[1])

@@ -161,7 +161,9 @@ def _check_section_law(
     other = getattr(law, "sheet", sheet)
     if other != sheet:
         raise InputError(
-            "the section law uses the sheet {name}, but the strip uses {name_2}: set the same sheet for both",
+            "{law} (varying thickness or diameter) uses the sheet {name}, but the strip uses {name_2}: set the "
+            "same sheet for both",
+            law=FieldName("law"),
             name=other.name,
             name_2=sheet.name,
             where={"field": "law"},
@@ -870,9 +872,9 @@ class StripSpec(EqualByValue):
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
-                "the own weight of a laminate acts fully in the plane of the curve and follows from its "
-                "sheets. Make this plane vertical, set {field} to the value of the base sheet, or leave out "
-                "{field}",
+                "the weight of a laminate is computed from its sheets and for a vertical plane of the curve, "
+                "but {field} has another value. Make this plane vertical, set {field} to the value of the base "
+                "sheet, or leave out {field}",
                 field=FieldName("gravity"),
             )
         widths = self.max_width, self.min_width

@@ -67,7 +67,7 @@ class TabSeat:
             edges = numbers(getattr(self, side), f"{side} edges of a seat")
             if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
                 raise InputError(
-                    f"{side} edges of a seat have the shape {edges.shape}: give rows (k, 2), in mm"
+                    f"{side} edges of the pocket for a tab have the shape {edges.shape}: give rows (k, 2), in mm"
                 )
             object.__setattr__(self, side, edges.reshape(-1, 2))
 

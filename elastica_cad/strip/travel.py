@@ -195,7 +195,7 @@ class Travel:
             ))  # fmt: skip
         if self.strained_at is not None:
             warnings.append(note(
-                "the strain exceeds the limit of the material beyond {place} (safety {safety:.2g}): use "
+                "the strain exceeds the limit of the material beyond {place} (limit / strain: {safety:.2g}): use "
                 "thinner material, a longer strip or less travel",
                 place=self.place_message(self.strained_at), safety=self.safety.min(),
             ))  # fmt: skip

@@ -584,7 +584,7 @@ def _suggestions_for_necks(
     field = outline_field(strip.style)
     if not wider:
         cure = note(
-            "Make the strip wider ({field}), or use the nearest curve with a smaller stiffness ratio"
+            "Make the strip wider ({field}), or let the program change the curve so that the widths differ less"
             if nearest
             else "Make the strip wider ({field}), or move its rails, pins, ties or loads",
             field=field,
@@ -592,14 +592,14 @@ def _suggestions_for_necks(
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
         wider = ()  # a wider strip would still have tips that are too thin
         cure = note(
-            "Use the nearest curve with a smaller stiffness ratio"
+            "Let the program change the curve so that the widths differ less"
             if nearest
             else "Move the rails, pins, ties or loads of the strip"
         )
     else:
         cure = note(
-            "Make the strip {width:g} wide or wider ({field}), or use the nearest curve with a smaller "
-            "stiffness ratio"
+            "Make the strip {width:g} wide or wider ({field}), or let the program change the curve so that "
+            "the widths differ less"
             if nearest
             else "Make the strip {width:g} wide or wider ({field}), or move its rails, pins, ties or loads",
             field=field,
@@ -721,7 +721,9 @@ def _too_large(
             yield Fault(name, what, cure, (fits,))
         else:
             cure = note(
-                "Set a larger stock, make the strip from pieces that plates join (lap), or make the curve smaller"
+                "Set a larger stock, cut the strip in pieces that are joined by plates ({field}), or make the "
+                "curve smaller",
+                field=FieldName("shop.lap"),
             )
             lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
             yield Fault(name, what, cure, (lap,))

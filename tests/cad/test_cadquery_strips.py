@@ -184,7 +184,7 @@ class TestBadInput:
             cq.Workplane().elasticStrip(SHEET, max_width=3)
 
     def test_unknown_form(self):
-        with pytest.raises(InputError, match="flat, bent or outline"):
+        with pytest.raises(InputError, match="flat, bent, outline"):
             cq.Workplane().spline(POINTS).elasticStrip(SHEET, max_width=3, form="rolled")
 
     def test_no_edge(self):

@@ -190,5 +190,5 @@ def test_prisms_must_make_one_body():
     apart = FlatSolid(Path.rectangle(10, 10, corner=(20, 0)), thickness=2.0)
     with pytest.raises(ValueError, match="form 2 separate pieces"):
         occt.make_solid(PrismSolid((plate, apart)))
-    with pytest.raises(ValueError, match="has no prisms"):
+    with pytest.raises(ValueError, match="of prisms is empty"):
         PrismSolid(())

@@ -307,10 +307,10 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
     upright, tipping = strip.create(document, sketch), strip.create(document, drawn(LOOP, 3))
     tipping.MaxWidth, tipping.Anyway = 5, True  # narrower than a workshop takes
     document.recompute()
-    assert upright.Sideways == "sideways stable: the strip stays in its plane"
+    assert upright.Sideways == "sideways stability: stable; the strip stays in its plane"
     assert upright.SidewaysMargin == pytest.approx(strip.strip_of(upright).sideways.margin)
     assert re.match(
-        r"sideways unstable: the strip tips over sideways .*wider",
+        r"sideways stability: unstable; the strip tips over sideways .*wider",
         tipping.Sideways,
     )
     assert tipping.SidewaysMargin < 0

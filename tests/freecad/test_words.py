@@ -142,7 +142,9 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     assert worded(note("{place}", place=Point((25.4, -50.8)))) == "(25,4; -50,8) mm"
     assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
     tips = SidewaysStability(-24.1, -40.2, 0.1, 100.0)
-    assert worded(str(tips)).startswith("seitlich instabil: der Streifen kippt zur Seite oder dreht sich")
+    assert worded(str(tips)).startswith(
+        "seitliche Stabilität: instabil; der Streifen kippt zur Seite oder dreht sich"
+    )
     with pytest.raises(InputError) as unknown:
         Sheet.named("birch-plywood-8")
     assert worded(unknown.value.refusal) == (

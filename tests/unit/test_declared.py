@@ -60,7 +60,7 @@ def test_forms_know_all_fields_of_a_strip():
 
 def test_what_no_file_can_hold_is_declared_by_what_is_written():
     assert kind_of(float | None).name == "number"
-    with pytest.raises(TypeError, match="set its type in files"):
+    with pytest.raises(TypeError, match="set the type in files"):
         kind_of(3)
 
 

@@ -282,7 +282,7 @@ test_refusals = refusal_test(
     [
         (
             lambda: meridian_through([(80, 0), (100, 60), (60, 120), (0.001, 140)]),
-            r"end them on it \(x = 0\), or on a ring",
+            r"end the points on it \(x = 0\), or on a ring",
         ),
         # Nodes alone could be satisfied here, by a curve that misses the equation between them.
         (

@@ -128,7 +128,7 @@ def test_the_share_at_which_it_snaps_is_of_the_whole_movement(tmp_path, to):
         made = run(f"bend low.csv {to} --steps {steps} -o out --force", cwd=tmp_path)
         shares += [
             float(one)
-            for one in re.findall(r"the rod snaps into another shape after ([\d.]+) %", made.stderr)[:1]
+            for one in re.findall(r"the strip snaps into another shape after ([\d.]+) %", made.stderr)[:1]
         ]
     assert shares == pytest.approx([shares[0]] * 2, abs=0.3)
 
@@ -137,7 +137,7 @@ def test_places_of_a_turn_are_in_degrees(tmp_path):
     (tmp_path / "low.csv").write_text(LOW)
     made = run(f"bend low.csv {TURNED} --steps 6 -o out --json", cwd=tmp_path)
     told = json.loads(made.stdout)
-    (share,) = re.findall(r"the rod snaps into another shape after ([\d.]+) %", "\n".join(told["notes"]))
+    (share,) = re.findall(r"the strip snaps into another shape after ([\d.]+) %", "\n".join(told["notes"]))
     whole = told["travel"]["turn_deg"][-1]
     assert told["unit"] == "deg"
     assert set(told["travel"]["travel_mm"]) == {0.0}

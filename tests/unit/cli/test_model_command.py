@@ -643,7 +643,7 @@ def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
     cut_only(design, tmp_path / "service", "cut.for=service")
     assert not [*(tmp_path / "service").rglob("*.dxf")]
     short = cut_only(design, tmp_path / "short", "shop.stock=[500, 100]")
-    assert "P: longer than a rod to buy (500 mm)" in short
+    assert "P: longer than the rods that you buy (500 mm)" in short
     assert "10 rods" not in short  # the rests of two poles share a rod
     assert "8 rods of Pultruded glass rod 4 mm, 500 mm long" in short
 

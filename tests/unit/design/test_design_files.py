@@ -440,7 +440,7 @@ def test_sections_of_a_mesh_become_strips(dome, read):
         (DOME + "parallel = { normal = [0, 1, 0], offsets = [500] } }", "no plane gives a strip: .*misses"),
         (DOME + "parallel = { normal = [0, 0, 1], offsets = [20], up = [0, 1, 0] } }", "closed"),
         (DOME + "scale = 0, radial = {} }", "give a number above 0"),
-        (DOME + "radial = {} }\ncount = 3", "count has no effect together with sections"),
+        (DOME + "radial = {} }\ncount = 3", "count has no effect, because"),
         (DOME + "radial = { cuont = 3 } }", "did you mean count"),
         (
             DOME + "parallel = { normal = [0, 1, 0], count = 1e9 } }",

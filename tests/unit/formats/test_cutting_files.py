@@ -272,7 +272,7 @@ def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tol
         ({"layers": {"MARK": "engrave"}}, "two layers have the same name"),
         ({"layers": {"MARK": "my marks"}, "version": "R12"}, "R12 does not allow the layer name 'my marks'"),
         ({"kerf": 20.0}, "kerf is 20 mm, wider than the cut of any tool"),
-        ({"kerf": 10.0}, "kerf of 10 mm is too wide"),
+        ({"kerf": 10.0}, "of 10 mm is too wide"),
         ({"kerf": np.nan}, "kerf is nan"),
     ],
 )

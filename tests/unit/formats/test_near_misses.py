@@ -40,7 +40,10 @@ def test_gaps_of_one_unit_of_the_last_digit_are_closed(drawing, unit, radius, ga
     curves = drawing(_arcs(gap, radius), unit)
     assert len(curves) == 1
     assert not curves[0].has_corners
-    assert "gaps of one unit in the last digit of the file were closed: 1, the widest" in curves.notes[0]
+    assert (
+        "gaps as small as the last digit of the numbers in the file were closed: 1, the widest"
+        in curves.notes[0]
+    )
 
 
 @pytest.mark.parametrize("millimetres", [0.2, 1.7, 2.9])

@@ -120,7 +120,7 @@ def test_offered_places():
     (first, last) = split(curve).ranges[0]
     places = [first - 20, (first + last) / 2, last + 1]
     assert split(curve, places=places).supports == pytest.approx([(first + last) / 2])
-    with pytest.raises(NotRealizable, match="give more places"):
+    with pytest.raises(NotRealizable, match="Give another place between them"):
         split(curve, places=[first / 2])
 
 

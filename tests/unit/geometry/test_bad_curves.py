@@ -22,7 +22,7 @@ KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
         (KNOTS[:-1], GOOD, 3, None, "give 8 knots"),
         ([0, 0, 0, 0, 1, 1, np.nan, 1], GOOD, 3, None, "knots holds NaN"),
         ([0, 0, 0, 0, 1, 1, 0.5, 1], GOOD, 3, None, "knot 6 is less than knot"),
-        ([0] * 8, GOOD, 3, None, "no domain"),
+        ([0] * 8, GOOD, 3, None, "has no length"),
         ([0, 0, 0, 0, 1e92, 1e92, 1e92, 1e92], GOOD, 3, None, r"from 0 to 1e\+92, .* scale them to 0..1"),
         ([1e15] * 4 + [1e15 + 2] * 4, GOOD, 3, None, "scale them to 0..1"),
         ([0] * 4 + [1e-20] * 4, GOOD, 3, None, "scale them to 0..1"),

@@ -159,7 +159,7 @@ def test_a_hardening_rod_snaps_on_any_number_of_nodes():
     for samples in (151, 301):
         rod = Rod.straight(62.374, profile, samples=samples, law=law)
         rod = bend(rod, end=(50.85, 2.56), angles=(0.1184, 0.9364), side=1)
-        assert "the rod snaps into another shape after 99" in rod.warnings[0]
+        assert "the strip snaps into another shape after 99" in rod.warnings[0]
         margins.append(stability(rod).margin)
     assert margins[0] == pytest.approx(margins[1], rel=1e-3)
 

@@ -142,7 +142,7 @@ class TestFreeEnd:
     @pytest.mark.parametrize(
         ("end", "options", "says"),
         [
-            (None, {}, "give the angle of a clamp at the start"),
+            (None, {}, "give the angle at the start"),
             (None, {"angles": (0, None), "force": "down"}, "force is .*: give two numbers"),
             (None, {"angles": (0, None), "force": (1, 2, 3)}, "force is .*: give two numbers"),
             ((60, 0), {"force": (0, 1e-4)}, "give None for the end, or no force"),

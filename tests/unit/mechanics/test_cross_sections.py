@@ -152,10 +152,10 @@ def test_scale_range_of_touching_limits_is_feasible():
         (lambda: PlainSection(sheet()).width(float("nan")), "bending stiffness is nan"),
         (lambda: two_layers().bending_stiffness(5.0, 6.0), "to the width of the base, 5"),
         (lambda: two_layers().bending_stiffness(5.0, -1.0), "to the width of the base, 5"),
-        (lambda: two_layers().backing_width(5.0, 1e-3), "less than the base alone"),
+        (lambda: two_layers().backing_width(5.0, 1e-3), "less than that of the base alone"),
         (
             lambda: two_layers().backing_width([5.0, 5.0], [200.0, 1e9]),
-            "station 1 .* more than two full layers",
+            "station 1 .* more than that of two full layers",
         ),
         (lambda: two_layers().scale_range(5.0, [1.0, -1.0]), "stiffness is -1 at station 1"),
         (lambda: two_layers().scale_range(5.0, 1.0, least_backing=-1.0), "give 0 or more"),

@@ -117,9 +117,9 @@ def test_an_almost_straight_tail_is_straightened():
         (
             TAILED,
             (180, Q),
-            "straight as far as 200 mm, but the element or load 180 mm from its start would bend it there",
+            "the place 200 mm from its start, but the element or load at 180 mm would bend this part",
         ),
-        (TAILED, (P, 1200), "straight as far as 1146.* mm, but the element or load 1200 mm"),
+        (TAILED, (P, 1200), "between its free end and the place 1146.* mm .* load at 1200 mm"),
         (with_tails(bend=1e-4), (P, Q), "from a straight line .allowed: 0.13 mm.. Draw this part straight"),
         (ec.PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=np.pi), (90, 394), "The end is free"),
     ],

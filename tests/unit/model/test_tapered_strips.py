@@ -101,7 +101,7 @@ test_refusals = refusal_test(
     [
         (
             lambda: StripSpec(ARCH, CARD, law=THICKNESS),
-            "the section law uses the sheet glass, but the strip uses card-200gsm",
+            "law .* uses the sheet glass, but the strip uses card-200gsm",
         ),
         (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"use the nearest curve \(limits\)"),
         (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip has no plies"),

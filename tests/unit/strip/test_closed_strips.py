@@ -223,7 +223,7 @@ def test_what_does_not_close():
     with pytest.raises(InputError, match="closed strip needs one sheet"):
         make_strip(CIRCLE, PLY, style=Laminated(width=20, backing=Sheet.named("card-200gsm")))
     heavy = make_strip(CIRCLE, PLY, max_width=20, gravity=Gravity(300.0, (1.0, 0.3)), seam_position=40.0)
-    assert any(text.startswith("Where the strip closes") for text in heavy.warnings)
+    assert any(text.startswith("The ends of the closed strip do not fit") for text in heavy.warnings)
 
 
 def test_pattern_and_report():

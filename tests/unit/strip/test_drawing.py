@@ -125,7 +125,7 @@ def test_no_kerf_changes_nothing():
         (
             [(CUT_OUTER, Path.rectangle(10, 10)), (CUT_OUTER, Path.rectangle(10, 10, corner=(10.1, 5)))],
             0.15,
-            r"two cut loops meet at \(10.0",
+            r"two closed cuts meet at \(10.0",
         ),
         (
             [(CUT_OUTER, Path.circle((0, 0), 5)), (CUT_INNER, Path.circle((0, 4), 0.95))],
@@ -143,7 +143,7 @@ def test_impossible_kerfs_are_refused_with_their_place(items, kerf, message):
 
 def test_slots_of_a_part_are_checked_too():
     comb = Path.polygon([(0, 0), (20, 0), (20, 10), (10.1, 10), (10.1, 4), (10, 4), (10, 10), (0, 10)])
-    with pytest.raises(InputError, match=r"kerf of 0.15 mm.*removes the path at \(10"):
+    with pytest.raises(InputError, match=r"kerf .* of 0.15 mm.*removes the path at \(10"):
         compensate_kerf(Drawing("comb", [LayeredPath(CUT_OUTER, comb)]), 0.15)
 
 

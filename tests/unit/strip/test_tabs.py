@@ -49,7 +49,7 @@ def test_the_slot_lies_in_the_middle_of_the_edge():
     ("make", "message"),
     [
         (lambda: TSlot(-1), "T-slot depth is -1: give a number above 0, in mm"),
-        (lambda: TSlot(10, nut=(3.0, 2.0)), "is not held in a slot"),
+        (lambda: TSlot(10, nut=(3.0, 2.0)), "slips through the slot"),
         (lambda: TSlot(5), "is too shallow for its nut, which reaches 6.6 mm deep"),
         (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab 10 mm long"),
         (lambda: Tab(10, taper=2, chamfer=1), "cannot have a corner radius or a chamfer"),
