@@ -74,7 +74,7 @@ OURS = {
         "the same with 5001 nodes",
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-arch]": (
-        "`check_equilibrium` (the verdict on a curve) of a drawn arch",
+        "`check_equilibrium` (can a strip take the curve?) of a drawn arch",
         BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-wave]": (
@@ -107,11 +107,11 @@ OURS = {
     ),
     "test_batch_speed.py::test_ten_thousand": (
         "10,000 nearest rods in two processes",
-        "half the time of one process",
+        "the same in one process, half of its time",
     ),
     "test_batch_speed.py::test_memory_is_constant": (
-        "largest memory of 600 nearest rods",
-        "largest memory of 200 nearest rods",
+        "largest memory that Python uses for 600 nearest rods",
+        "the same for 200 nearest rods",
     ),
     "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
         "interlocking the Pavilion: 102 slots in 31 strips",
@@ -133,7 +133,7 @@ ALONE = {
     "test_nearest_speed.py::test_unstable_s": (
         "the nearest stable curve of an unstable S, with the same end tangents"
     ),
-    "test_nearest_speed.py::test_march_with_sensitivities": "integration along 201 nodes, with all derivatives",
+    "test_nearest_speed.py::test_march_with_sensitivities": "integration of one rod of 201 nodes, with derivatives",
 }
 """What has no peer."""
 
@@ -145,7 +145,7 @@ PROCESSES = {
     ),
     "test_command_speed.py::test_whole_process[pavilion]": "`elastica model pavilion.toml`: 31 strips, 102 slots",
     "test_command_speed.py::test_whole_process[perforated]": (
-        "`elastica strip`: 1220 holes, with a picture, without STEP files"
+        "`elastica strip` of a strip with 1220 holes: with a picture, without STEP files"
     ),
     "test_command_speed.py::test_whole_process[lamp]": (
         "`examples/lamp/lamp.py`: with its pictures, without STEP files"
@@ -157,7 +157,7 @@ BODIES = {
     "test_cad_speed.py::test_one_strip[FlatSolid]": "flat strip",
     "test_cad_speed.py::test_one_strip[BentSolid]": "bent strip",
     "test_cad_speed.py::test_assembly_of_31_slotted_strips": "31 bent strips with six slots each",
-    "test_cad_speed.py::test_a_strip_bent_forward": "record of a strip that is bent forward",
+    "test_cad_speed.py::test_a_strip_bent_forward": "strip bent by `bend`: its `BentSolid`, without OpenCASCADE",
 }
 """Bodies of OpenCASCADE."""
 
@@ -233,7 +233,7 @@ def page(kept: dict[str, Any]) -> str:
     )
     parts += table(
         "Compared with other tasks",
-        ["task", "other task", "our time", "ratio"],
+        ["task", "other task", "our time or memory", "ratio"],
         [[*words, seconds(found[name]), ratio(found[name])] for name, words in OURS.items()],
     )
     parts += table(

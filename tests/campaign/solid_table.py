@@ -15,7 +15,7 @@ STYLES = ("plain", "held", "slotted", "perforated", "laminated")
 CURVES = 30  # of the bank
 
 MEANT = {
-    "volume": "volume, as the program shows it",
+    "volume": "volume, as the CAD program shows it",
     "fillet": "fillet 0.2 mm, long edges, bent",
     "chamfer": "chamfer 0.2 mm, long edges, bent",
     "fillet flat": "fillet 0.2 mm, all round, flat",
@@ -27,24 +27,25 @@ MEANT = {
     "boolean": "boolean: a box cut out, bent",
     "mirror": "mirror, bent",
     "split": "split by a plane, bent",
-    "mesh": "gmsh, worst SICN 0.3 or better, bent",
-    "STEP": "STEP there and back, bent",
-    "BOP": "check before boolean operations, bent",
+    "mesh": "mesh by gmsh, worst quality (SICN) at least 0.3 of 1, bent",
+    "STEP": "STEP written and read again, bent",
+    "BOP": "the check that precedes boolean operations, bent",
 }
 """What each operation of `operations.py` does, in the order of the tables."""
 
 HEAD = """# Bodies in three CAD kernels
 
 `make campaign-solids` writes this page. The tables count how often an operation of build123d, CadQuery or FreeCAD
-succeeds on the bodies of strips. The strips have thirty curves, each in five styles. "29/30" means that 29 of 30
-operations succeeded. If the second number is smaller than 30, the other bodies have not been tried yet. The
-resulting body must be valid, and its volume must be right where the volume is known. An operation that takes more
-than 10 s of processor time (shells 20 s, meshes and checks 60 s) counts as failed.
+succeeds on the bodies of strips. All three use the kernel OpenCASCADE, in different versions. The strips have
+thirty curves, each in five styles. "29/30" means that 29 of 30 operations succeeded. If the second number is
+smaller than 30, the other bodies have not been tried yet. The resulting body must be valid, and its volume must be
+right where the volume is known. An operation that takes more than 10 s of processor time (shells 20 s, meshes and
+checks 60 s) counts as failed.
 
-An operation that fails is repeated on plain bodies with the same faces. Their long sides are splines through 9,
-17, 25, 40 and 90 points; the bodies of this program have splines through 90 points. If the operation also fails
-on a plain body, the cause is the kernel, not this program. These failures are in the column *plain body fails
-too*. All other failures are in the column *ours only*, and are listed at the end.
+An operation that fails is repeated on simpler bodies. They have the same faces, but their long sides are drawn
+anew, as splines through 9, 17, 25, 40 and 90 points. If the operation also fails on a simpler body, the cause is
+the kernel, not this program. These failures are in the column *simpler body fails too*. All other failures are
+in the column *ours only*, and are listed at the end.
 
 The styles are: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
 (the backing). For CadQuery, meshes and checks are not repeated, because its bodies are those of build123d 0.12 in
@@ -128,7 +129,7 @@ def _counted(bodies: Sequence[dict[str, Any]]) -> list[str]:
         cells = [f"{good[s]}/{good[s] + bad[s]}" if good[s] + bad[s] else "" for s in STYLES]
         if any(cells):
             rows.append((meant, *cells, str(plain[False]), str(plain[True])))
-    return _table(("operation", *STYLES, "plain body fails too", "ours only"), rows)
+    return _table(("operation", *STYLES, "simpler body fails too", "ours only"), rows)
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], words: int = 1) -> list[str]:
