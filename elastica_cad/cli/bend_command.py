@@ -553,9 +553,14 @@ def _stability_row(
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         sideways = {side.word for side in moved.sideways} if moved is not None else set()
-        text = "stable, in its plane and sideways" if sideways == {"ample"} else "stable in its plane"
+        every = " at every step" if states[1:] else ""
+        if sideways == {"ample"}:
+            return Row(
+                "Stability",
+                f"stable{every}: the strip neither snaps into another shape nor tips over sideways",
+            )
         undecided = "; sideways undecided" if "undecided" in sideways else ""
-        return Row("Stability", text + (" at every step" if states[1:] else "") + undecided)
+        return Row("Stability", f"stable in its plane{every}{undecided}")
     where = f" from {_place(step, shapes, moved, change)} on" if states[1:] else ""
     return warning_row(f"{states[step]}{where}", "Stability")
 

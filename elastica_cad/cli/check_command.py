@@ -289,7 +289,11 @@ def _widths_row(ratio: float) -> Row:
     if ratio < EVEN:
         return Row("Widths", "the same along the whole strip")
     example = f"{WIDE_MM:g} and {WIDE_MM / ratio:.3g} mm"
-    return Row("Widths", f"the widest place is {ratio:.3g} times as wide as the narrowest, e.g. {example}")
+    return Row(
+        "Widths",
+        f"the strip varies in width: its widest place is {ratio:.3g} times as wide as its narrowest, "
+        f"e.g. {example}",
+    )
 
 
 def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
@@ -300,7 +304,7 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "first the most strained of each kind")
+        _first_names(fitting, "first of each kind the one closest to its strain limit")
         if fitting
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'first the least enlarged')}",
         details,

@@ -177,7 +177,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     model, cut_list = contents.model, contents.cut_list
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
-        say_row(Row("Scale", f"{factors} of the drawn size, to reach the lengths that the design sets"))
+        say_row(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
     sizes: dict[str, list[EqualStrips]] = {}
     for part in model.parts:
         shape = contents.held.get(model.single_name_of(part.members[0]))

@@ -7,10 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
+from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
@@ -18,15 +20,19 @@ from elastica_cad.formats.curve_writer import FitWarning, write_curves
 from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.theorem1 import require_bendable
-from elastica_cad.refusals import Severity
+from elastica_cad.refusals import Point, Severity
 from elastica_cad.report_rows import Row, warning_row
 
 NO_MAP = "Moving these corners cannot make the curve possible for a strip. Redraw the curve."
 
 KINDS = ("dxf", "svg", "json")
+
+MOVED = 0.1
+"""Displacement of a corner in the example of a message, as a fraction of the width of the curves."""
 
 
 @click.command()
@@ -37,13 +43,13 @@ KINDS = ("dxf", "svg", "json")
     "--bottom-left",
     type=POINT,
     metavar="X Y",
-    help=("New position of this corner of the curve's bounding box, mm."),
+    help="New position of this corner of the frame, the upright rectangle around the curves, mm.",
 )
 @click.option("--bottom-right", type=POINT, metavar="X Y", help="New position of that corner, mm.")
 @click.option("--top-right", type=POINT, metavar="X Y", help="New position of that corner, mm.")
 @click.option("--top-left", type=POINT, metavar="X Y", help="New position of that corner, mm.")
 @click.option("--handle", "handles", type=(LENGTH,) * 4, multiple=True, metavar="X Y TO_X TO_Y",
-              help="Instead of corners, four times: position and new position of a handle, mm.")  # fmt: skip
+              help="Instead of corners, four times: a place of the drawing, and its new position, mm.")  # fmt: skip
 @output_options
 @click.pass_context
 def reshape(
@@ -58,9 +64,9 @@ def reshape(
     output: Path,
     **corners: tuple[float, float] | None,
 ) -> None:
-    """Stretch and skew the curves in CURVE by four handles.
+    """Stretch and skew the curves in CURVE by moving the corners of their frame.
 
-    By default the handles are the corners of the frame around the curves.
+    The frame is the upright rectangle around the curves. --handle moves four other places instead of the corners.
 
     \b
       elastica reshape wave.dxf --top-right 265 190 --top-left 20 130
@@ -123,16 +129,24 @@ def _map_of_options(
     if corners:
         return map_corners(curves, corners)
     if not handles:
-        options = ", ".join(map(option_name, CORNERS))
+        low, (right, top) = box_around(np.array([curve.bounds for curve in curves]))
         raise InputError(
             (
-                "The new shape is missing. Set the new position of a corner of the curve's bounding box "
-                "({options}), or use --handle four times."
+                "The new shape is missing. Give a new position of a corner of the frame around the curve "
+                "({options}), such as --top-right {x} {y}. The frame reaches from {low} to {high}."
             ),
-            options=options,
+            options=", ".join(map(option_name, CORNERS)),
+            x=typed_length(round(float(right + MOVED * (right - low[0])), 1)),
+            y=typed_length(round(float(top), 1)),
+            low=Point(low),
+            high=Point((right, top)),
         )
     if len(handles) != 4:
-        raise InputError("--handle occurs {count} times. Use it exactly four times.", count=len(handles))
+        raise InputError(
+            "--handle moves 4 places at once, but is given {count} times. Give 4 places of the drawing, each with "
+            "its new position: --handle X Y TO_X TO_Y.",
+            count=len(handles),
+        )
     return four_point_map([handle[:2] for handle in handles], [handle[2:] for handle in handles])
 
 

@@ -71,19 +71,22 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.command()
 @click.argument("mesh", type=click.Path(path_type=Path))
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
-              help="Unit of the file, because meshes name none.")  # fmt: skip
+              help="Unit of a mesh, whose file names none [default: mm]. A STEP file names it.")  # fmt: skip
 @click.option("--scale", type=POSITIVE, help="Scale factor from file to model, in addition to the unit.")
 @click.option(
-    "--radial", type=click.IntRange(1, 1000), metavar="N", help="Number of half planes around the axis."
+    "--radial",
+    type=click.IntRange(1, 1000),
+    metavar="N",
+    help="Cut by N half planes that begin at the axis, at equal angles, as a cake is cut.",
 )
 @click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
-              help="Angle of a half plane around the axis; repeatable.")  # fmt: skip
+              help="Cut by the half plane at this angle around the axis; repeatable.")  # fmt: skip
 @click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
-              help="Number of planes perpendicular to the axis, through the middles of equal slices.")  # fmt: skip
+              help="Cut by N planes perpendicular to the axis, through the middles of equal slices.")  # fmt: skip
 @click.option("--offset", "offsets", type=LENGTH, multiple=True, metavar="MM",
-              help="Distance of a plane perpendicular to the axis from the point; repeatable.")  # fmt: skip
+              help="Cut by the plane perpendicular to the axis, this far from --point; repeatable.")  # fmt: skip
 @click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
-              help="Path of perpendicular planes: a text or CSV file with rows x, y, z in mm.")  # fmt: skip
+              help="Cut by planes perpendicular to a path: a text or CSV file of rows x, y, z in mm.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, 1000), metavar="N",
               help=f"Number of planes along the path  [default: {ALONG}]")  # fmt: skip
 @click.option(
@@ -96,29 +99,41 @@ POSITIVE = click.FloatRange(0, min_open=True)
               help=("Direction of the axis [default: up; for parallel planes the longest side of the bounding "
                     "box]."))  # fmt: skip
 @click.option(
-    "--zero", type=TRIPLE, metavar="X Y Z", help="Direction of angle 0 of half planes [default: x]."
+    "--zero",
+    type=TRIPLE,
+    metavar="X Y Z",
+    help="Direction, seen from the axis, of the half plane at angle 0 [default: x].",
 )
-@click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward direction in the planes [default: z].")
+@click.option(
+    "--up",
+    type=TRIPLE,
+    metavar="X Y Z",
+    help="Direction in space that points up in the drawn sections [default: z]. Not for half planes.",
+)
 @click.option("--split", "splits", type=(*SPACE_POINT, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
-              help="Split sections at the plane through a point with this normal; repeatable.")  # fmt: skip
+              help="Split sections at a plane: one of its points, and a direction perpendicular to it; "
+                   "repeatable.")  # fmt: skip
 @click.option("--split-at", "split_at", type=SPACE_POINT, multiple=True, metavar="X Y Z",
               help="Split sections at the place nearest to this point; repeatable.")  # fmt: skip
 @click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
-              help="Split sections at corners with a larger angle.")  # fmt: skip
-@click.option("--longest", is_flag=True, help="Only the longest line of every section.")
+              help="Split sections at corners where the line turns by more than this angle.")  # fmt: skip
+@click.option("--longest", is_flag=True, help="Keep only the longest line of every section.")
 @click.option("--tolerance", type=Length(positive=True), default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
 @click.option("--wavelength", type=Length(positive=True), metavar="MM",
-              help="Remove waves shorter than this first.")  # fmt: skip
+              help="Smooth waves of the sections shorter than this, before curves are fitted.")  # fmt: skip
 @sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
 @click.option("--max-width", type=Length(positive=True), default=20.0, show_default=True, metavar="MM",
               help="Largest width of the strips, in the design file.")  # fmt: skip
 @click.option("--ratio", type=click.FloatRange(1), default=RATIO, show_default=True, metavar="R",
-              help="Largest stiffness ratio, in the design file; curves change as little as possible.")  # fmt: skip
-@click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
+              help="Largest stiffness ratio, in the design file: the widest place is at most R times as stiff as "
+                   "the narrowest. For this, curves change as little as possible.")  # fmt: skip
+@click.option("--margin", type=float, metavar="MU",
+              help="Least stability margin, in the design file; a strip is stable above 0, safely stable "
+                   "from 5.")  # fmt: skip
 @click.option("--gravity", is_flag=True, help="Include the weight of strips, along -z, in the design file.")
 @click.option("--stand", metavar="NAME", default="hdf-1.5", show_default=True,
-              help="Sheet of plates that hold the strips, in the design file; `none`: no plates.")  # fmt: skip
+              help="Sheet of the plates that hold the strips, in the design file; none for no plates.")  # fmt: skip
 @output_options
 def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     """Cut a mesh or a CAD body into curves for strips.
@@ -128,10 +143,11 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     \b
       elastica sections pot.obj --unit cm --radial 16 --sheet card-200gsm -o out
       elastica sections horse.stl --parallel 20 --axis 1 0 0 --split 0 0 0 0 1 0 --sheet card-200gsm -o out
-      elastica model out/horse-sections.toml -o kit          make the nearest strips, sheets and cut list
+      elastica model out/horse-sections.toml -o kit          make the strips, cutting files and cut list
 
     Writes NAME-sections.json (the exact curves), NAME-sections.dxf (the curves side by side) and, with --sheet,
-    NAME-sections.toml, a design file for `elastica model`. A section without a curve is reported and left out.
+    NAME-sections.toml, a design file for `elastica model`. A section to which no curve
+    can be fitted is reported and left out.
     """
     if chosen["sheet"] is not None:
         requested_sheet(chosen)

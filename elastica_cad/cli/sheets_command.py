@@ -56,11 +56,13 @@ def sheets(name: str | None) -> None:
         say(
             "\n--sheet: the word to type after --sheet; E: Young's modulus, the stiffness of the material; strain: "
             "largest allowed strain;\nradius: least allowed bending radius; kerf: width of a laser cut, - if "
-            "not known. All properties: elastica sheets NAME"
+            "not known; across the grain: for strips cut\nacross the face grain. All properties: elastica "
+            "sheets NAME"
         )
         count = len(library_sheets()[0])
         folders = ", ".join(map(str, library_folders()))
-        say(f"library, for your own sheets: {folders} ({counted(count, 'sheet') if count else 'empty'})")
+        contents = counted(count, "sheet") if count else "empty"
+        say(f"library: put the files of your own sheets into {folders} (now {contents})")
         for problem in library_sheets()[1]:
             warn(f"Note: {problem}")
         return
@@ -70,9 +72,11 @@ def sheets(name: str | None) -> None:
         "thickness": f"{sheet.thickness:g} mm",
         "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa"
         + _in_range(sheet.youngs_modulus_range),
-        "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else " (assumed)"),
+        "Poisson's ratio": f"{sheet.poisson_ratio:g}"
+        + ("" if sheet.poisson_known else " (assumed; used for estimates only)"),
         "shear modulus": f"{number_text(sheet.shear_ratio * sheet.youngs_modulus, '.4g')} MPa"
-        + ("" if sheet.shear_modulus else " (assumed, as without grain)"),
+        + ", against twisting and tipping over sideways"
+        + ("" if sheet.shear_modulus else " (assumed, as of a material without grain)"),
         "density": f"{sheet.density:g} kg/m3",
         "largest strain": f"{100 * sheet.max_strain:.3g} %" + _in_range(sheet.max_strain_range, 100),
         "least radius": f"{number_text(sheet.least_radius, '.4g')} mm",
@@ -103,7 +107,7 @@ def _in_range(limits: tuple[float, float] | None, factor: float = 1.0) -> str:
     if limits is None:
         return ""
     low, high = (number_text(factor * limit) for limit in limits)
-    return f" (sources: {low} to {high})"
+    return f" (range {low} to {high})"
 
 
 def _published_radii(sheet: Sheet) -> dict[str, str]:

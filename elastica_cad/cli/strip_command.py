@@ -288,4 +288,7 @@ def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, s
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
     cut = [cut_text(kerf, strip.sheet.kerf)]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
-    wrote(written, {f"{result.name}.dxf": "; ".join(cut), f"{result.name}-holding.dxf": "template"})
+    wrote(
+        written,
+        {f"{result.name}.dxf": "; ".join(cut), f"{result.name}-holding.dxf": "template to hold the strip"},
+    )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from elastica_cad._text import quote_words
+from elastica_cad.cli.voice import say_step
 from elastica_cad.errors import ElasticaError
 
 if TYPE_CHECKING:
@@ -119,6 +120,7 @@ def cures_of(
     from elastica_cad.strip.suggestions import suggest
 
     cures: list[Cure] = []
+    say_step("looking for changes that make the strip possible")
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
             title, change = suggestion.title, spelled(suggestion)

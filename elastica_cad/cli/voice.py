@@ -184,7 +184,7 @@ def cut_text(kerf: float, sheet_kerf: float) -> str:
     if kerf:
         return f"cut, {kerf:g} mm kerf included"
     if sheet_kerf:
-        return f"cut, kerf of {sheet_kerf:g} mm not compensated; --kerf sheet compensates it"
+        return f"cut; the kerf makes parts {sheet_kerf:g} mm narrower; --kerf sheet compensates this"
     return "cut, kerf not compensated"
 
 

@@ -363,7 +363,7 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     return values
 
 
-PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
+PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, bent cold at 10 % moisture"
 
 # thickness, least radius along and across the face grain, in inches; a strip along the grain is bent round a
 # mandrel at 90 degrees to the grain

@@ -57,7 +57,7 @@ def strip_rows(
     ...     print(row.label, "|", row.text)
     Size | 94.2 mm long (114.2 mm with tabs), 8 mm wide, 0.183 g
     Strain | 0.33 % at 0 mm from the start; card-200gsm allows 0.50 %
-    Stability | stable, in its plane and sideways
+    Stability | stable: the strip neither snaps into another shape nor tips over sideways
     """
     rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]
     if quick:
@@ -156,7 +156,7 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
         )
     if warning := instability(strip, verdict):
         return Row(note("Stability"), warning, details, "warning")
-    text = note("stable, in its plane and sideways")
+    text = note("stable: the strip neither snaps into another shape nor tips over sideways")
     if sideways.word == "undecided":
         text = note("stable in its plane; sideways undecided ({meaning})", meaning=note(sideways.meaning))
     return Row(note("Stability"), text, details)

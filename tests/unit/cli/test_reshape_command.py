@@ -80,8 +80,8 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ((), "Set the new position of a corner of the curve's bounding box (--bottom-left"),
-        (("--handle", 0, 0, 1, 1), "--handle occurs 1 times"),
+        ((), "Give a new position of a corner of the frame around the curve (--bottom-left"),
+        (("--handle", 0, 0, 1, 1), "--handle moves 4 places at once, but is given 1 times"),
         (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "cannot be combined"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "are on one line, through"),
         (("--top-right", 60, 40), "to infinity, near ("),

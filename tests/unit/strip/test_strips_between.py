@@ -34,7 +34,9 @@ def test_the_report_has_each_force_and_says_what_is_not_checked():
         f"rail 200 mm from the start pushes the strip downward with {np.hypot(*rail):.2g} N (bar above the strip); "
         f"tie from 40 mm to 310 mm, {chord:.1f} mm long, pulls {np.hypot(*tie):.2g} N"
     )
-    assert rows["Stability"].text == "stable, in its plane and sideways"
+    assert (
+        rows["Stability"].text == "stable: the strip neither snaps into another shape nor tips over sideways"
+    )
     assert rows["Accuracy"].text.startswith("not computed")
     report = json.loads(json.dumps(report_strip(strip, name="wave", files={})))
     assert report["sideways"]["margin"] == pytest.approx(strip.sideways.margin, rel=1e-3)
