@@ -104,7 +104,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected.
 
     \b
-      elastica bow arch.dxf --rod 8                                   any material: pull per GPa
+      elastica bow arch.dxf --rod 8                                   pull of glass and carbon rods
       elastica bow arch.dxf --rod 8 --sheet gfrp-1 -o out             newtons and safety
       elastica bow arch.dxf --rod 6:8 --sheet gfrp-1 --nearest        a tapered rod
       elastica bow arch.dxf --sheet pom-2 --max-width 20 --nearest    a strip
@@ -233,6 +233,7 @@ def _heading(name: str) -> str:
 
 
 def _print_table(table: dict[str, Any]) -> None:
+    """Print the table. Without a sheet, the pull of a rod of each known material replaces the pull per GPa."""
     formats = {
         "shorter_percent": "g",
         "cord_mm": ".1f",
@@ -240,11 +241,18 @@ def _print_table(table: dict[str, Any]) -> None:
         "strain_percent": ".2f",
         "safety": ".2f",
     }
+    columns: dict[str, list[float]] = {}
+    for name, values in table.items():
+        if name == "pull_N_per_GPa":
+            for material, rod in known_rods().items():
+                pulls = [value * rod.youngs_modulus / MPA_PER_GPA for value in values]
+                columns[f"{material.removeprefix('pultruded ')}_N"] = pulls
+        elif name != "margin":
+            columns[name] = values
     say_table(
         {
             _heading(name): [number_text(value, formats.get(name, ".3g")) for value in values]
-            for name, values in table.items()
-            if name != "margin"
+            for name, values in columns.items()
         }
     )
 

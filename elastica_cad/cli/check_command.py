@@ -25,6 +25,7 @@ from elastica_cad.cli.requested_curves import (
     which_options,
 )
 from elastica_cad.cli.suggestions import (
+    LOOKING,
     MOST_REFUSALS,
     Cure,
     cures_of,
@@ -33,7 +34,7 @@ from elastica_cad.cli.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.voice import answer, say, say_row, voice, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import ElasticaError, InputError, rounded_up
@@ -238,6 +239,7 @@ class _Request:
     def cures(self, requested: RequestedCurve) -> list[Cure]:
         problem = NotRealizable(self.examined(requested)[2])
         spec = self.request(requested, problem)
+        say_step(LOOKING)
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def enlarging(self, requested: RequestedCurve, report: Mapping[str, Any]) -> str:
@@ -304,9 +306,9 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "first of each kind the one closest to its strain limit")
+        _first_names(fitting, "of each kind the one closest to its strain limit")
         if fitting
-        else f"none at this size; if the curve is enlarged, {_first_names(larger, 'first the least enlarged')}",
+        else f"none at this size; if the curve is enlarged, {_first_names(larger, 'the least enlarged')}",
         details,
     )
 
@@ -319,7 +321,9 @@ def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
 
 def _first_names(names: Sequence[str], order: str) -> str:
     shown = ", ".join(names[:MOST_SHEETS])
-    return f"{len(names)} can take it; {order}: {shown}, ... (-v lists all)" if names[MOST_SHEETS:] else shown
+    if not names[MOST_SHEETS:]:
+        return shown
+    return f"{len(names)} can take it, such as {shown} ({order}; -v lists all)"
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:

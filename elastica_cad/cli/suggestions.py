@@ -78,6 +78,9 @@ def listing_note(refused: int) -> str:
 Cure: TypeAlias = dict[str, Any]
 """Suggested change in a report: the keys of `Suggestion.as_dict`, and the printed text."""
 
+LOOKING = "looking for changes that make the strip possible"
+"""Step that is reported during the search for suggestions."""
+
 SUGGEST = "elastica.suggest"
 """Key, in click's `meta`, of the function that searches for suggestions after an error."""
 
@@ -98,6 +101,7 @@ def suggest_later(
     def search(problem: ElasticaError) -> list[Cure]:
         with context.scope(cleanup=False), suppress(ElasticaError):
             spec = request(problem)
+            say_step(LOOKING)
             return [] if spec is None else cures_of(spec, problem, spelled, fields)
         return []
 
@@ -120,7 +124,6 @@ def cures_of(
     from elastica_cad.strip.suggestions import suggest
 
     cures: list[Cure] = []
-    say_step("looking for changes that make the strip possible")
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
             title, change = suggestion.title, spelled(suggestion)
