@@ -65,7 +65,7 @@ def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
         drawing.read_text().replace("<path", "<desc").replace('<desc id="bow"', '<path id="bow"')
     )
     said, expected = (run("check", *words).stdout for words in ((drawing, *choice), (alone,)))
-    assert "Widths      the widest place" in expected
+    assert "Widths      the strip varies in width" in expected
     read, verdict = expected.split("\n", maxsplit=1)
     assert read == "Read        100.0 x 30.0 mm (unit from the file), 1 spline, read without approximation"
     assert said == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
