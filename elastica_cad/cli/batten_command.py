@@ -190,7 +190,8 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
     if strip is not None:
         if chosen["bore"]:
             raise InputError(
-                "--bore is the inner diameter of a tube. Add the outer one, --rod DIAMETER, or leave out --bore."
+                "--bore is the inner diameter of a tube. Add the outer diameter (--rod DIAMETER), or leave out "
+                "--bore."
             )
         return ThicknessLaw(sheet, least, largest, width=strip[0])
     return RoundLaw(sheet, least, largest, bore=chosen["bore"])

@@ -236,7 +236,7 @@ class _Layout:
                 places[axis] = indices * count
             elif len(indices) != count and (indices or axis != "z"):
                 raise InputError(
-                    "its heading has x {x} times, y {y} times and z {z} times: give each curve its own "
+                    "the heading has x {x} times, y {y} times and z {z} times: give each curve its own "
                     "columns, or one x column for all curves",
                     x=len(places["x"]),
                     y=len(places["y"]),
@@ -305,7 +305,7 @@ def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
     for word in words:
         if read_unit(word) is None:
             raise InputError(
-                "its heading has {word}, which is not a known unit: set the unit ({field}), or remove {word} "
+                "the heading has {word}, which is not a known unit: set the unit ({field}), or remove {word} "
                 "from the heading",
                 field=UNIT,
                 word=quoted(word[:40]),

@@ -228,11 +228,12 @@ def check_smooth(smooth: object) -> float | None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
         raise InputError(
-            f"smooth is {smooth!r}: give a distance in mm, or 0 for no smoothing", where={"field": "smooth"}
+            f"`smooth` is {smooth!r}: give a distance in mm, or 0 for no smoothing", where={"field": "smooth"}
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
-            "smooth is {smooth}: give a distance from 0 (no smoothing) to {largest_smooth:g}",
+            "{field} is {smooth}: give a distance from 0 (no smoothing) to {largest_smooth:g}",
+            field=FieldName("smooth"),
             smooth=smooth,
             largest_smooth=Length(LARGEST_SMOOTH),
             where={"field": "smooth"},

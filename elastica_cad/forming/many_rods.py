@@ -65,7 +65,7 @@ def nearest_rods(
     require_executor(executor, "submit")
     if not (progress is None or callable(progress)):
         raise InputError(
-            f"progress is {progress!r}: give a function of (curves done, curves in all), or None"
+            f"`progress` is {progress!r}: give a function of (curves done, curves in all), or None"
         )
     _require_options("nearest_rods", options)
     curves = list(curves)

@@ -486,7 +486,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
         raise InputError(
-            "breaks cannot be read: give pairs of a place and the number of continuous derivatives there"
+            "`breaks` cannot be read: give pairs of a place and the number of continuous derivatives there"
         )
     return [(place, int(continuity)) for place, continuity in rows.tolist()]
 
@@ -569,7 +569,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
         worst = int(np.where(bad, error, 0.0).argmax())
         raise NotConvergedError(
             f"no spline approximates the function within {tolerance:g}: near {edges[worst]:.6g} the error "
-            f"stays {error[worst]:.3g}; declare the break there or set a larger tolerance"
+            f"stays {error[worst]:.3g}; give this place in `breaks`, or set a larger tolerance"
         )
 
 

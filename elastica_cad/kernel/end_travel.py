@@ -228,7 +228,7 @@ class Travel:
         Each shape is the initial guess for the next.
         """
         if not isinstance(frames, int) or frames < 2:
-            raise InputError(f"frames is {frames}, too few for a motion. Use a whole number, 2 or more.")
+            raise InputError(f"`frames` is {frames}, too few for a motion. Use a whole number, 2 or more.")
         shares = np.linspace(0.0, 1.0, frames)[1:]
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
@@ -267,7 +267,7 @@ class Travel:
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(f"{FilePath(path).name} is not a binary glTF file. Use a name ending in .glb.")
         if not (is_number(seconds) and seconds > 0):
-            raise InputError(f"seconds is {seconds!r}. Use a positive number of seconds.")
+            raise InputError(f"`seconds` is {seconds!r}. Use a positive number of seconds.")
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)
         moving = []

@@ -701,7 +701,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
             raise InputError(
-                f"guess has the shape {edges.shape}: give a Rod, or {n + 1} angles at the nodes (or {n} at "
+                f"`guess` has the shape {edges.shape}: give a Rod, or {n + 1} angles at the nodes (or {n} at "
                 "the edges)"
             )
     return _with_reactions(system.state(edges))

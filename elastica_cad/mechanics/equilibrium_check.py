@@ -282,8 +282,8 @@ def _check_line(
     if not (force_x or force_y):
         reason = note(
             "With these supports the curve must bend to one side only, because the ends cannot push or "
-            "pull each other. The curve bends to the other side {places} from its start. Hold both ends "
-            "along x, or both along y.",
+            "pull each other. The curve bends to the other side {places} from its start. Choose supports "
+            "that hold both ends along x, or both along y.",
             places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)

@@ -290,7 +290,9 @@ def _entries(path: Any) -> list[dict[str, Any]]:
     if isinstance(path, Sequence) and path and all(isinstance(entry, Mapping) for entry in path):
         steps = as_steps(path)
         if any("supports" in step for step in steps):
-            raise InputError("supports cannot change along a path: bend the rod with the new supports first")
+            raise InputError(
+                "`supports` cannot change along a path: bend the rod with the new supports first"
+            )
         return steps
     values = numbers(path, "the path of loads")
     if values.ndim == 1 and values.size:

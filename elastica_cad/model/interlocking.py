@@ -436,7 +436,9 @@ def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
     both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
-    text = note("assembly: {order}; push each strip onto the strips before it", order=", ".join(names))
+    text = note(
+        "assemble in the order {order}: push each strip onto the strips before it", order=", ".join(names)
+    )
     if both:
         last = note(
             "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)

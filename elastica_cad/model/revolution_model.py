@@ -154,8 +154,8 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
         s = np.linspace(0.0, curve.length, 2001)
         at = float(s[int(np.argmin(half(s)))])
         raise InputError(
-            "with a gap of {gap:g}, {name} would be {least:.4g} wide {at:.6g} from its start: reduce the "
-            "gap, or end the strip before this place",
+            "with a gap of {gap:g}, {name} would be only {least:.4g} wide {at:.6g} from its start: reduce "
+            "the gap, or end the strip before this place",
             name=name,
             at=Length(at),
             least=Length(least),

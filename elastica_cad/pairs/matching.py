@@ -112,7 +112,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         if curve.is_closed:
             raise InputError("A closed curve has no ends to hold. Open the curve.")
     if not is_one_of(keep, ("ends", "shape")):
-        raise InputError(f"keep is {keep!r}: give 'ends' or 'shape'")
+        raise InputError(f"`keep` is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
         return _scaled(first, second)
     curves = _Drawn.of(first), _Drawn.of(second)

@@ -296,7 +296,7 @@ def pair_of_tabs(tabs: object, supports: Supports | None = None) -> tuple[Tab, T
     both = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(both) != 2:
         raise InputError(
-            f"ends has {counted(len(both), 'tab')}: give two, for the start and the end (Tab(0) means no tab)"
+            f"`ends` has {counted(len(both), 'tab')}: give two, for the start and the end (Tab(0) means no tab)"
         )
     return both[0], both[1]
 

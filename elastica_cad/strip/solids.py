@@ -394,7 +394,7 @@ class BentSolid:
         require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")
         both = numbers(heights, "heights of a wrapped pattern")
         if both.shape != (2,):
-            raise InputError(f"heights are {heights!r}: give the lower and the upper height, mm")
+            raise InputError(f"`heights` are {heights!r}: give the lower and the upper height, mm")
         lower, upper = both.tolist()
         bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
         stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]

@@ -115,9 +115,13 @@ class Suggestion:
             text = "the curve as drawn, {used} % of the allowed strain"
         effect = note(text, distance=about(self.deviation), **values)
         if self.tips:
-            effect = note("{effect}; unstable sideways: guide the strip at the sides", effect=effect)
+            effect = note(
+                "{effect}; the strip tips over sideways: guide the strip at the sides", effect=effect
+            )
         if any(map(collapses, self.strips)):
-            effect = note("{effect}; collapses under its own weight if it stands upright", effect=effect)
+            effect = note(
+                "{effect}; the strip collapses under its own weight if it stands upright", effect=effect
+            )
         match self.change.value:
             case Rail(float(at)):
                 (action,) = self.strips[0].rod.between

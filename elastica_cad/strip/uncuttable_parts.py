@@ -447,9 +447,10 @@ def find_strip_faults(
     slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
     if slenderest > LARGEST_SLENDERNESS:
         what = note(
-            "{length} long and {width} wide: too slender to handle",
+            "{length} long and {width} wide: too slender to handle (more than {most:g} times as long as wide)",
             length=Length(strip.rod.length),
             width=Length(strip.width.extremes[0]),
+            most=LARGEST_SLENDERNESS,
         )
         wider = _change_of_width(strip, slenderest / LARGEST_SLENDERNESS)
         faults.append(Fault(name, what, note("Make it wider, or split it"), wider))

@@ -223,7 +223,7 @@ BAD = {
     "gravity": (STRAIGHT, {"gravity": 9.81}, "Gravity record"),
     "side": (STRAIGHT, {"side": 2}, "side is 2: give"),
     "mode": (STRAIGHT, {"mode": 0}, "mode is .*: give a whole number"),
-    "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "guess has the shape"),
+    "guess": (STRAIGHT, {"guess": [0.0, 1.0], "end": (60.0, 0.0)}, "`guess` has the shape"),
     "samples": (STRAIGHT, {"samples": 2}, "samples is 2: give a whole number, 4 or more"),
     "unloaded column": (
         Rod.straight(1.0, samples=51, supports=CANTILEVER), {"force": (-1.0, 0.0), "side": 1}, "too small"

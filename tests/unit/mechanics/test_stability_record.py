@@ -198,7 +198,7 @@ class TestLimits:
         for path, message in (
             ([2.0], "the rod has no load"),
             ([(1.0, 2.0, 3.0)], "shape"),
-            ([{"supports": Supports()}], "supports cannot change"),
+            ([{"supports": Supports()}], "`supports` cannot change"),
             ([-1.0], "give finite numbers, 0 or more"),
             ([(1.3, 0.0)], "apart"),
         ):

@@ -179,7 +179,7 @@ class TestLoads:
         ({"natural_curvature": "0"}, "natural_curvature is '0'"),
         ({"samples": 2}, "samples is 2"),
         ({"samples": 1.5}, "samples is 1.5"),
-        ({"ends": (Tab(5),)}, "ends has 1 tab: give two"),
+        ({"ends": (Tab(5),)}, "`ends` has 1 tab: give two"),
         ({"ends": (5, 5)}, "ends contain 5. Pass only Tab records"),
         ({"slots": (5,)}, "slots contain 5. Pass only Slot records"),
         ({"label": 7}, "label is 7"),

@@ -98,9 +98,9 @@ class BendPanel(Panel):
         self._draw(rod)
         state = stability(rod)
         words = note(
-            "The curve moves by at most {far:.2f} and is stable; its stability margin is {margin:.3g}."
+            "The strip moves by at most {far:.2f} and is stable; its stability margin is {margin:.3g}."
             if state.stable else
-            "The curve moves by at most {far:.2f} and is unstable; its stability margin is {margin:.3g}.",
+            "The strip moves by at most {far:.2f} and is unstable; its stability margin is {margin:.3g}.",
             far=Length(largest_move(self.rest, rod)), margin=state.margin,
         )  # fmt: skip
         fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
