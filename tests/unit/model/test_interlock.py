@@ -74,7 +74,7 @@ def test_copies_with_one_label_are_told_apart():
     with pytest.raises(InputError, match=r"A \(strip 1\)"):
         model.interlock(clearance=50.0)
     lines = model.interlock().reports
-    assert any("A (strip 1), A (strip 2); push" in line for line in lines)
+    assert any("A (strip 1), A (strip 2): push" in line for line in lines)
 
 
 def rotation(seed):

@@ -12,7 +12,7 @@ from tests.command_line import run
 ARCH = [(50, 0), (250, 300), (950, 300), (1150, 0)]
 SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="1200mm" height="400mm" viewBox="0 0 1200 400">
 <path d="M 50 350 C 250 50 950 50 1150 350" fill="none" stroke="black"/></svg>"""
-STANDS = "If the curve stands upright"
+STANDS = "if the curve stands upright"
 
 
 def gentle_csv(folder):
