@@ -44,7 +44,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.kit.kit import can_draw
-from elastica_cad.mechanics.bending import bend_path, part_of_change
+from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMass, Supports
 from elastica_cad.mechanics.mounted_elements import mounted
@@ -433,7 +433,11 @@ def _print_shapes(
     side_warnings = (
         text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
     )
-    texts = [*(text for shape in shapes for text in shape.warnings), *side_warnings]
+    # `Travel.warnings` report a snap with its place
+    bent_warnings = (
+        text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
+    )
+    texts = [*bent_warnings, *side_warnings]
     for warning in dict.fromkeys([*texts, *_warnings_on_stretch(shapes[-1])]):
         say_row(warning_row(warning))
     if moved is None:
@@ -554,13 +558,13 @@ def _stability_row(
     if step is None:
         sideways = {side.word for side in moved.sideways} if moved is not None else set()
         every = " at every step" if states[1:] else ""
-        if sideways == {"ample"}:
-            return Row(
-                "Stability",
-                f"stable{every}: the strip neither snaps into another shape nor tips over sideways",
-            )
         undecided = "; sideways undecided" if "undecided" in sideways else ""
-        return Row("Stability", f"stable in its plane{every}{undecided}")
+        text = f"stable in its plane{every}{undecided}"
+        if any(has_snapped(shape) for shape in shapes):
+            return warning_row(f"snaps on the way; the shape is {text}", "Stability")
+        if sideways == {"ample"}:
+            text = f"stable{every}: the strip neither snaps into another shape nor tips over sideways"
+        return Row("Stability", text)
     where = f" from {_place(step, shapes, moved, change)} on" if states[1:] else ""
     return warning_row(f"{states[step]}{where}", "Stability")
 

@@ -442,11 +442,12 @@ def has_snapped(rod: Rod) -> bool:
 def snap_percent(rod: Rod) -> float | None:
     """Return the percentage of the path at which `bend` warned that the rod snapped, or None."""
     return next(
-        (float(warning.values["percent"]) for warning in rod.warnings if _is_snap_warning(warning)), None
+        (float(warning.values["percent"]) for warning in rod.warnings if is_snap_warning(warning)), None
     )
 
 
-def _is_snap_warning(message: str) -> TypeGuard[Refusal]:
+def is_snap_warning(message: str) -> TypeGuard[Refusal]:
+    """Return True if a warning of `bend` states that the rod snapped."""
     return isinstance(message, Refusal) and "percent" in message.values
 
 
@@ -514,7 +515,7 @@ def bend_path(
 def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
     if (percent := snap_percent(rod)) is None:
         return rod
-    others = [message for message in rod.warnings if not _is_snap_warning(message)]
+    others = [message for message in rod.warnings if not is_snap_warning(message)]
     return replace(rod, warnings=(_snap_warning(100 * start + (end - start) * percent), *others))
 
 

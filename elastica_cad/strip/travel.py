@@ -17,6 +17,7 @@ from elastica_cad.mechanics.bending import (
     bend_path,
     has_snapped,
     part_of_change,
+    snap_percent,
 )
 from elastica_cad.mechanics.elements import require_elements
 from elastica_cad.mechanics.rod import Rod, csv_text
@@ -219,7 +220,10 @@ class Travel:
     @cached_property
     def snaps_at(self) -> float | None:
         """First value of `path_length` at which the strip snaps, or None."""
-        return self._first_failure(lambda rod: has_snapped(rod) or not stability(rod).stable)
+        at = self._first_failure(lambda rod: has_snapped(rod) or not stability(rod).stable)
+        if at == 0 and self.is_still and not any({"loads", "between"} & set(step) for step in self.path):
+            return snap_percent(self._at_rest) or 0.0  # only the weight and the curling of the design change
+        return at
 
     @cached_property
     def crosses_at(self) -> float | None:

@@ -137,7 +137,9 @@ def test_places_of_a_turn_are_in_degrees(tmp_path):
     (tmp_path / "low.csv").write_text(LOW)
     made = run(f"bend low.csv {TURNED} --steps 6 -o out --json", cwd=tmp_path)
     told = json.loads(made.stdout)
-    (share,) = re.findall(r"the strip snaps into another shape after ([\d.]+) %", "\n".join(told["notes"]))
+    assert sum("snaps into another shape" in note for note in told["notes"]) == 1
+    printed = run("bend low.csv --start-angle -40 --end-angle 40 -o out --force", cwd=tmp_path).output
+    (share,) = re.findall(r"the strip snaps into another shape after ([\d.]+) %", printed)
     whole = told["travel"]["turn_deg"][-1]
     assert told["unit"] == "deg"
     assert set(told["travel"]["travel_mm"]) == {0.0}
