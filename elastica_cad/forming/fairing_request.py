@@ -28,7 +28,7 @@ from elastica_cad.mechanics.theorem1 import (
     outlier_message,
     require_bendable,
 )
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.refusals import FieldName, Length, Severity, note
 
 LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
@@ -194,17 +194,21 @@ class Smoothing:
         notes += self.noise
         if self.fairing is not None:
             before = self.ratio_as_drawn
-            ratio = (
-                note("no strip can take the drawn curve")
+            severity: Severity = "warning" if self.moved > SLIGHT_MM else "note"
+            notes.append(
+                note(
+                    "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
+                    "{far:.2g}; no strip can take the drawn curve.",
+                    far=Length(self.moved), severity=severity,
+                )
                 if before is None
-                else note("the drawn curve needs a stiffness ratio of {ratio:.3g}", ratio=before)
-            )
-            notes.append(note(
-                "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
-                "{far:.2g}; {before}. Set {field} to limit the movement, or to 0 to keep the curve as drawn.",
-                far=Length(self.moved), before=ratio, field=FieldName("smooth"),
-                severity="warning" if self.moved > SLIGHT_MM else "note",
-            ))  # fmt: skip
+                else note(
+                    "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
+                    "{far:.2g}; the drawn curve needs a stiffness ratio of {ratio:.3g}. Set {field} to limit the "
+                    "movement, or to 0 to keep the curve as drawn.",
+                    far=Length(self.moved), ratio=before, field=FieldName("smooth"), severity=severity,
+                )
+            )  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             notes.append(note(

@@ -101,6 +101,7 @@ def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
     assert not smoothing.curve.tangent_breaks
     assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
     assert f"rounded corners of at most {degrees:.2g} degrees" in smoothing.notes[-1]
+    assert not any("as drawn" in text for text in smoothing.notes), "no strip has corners"
     with pytest.raises(InputError, match=f"set smooth to {smooth:g} mm to smooth it"):
         require_bendable(drawn)
 
