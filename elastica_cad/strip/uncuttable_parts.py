@@ -583,19 +583,22 @@ def _suggestions_for_necks(
 ) -> tuple[str, tuple[Change, ...]]:
     wider, nearest = _change_of_width(strip, times), change_to_nearest(strip.rod)
     field = outline_field(strip.style)
-    if not wider:
+    too_thin = wider and find_thin_places(
+        [strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least
+    )
+    if too_thin or not strip.strain_verdict.allowed:
+        wider = ()  # a wider strip would still be overstrained or have tips that are too thin
+        cure = note(
+            "Let the program change the curve so that the widths differ less"
+            if nearest
+            else "Move the rails, pins, ties or loads of the strip"
+        )
+    elif not wider:
         cure = note(
             "Make the strip wider ({field}), or let the program change the curve so that the widths differ less"
             if nearest
             else "Make the strip wider ({field}), or move its rails, pins, ties or loads",
             field=field,
-        )
-    elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # a wider strip would still have tips that are too thin
-        cure = note(
-            "Let the program change the curve so that the widths differ less"
-            if nearest
-            else "Move the rails, pins, ties or loads of the strip"
         )
     else:
         cure = note(

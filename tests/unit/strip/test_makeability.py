@@ -69,6 +69,15 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
 
 
+def test_a_strip_that_is_overstrained_at_every_width_is_not_made_wider():
+    loop = PlaneCurve.spline([(0, 0), (310, 160), (-50, 160), (260, 0)], degree=3)
+    assert not make_strip(loop, "pom-0.5", max_width=90).strain_verdict.allowed
+    with pytest.raises(InputError, match=r"only 1\.07 mm wide") as refused:
+        make_strip(loop, "pom-0.5", max_width=30)
+    assert "Make the strip" not in str(refused.value)
+    assert {change.field for change in refused.value.refusal.changes} == {"nearest"}
+
+
 def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
     t = np.linspace(0, 1, 18)
     points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
