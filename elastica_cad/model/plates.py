@@ -73,7 +73,7 @@ Clearance: TypeAlias = Annotated[
     float, Option("Allowance added to the width of slots.", "mm", least=0, most=1000)
 ]
 Border: TypeAlias = Annotated[
-    float, Option("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    float, Option("Least distance of the slots for strips from the edge.", "mm", least=0, most=1000)
 ]
 Outline: TypeAlias = Annotated[Shape, Option("Outline of the plate.")]
 Name: TypeAlias = Annotated[str, Option("Name of the files.")]

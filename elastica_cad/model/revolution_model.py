@@ -243,7 +243,7 @@ def revolve(
     spacers : int, optional
         Number of spacers between the two rings of each pair; see `add_spacers`. The rings are as wide as they need.
     border : float
-        Least distance of slots from the edges of the rings, mm.
+        Least distance of the slots for strips from the edges of the rings, mm.
     holes : PlateHoles, optional
         Holes of the rings for a lamp holder and screws.
     name : str

@@ -1858,7 +1858,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Least distance of slots from the edge</source>
+        <source>Least distance of the slots for strips from the edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

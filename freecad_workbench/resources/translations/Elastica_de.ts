@@ -1854,8 +1854,8 @@
         <translation>Zuschlag zur Breite der Schlitze</translation>
     </message>
     <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>Kleinster Abstand der Schlitze vom Rand</translation>
+        <source>Least distance of the slots for strips from the edge</source>
+        <translation>Kleinster Abstand der Schlitze für Streifen vom Rand</translation>
     </message>
     <message>
         <source>Rings</source>

@@ -1854,8 +1854,8 @@
         <translation>槽宽的附加量</translation>
     </message>
     <message>
-        <source>Least distance of slots from the edge</source>
-        <translation>槽到边缘的最小距离</translation>
+        <source>Least distance of the slots for strips from the edge</source>
+        <translation>条带的槽到边缘的最小距离</translation>
     </message>
     <message>
         <source>Rings</source>
