@@ -210,8 +210,8 @@ def suggest(
 
     The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
     nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
-    size. A strip is suitable if it is stable and strained within the limit of its sheet. Strips farther from the
-    drawn curve than 3 % of the curve's size, and strips that tip over sideways, are suggested last.
+    size. A strip is suitable if it is bent, stable and strained within the limit of its sheet. Strips farther
+    from the drawn curve than 3 % of the curve's size, and strips that tip over sideways, are suggested last.
 
     Parameters
     ----------
@@ -387,7 +387,7 @@ def _tested(
             return None
         used.append(strip.strain_verdict.percent)
         strips.append(strip)
-    if not requests:
+    if not max(used):  # there are no requests, or the strips are straight
         return None
     return Suggestion(change, requests, max(away), max(used), tuple(strips), width)
 

@@ -76,6 +76,14 @@ def test_the_nearest_curve_is_the_last_change_if_it_is_far():
     assert not any(suggestion.is_far for suggestion in found[:-1])
 
 
+def test_a_straight_strip_is_not_suggested():
+    arch = ec.PlaneCurve.spline([(0, 0), (200, 100), (900, 100), (1100, 0)], degree=3)
+    spec = ec.StripSpec(arch, "birch-plywood-0.8", max_width=103, supports=ec.Supports(end="free"))
+    with pytest.raises(ec.ElasticaError, match="free to turn") as refusal:
+        spec.make()
+    assert list(suggest(spec, refusal.value, ["nearest"])) == []
+
+
 def test_no_nearest_curve_is_sought_for_more_than_100_corners():
     zigzag = [(5 * k, 10 * (k % 4 == 2) + 5 * (k % 2)) for k in range(205)]
     knots = np.repeat(np.arange(103), [3, *[2] * 101, 3])
