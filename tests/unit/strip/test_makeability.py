@@ -83,10 +83,10 @@ def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
     points = np.column_stack([130 * t, 38 * np.sin(np.pi * t) ** 2 * (0.825 + 0.35 * t) + 6 * t])
     wavering = PlaneCurve.fit(points + np.random.default_rng(20).normal(0, 0.3, points.shape))
     for smooth, wider in (
-        (0.6, r"\. Make the strip 19.5 mm wide or wider \(max_width\), or use"),
-        (0.33, r"\. Use"),
+        (0.6, r"\. Make the strip 19.5 mm wide or wider \(max_width\), or let"),
+        (0.33, r"\. Let"),
     ):
-        cures = f"{wider} the nearest curve .*or smooth the points of the curve more"
+        cures = f"{wider} the program change the curve .*or smooth the points of the curve more"
         with pytest.raises(InputError, match=cures):
             make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=smooth)
     make_strip(wavering, "spring-steel-0.2", max_width=20, smooth=0.6)
