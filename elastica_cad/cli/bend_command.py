@@ -104,9 +104,13 @@ ROUNDED_MM = 1.0
 @click.option(
     "--to", "end", type=POINT, metavar="X Y", help="New position of the end, in mm of the drawing, y up."
 )
-@click.option("--start-angle", type=float, metavar="DEG", help="New direction of the start.")
+@click.option("--start-angle", type=float, metavar="DEG",
+              help="New direction of the strip at its start, counterclockwise from the x axis.")  # fmt: skip
 @click.option(
-    "--end-angle", type=float, metavar="DEG", help="New direction of the end, measured along the strip."
+    "--end-angle",
+    type=float,
+    metavar="DEG",
+    help="New direction of the strip at its end, likewise; a full turn of the strip adds 360.",
 )
 @click.option("--hold-start", type=click.Choice(END_NAMES),
               help="Support of the start  [default: clamped; as in the report; free for --straight and "

@@ -41,7 +41,9 @@ MOST_SHOWN = 6
 
 @click.command()
 @click.argument("design", type=click.Path(path_type=Path))
-@click.option("--step/--no-step", default=True, help="Write the bent strips as STEP (needs a CAD kernel).")
+@click.option(
+    "--step/--no-step", default=True, help="Write the bent strips as STEP (needs build123d or CadQuery)."
+)
 @click.option(
     "--pictures/--no-pictures", default=True, help="Draw the model and the sheets (needs matplotlib)."
 )

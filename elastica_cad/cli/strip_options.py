@@ -164,7 +164,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
     ),
     "files": (
         click.option("--step/--no-step", default=True,
-                     help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
+                     help="Write NAME.step: the flat and the bent strip (needs build123d or CadQuery)."),
         click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
         click.option("--save-design", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
                      help="Write the request as a design file for `elastica model`."),
