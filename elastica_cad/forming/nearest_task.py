@@ -310,8 +310,8 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
     crossing = examine(curve, Supports(), request.natural_curvature).line
     if crossing is None:
         raise InputError(
-            "no straight line passes through all inflections of the drawn curve: set `keep.line` to two "
-            "points ((x, y), (x, y)) of the line"
+            "the inflections of the drawn curve do not determine one line: set `keep.line` to two points "
+            "((x, y), (x, y)) of the line"
         )
     point, direction = np.asarray(crossing.point), np.asarray(crossing.direction)
     return point, point + direction * curve.length
