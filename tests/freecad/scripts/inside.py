@@ -149,6 +149,10 @@ def click(widget, button=1, times=1, at=None):
     until(widget.isVisible, 10)
     still(lambda: widget.mapToGlobal(widget.rect().center()).toTuple(), 0.15)
     place = widget.mapToGlobal(at if at is not None else widget.rect().center())
+    notice = QtWidgets.QApplication.widgetAt(place)
+    if notice is not None and notice.objectName() == "NotificationBox_label":  # of FreeCAD 1.1, until a click
+        mouse("mousemove", place.x(), place.y(), "click", 1)
+        until(lambda: QtWidgets.QApplication.widgetAt(place) is not notice)
     mouse("mousemove", place.x() - 2, place.y() - 1, "sleep", 0.05, "mousemove", place.x(), place.y())
     mouse("click", "--repeat", times, "--delay", 80, button)
 
