@@ -27,6 +27,8 @@ failed, because the program is wrong or because the check is out of date. Either
 *release* installs the files of a release and runs a part of the tests, so it can pass while another row fails. The
 campaigns *elements* and *mutants* measure something for which there is no limit: how near strips come to
 their design, and how many errors the tests notice. There, *passed* means that the measurement was completed.
+Runs of *elements* after 8b5ff0f99 also fail if a part with two states, or a strip with forces between its ends,
+is outside the limits on its page; *missed* lists their names.
 
 Most rows of random cases are short runs of two or three minutes (*minutes*). They cover few cases: a longer run
 may find more. *Figures* is the last line that the run printed, for those who develop the program:

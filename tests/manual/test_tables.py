@@ -66,6 +66,19 @@ def test_pages_of_campaigns_are_what_was_measured():
     assert record.PAGE.read_text(encoding="utf-8") == record.page(json.loads(record.KEPT.read_text()))
 
 
+def test_measured_parts_and_forces_are_within_their_limits():
+    from tests.campaign.finite_elements import table
+    from tests.campaign.finite_elements.between import BetweenEnds
+    from tests.campaign.finite_elements.flexures import FlexedPart
+
+    rows = table.kept()
+    records = [
+        *(FlexedPart(**row) for row in rows["flexures"]),
+        *(BetweenEnds(**row) for row in rows["between"]),
+    ]
+    assert [record.name for record in records if not record.good] == []
+
+
 def test_answers_of_kernels_take_the_place_of_older_ones(tmp_path, monkeypatch):
     from tests.campaign import solid_table
 
