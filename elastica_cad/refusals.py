@@ -326,7 +326,7 @@ class Refusal(str):
         return self.kind, self.text, self.values, self.where, self.changes, self.severity
 
     def at(self, **where: Any) -> "Refusal":
-        """Return the same refusal with additional keys of `where`."""
+        """Return the record with these keys added to its location `where`."""
         return Refusal(
             self.kind, self.text, self.values, {**self.where, **where}, self.changes, self.severity
         )

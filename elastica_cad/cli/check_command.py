@@ -68,7 +68,7 @@ WIDE_MM = 40.0
 LEAST_WIDTH_MM = 5.0
 """Least width, mm, of the suggested strip from an enlarged curve."""
 SPARE_LENGTH = 1.002
-"""Factor on the length of an enlarged curve, because the strain of the finished strip differs slightly."""
+"""Extra factor on the suggested length of a curve, because the strain of the finished strip differs slightly."""
 
 
 @click.command()

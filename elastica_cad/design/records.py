@@ -40,6 +40,7 @@ CurveReader = Callable[..., list[PlaneCurve]]
 Range = tuple[float, float]
 
 
+# the schema describes a table by the docstring of its function, so each docstring names the result
 def _thickness(
     sheet: Sheet,
     limits: Annotated[Range, Option("Least and largest thickness.", "mm", least=0)],

@@ -407,7 +407,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in equilibrium for z. The last moment is not finite if numbers overflow."""
+        """Return the rod in equilibrium for unknowns z. Its last moment is not finite if numbers overflow."""
         K, force, length = self._stiffness_forces_length(z)
         u = self.unknowns
         angles, moments = shoot(

@@ -186,7 +186,7 @@ def collect_section(
     apart: float,
     missed: Callable[[], str] = lambda: "misses the shape",
 ) -> PlaneSection:
-    """Return a section with its lines (k, 2) named and sorted, the longest first.
+    """Return the section `name`, with a label for each of its lines (k, 2), the longest first.
 
     Parameters
     ----------
@@ -195,7 +195,7 @@ def collect_section(
     apart : float
         Distance, mm, below which neighbouring points are merged.
     missed : callable
-        Function that returns the text for a plane without a line, such as "misses the shape".
+        Function without arguments that describes a plane without a line: "misses the shape".
     """
     if require_flag(half, "half"):
         chains = [part for chain in chains for part in _clip_to_right_half(chain)]

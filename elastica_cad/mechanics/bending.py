@@ -440,7 +440,7 @@ def has_snapped(rod: Rod) -> bool:
 
 
 def snap_percent(rod: Rod) -> float | None:
-    """Return the percentage of the path at which `bend` warned that the rod snapped, or None."""
+    """Return the percentage of the change of ends and loads at which the rod snapped, or None."""
     return next(
         (float(warning.values["percent"]) for warning in rod.warnings if is_snap_warning(warning)), None
     )

@@ -154,9 +154,9 @@ class Weight:
     masses : tuple of PointMass
         Masses on the strip, for example a lamp holder.
     own : bool
-        If True, `optimal_rod` adds the weight of the strip itself, B / gravity.length^3, to `beta` when the least
-        bending stiffness B is known. In the weight of the returned rod, `own` is False and `beta` includes this
-        weight.
+        If True, `optimal_rod` adds the weight of the strip itself to `beta`: B / l^3 for the least bending
+        stiffness B and the elasto-gravity length l, `gravity.length`. In the weight of the returned rod, `own` is
+        False and `beta` includes this weight.
     """
 
     alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0

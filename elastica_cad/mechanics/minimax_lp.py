@@ -168,7 +168,7 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # rows @ (x, R) >= limits: x >= -box and R >= 0, which meet in the first vertex, then x <= box
+        # rows @ (x, R) >= limits: -METHOD.box <= x <= METHOD.box and R >= 0; the first vertex has the least x and R
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)

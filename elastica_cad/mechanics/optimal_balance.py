@@ -345,7 +345,7 @@ The relative error of the weight is about the square of this fraction.
 """
 
 TANGENT_STEP = 1e-4
-"""Relative change of E I in the finite difference for the slope of the weight."""
+"""Relative change of E I in the finite difference for the derivative of the weight per length."""
 
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
@@ -411,7 +411,7 @@ class TangentWeight:
 
     @classmethod
     def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
-        """Return the linearisation near the bending stiffness E I (n,), N mm2."""
+        """Return the weight per length, linearised at the bending stiffnesses E I (n,), N mm2."""
         below, at, above = (
             law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
             for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
@@ -540,8 +540,8 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 def extrapolated(first: float, second: float, third: float) -> float:
     """Return the limit of a sequence of logarithms from its last three terms, by Aitken's method.
 
-    If the logarithms do not converge geometrically, the last logarithm is returned. The extrapolation is at
-    most `LONGEST_JUMP`.
+    If the logarithms do not converge geometrically, the last logarithm is returned. The limit differs
+    from the last logarithm by at most `LONGEST_JUMP`.
     """
     step, before = third - second, second - first
     if before == 0 or not -0.9 < step / before < SLOWEST_RATE:

@@ -473,9 +473,9 @@ class _Braces:
 def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
     """Return the constraints that taut rails, pins and ties impose on a rod of edges with unit tangents T (n, 2).
 
-    Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. A pin holds
-    w. The line of contact with a rail holds the twist phi_T. A cord with pull P and length l adds P / l (w_q -
-    w_p)^2 for its ends q and p. Friction is neglected, so a strip slides along a rail.
+    Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. Held ends
+    (not `free`) and pins have w = 0, rails phi_T = 0. A cord with pull P and length l between p and q adds
+    P / l (w_q - w_p)^2 to the second variation. Friction is neglected, so a strip slides along a rail.
     """
     n, edge = len(T), rod.length / len(T)
     N = left_of(T)

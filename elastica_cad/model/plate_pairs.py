@@ -348,7 +348,7 @@ def lean_pair(
 def _leaned(
     placed: Sequence[Placed], plates: tuple[Plate, Plate], cures: Cures
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
-    """Return the two plates of `lean_pair`, and the length, mm, that each bent tab needs."""
+    """Return the plates with moved slots (see `lean_pair`), and the length, mm, that each bent tab needs."""
     leaned = plates
     for _ in range(LEAN_ROUNDS):
         leans = _displacements(placed, tab_seats(map(_with_endless_tabs, leaned)))

@@ -298,7 +298,10 @@ class Flexure:
         return scale
 
     def _shapes_at(self, scale: float) -> tuple[FloatArray, FloatArray]:
-        """Return changes of curvature, 1/mm, and axial strains (k, n) of the states and the path between them."""
+        """Return changes of curvature (k, n), 1/mm, and axial strains (k, n) for the least thickness `scale`, mm.
+
+        The k rows are both states and shapes on the path between them.
+        """
         rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
         shapes = [self._nodal(rest) for rest in rests]
         if self.pair.bistable:

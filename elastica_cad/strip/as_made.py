@@ -210,7 +210,7 @@ def stiffness_factors(
     factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # average the compliance, because deflections are proportional to compliance
+    if leaning is not None:  # mean compliance of each cell, because deflections are proportional to it
         factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed

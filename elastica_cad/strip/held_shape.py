@@ -282,10 +282,10 @@ def open_deviation(
     approximated: bool = False,
     crowded: bool = False,
 ) -> float:
-    """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
+    """Return the uncertainty of the model, mm, apart from errors of sheet and workmanship.
 
-    The errors due to the causes in `parts` are added. The sum is then combined, as an independent error, with
-    the errors of any strip, of curling and of wide sections.
+    It is the root of the sum of the squares of four errors: the sum of the errors due to the causes in `parts`,
+    and the errors of every strip, of curling and of wide sections.
 
     Parameters
     ----------
@@ -293,7 +293,7 @@ def open_deviation(
         Length of the strip, mm.
     sheet : Sheet
     parts : mapping of str to float
-        Deviation due to each cause before the widths compensate it, mm.
+        Deviation due to each cause if the widths did not compensate for it, mm.
     width : float
         Largest width of the strip or of a ligament, mm.
     approximated : bool

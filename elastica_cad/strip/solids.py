@@ -449,7 +449,7 @@ BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:
-    """Return the xy plane for a flat strip that is drawn beside the strip bent in `frame`."""
+    """Return a frame in the plane z = 0 for the flat strip, at smaller y than the strip bent in `frame`."""
     outline = strip.outline.bounds
     reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach

@@ -119,7 +119,7 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Note for Python users, added to errors about a curve that must not change."""
+"""Note for Python users, added to an error about a drawn curve if the request allows no other curve."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:

@@ -63,7 +63,7 @@ from elastica_cad.words import Language
 Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
-"""Smallest tolerance, mm, of the last position of a dragged point at which a strip is possible."""
+"""Least tolerance, mm, of the search for the last position to which a point can be dragged."""
 
 DIRECTIONS = 2
 """Largest number of directions in which one answer tries to move a blocked control point."""

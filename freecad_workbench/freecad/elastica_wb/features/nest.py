@@ -19,7 +19,7 @@ from freecad.elastica_wb.host.words import report_warning, worded
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.refusals import note, sentences
 
-# distance, mm, of a nest from the objects behind it
+# distance in y, mm, of a nest of cut parts from the other objects
 SPACE_MM = 50.0
 SHEET_GAP_MM = 30.0
 

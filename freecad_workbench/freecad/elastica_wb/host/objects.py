@@ -55,12 +55,12 @@ def is_flat(obj: Any) -> bool:
 
 
 def is_rings(obj: Any) -> bool:
-    """Return True if an object is a feature of rings."""
+    """Return True if an object is a feature of ring plates."""
     return feature_kind(obj) == "Rings"
 
 
 def is_plate(obj: Any) -> bool:
-    """Return True if an object is a base plate or rings."""
+    """Return True if an object is a feature of a base plate or of ring plates."""
     return feature_kind(obj) in ("BasePlate", "Rings")
 
 

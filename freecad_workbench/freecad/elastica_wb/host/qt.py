@@ -98,7 +98,7 @@ class InputLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Delay a shortcut or timer. A delayed timer fires again after its interval."""
+        """Delay shortcuts and timers while FreeCAD is busy. A delayed timer fires again after its interval."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy():
             when_free(watched.trigger)
