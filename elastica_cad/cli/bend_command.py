@@ -181,7 +181,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError(IDLE_DOWN)
     settings = parsed_settings(chosen["settings"], BentKeys)
     if settings and (curve is None or not has_material):
-        raise InputError("--set applies to the strip of a CURVE only. Name a CURVE and add --sheet NAME.")
+        raise InputError("--set needs a strip. Name its report, or a CURVE and --sheet NAME.")
     strip = (
         _initial_strip(curve, chosen, settings)
         if finished is None
@@ -485,9 +485,9 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
         return
     if direction @ gravity.direction < 0:
         yield note(
-            "The rail at {point} is above the strip and pushes the strip down, because this point is below "
-            "the straight strip. To put a rail below the strip, with a gap between them, draw the straight "
-            "line, run {command}, and bend the report that it writes.",
+            "The rail at {point} is on the strip and pushes it down to this point, which is below the straight "
+            "strip. To put a rail under the strip, with a gap between them, draw the straight line, run "
+            "{command}, and run `elastica bend` on the report.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip
 

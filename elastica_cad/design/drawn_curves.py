@@ -60,7 +60,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """Deformation that moves corners of a curve's bounding box, or four points `handles` to the points `to`."""
+    """Deformation that moves some corners of a curve's bounding box, or four `handles`, to new positions."""
 
     bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
     bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
@@ -263,7 +263,7 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     value = table.raw(key)
     if value is None:
         raise InputError(
-            "{place} is missing. Add a file, formulae x, y and t, an ellipse or a spline.",
+            "{place} is missing. Add a file, formulae x and y with the range t, an ellipse or a spline.",
             place=table.place(key),
         )
     if isinstance(value, str):

@@ -121,7 +121,7 @@ def _unlikely_size_message(size: float) -> str:
     unit = likely[-1] if likely else "m"
     return note(
         "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set the unit, "
-        "such as --unit {unit} or unit = \"{unit}\"{hint}, or set mm",
+        "such as --unit {unit} or unit = \"{unit}\"{hint}, or mm if the size is right",
         size=size, unit=unit, hint=hint,
     )  # fmt: skip
 

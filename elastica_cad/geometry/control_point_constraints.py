@@ -356,7 +356,7 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
     if inflections.size < near.size:
         raise NotConvergedError(
             f"the moved curve has {inflections.size} inflections instead of {near.size}: make the move "
-            "smaller, or bend the curve more at its inflections"
+            "smaller, or bend the curve more on both sides of each inflection"
         )
     if inflections.size == near.size:
         return np.asarray(inflections[np.argsort(np.argsort(near))])

@@ -50,7 +50,7 @@ from elastica_cad.mechanics.unbent_ends import (
 from elastica_cad.refusals import Length, Listed, note
 
 MOST_POINTS = 400
-"""Largest number of measured points to which other curves are fitted; more points are thinned out."""
+"""Largest number of measured points in a fit that is compared with the drawn curve; others are left out."""
 
 MOST_ON_LINE = 2
 """Largest number of inflections that are always on a common line."""
@@ -301,9 +301,12 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         return _refuse_extreme_ratio(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
-        "Every line through the inflection {s} from the start meets the curve again (near {places}), or is "
-        "tangent to the curve at the inflection. The stiffness would have to be 0 or negative there. Let "
-        "the curve turn less, or support the strip between these places.",
+        "The moment is 0 on a line through the inflection {s} from the start, and this line must not meet the "
+        "curve again. Every such line does (near {places}), or is tangent to the curve at the inflection. Let "
+        "the curve turn less, or support the strip between the inflection and these places."
+        if near
+        else "The curve passes through its inflection {s} from the start again, where the moment is 0 but the "
+        "curve is bent. Move the curve away from the inflection.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
     return _refused(replace(checked, crossings=near), reason)

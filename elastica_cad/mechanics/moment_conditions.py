@@ -894,11 +894,11 @@ class ConditionedRows:
         held = bool(self.request.elements or self.request.forces)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
-                "With these supports and elements between the ends, the moment cannot be 0 at every place "
-                "where the strip is not bent (at {places}). Move an element, or add one."
+                "With these supports, rails, pins, ties and loads, the moment cannot be 0 at every inflection "
+                "({places} from the start). Move one of them, or add one."
                 if held
-                else "With this weight and these supports, the moment cannot be 0 at every place where the "
-                "strip is not bent (at {places}). Use the nearest curve, move the inflections, or clamp "
+                else "With this weight and these supports, the moment cannot be 0 at every inflection ({places} "
+                "from the start). Take the nearest curve that a strip can take, move the inflections, or clamp "
                 "the ends.",
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )
@@ -906,11 +906,11 @@ class ConditionedRows:
             wrong = find_violations(family)
             near = stretches(wrong, self.check.length)
             reason = note(
-                "With these supports and elements between the ends, the strip would have to bend against its "
-                "moment near {stretches}, which is impossible. Move an element there, or add one."
+                "With these supports, rails, pins, ties and loads, the strip would have to bend against its "
+                "moment near {stretches}, which is impossible. Move one of them there, or add one."
                 if held and near else
-                "With these supports and elements between the ends, the strip would have to bend against its "
-                "moment, which is impossible. Move an element, or add one." if held else
+                "With these supports, rails, pins, ties and loads, the strip would have to bend against its "
+                "moment, which is impossible. Move one of them, or add one." if held else
                 "With this weight and these supports, the strip would have to bend against its moment near "
                 "{stretches}, which is impossible. Use a lighter or stiffer sheet, support the strip there, "
                 "or change the curve." if near else

@@ -194,8 +194,8 @@ def _infeasible(
         note("widen the base {s} from the start", s=Length(s[j])),
     ]
     return note(
-        "the laminate cannot be both soft enough {soft} from the start (base {soft_width} wide, "
-        "relative stiffness {soft_stiffness:.3g}) and stiff enough {stiff} from the start (base "
+        "the laminate cannot be both soft enough at {soft} from the start (base sheet {soft_width} wide, "
+        "relative stiffness {soft_stiffness:.3g}) and stiff enough at {stiff} from the start (base sheet "
         "{stiff_width} wide, relative stiffness {stiff_stiffness:.3g}): {ways}",
         soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
         stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),

@@ -388,7 +388,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     if strip.layout.size is not None:
         raise InputError(
             "{name}: a strip of varying thickness or diameter cannot be cut in pieces, because the plates "
-            "that join the pieces would have to taper too. Use a larger stock, or a strip of one sheet",
+            "that join the pieces would have to taper too. Use a larger stock, or a strip of constant thickness",
             name=name,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]

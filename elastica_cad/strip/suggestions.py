@@ -105,14 +105,14 @@ class Suggestion:
         """Sentence on strain, and on the distance from the drawn curve or the length of an enlarged strip."""
         values: dict[str, Any] = {"used": self.used}
         if self.is_far:
-            text = "another shape, up to {distance} from the drawn curve, {used} % of the allowed strain"
+            text = "another shape, up to {distance} from the drawn curve, {used} % of the strain limit"
         elif self.deviation:
-            text = "within {distance} of the drawn curve, {used} % of the allowed strain"
+            text = "within {distance} of the drawn curve, {used} % of the strain limit"
         elif self.change.field == "size":
-            text = "a strip {length} long, {used} % of the allowed strain"
+            text = "a strip {length} long, {used} % of the strain limit"
             values["length"] = Length(float(f"{self.strips[0].rod.length:.3g}"))
         else:
-            text = "the curve as drawn, {used} % of the allowed strain"
+            text = "the curve as drawn, {used} % of the strain limit"
         effect = note(text, distance=about(self.deviation), **values)
         if self.tips:
             effect = note(

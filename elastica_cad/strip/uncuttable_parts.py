@@ -652,7 +652,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
     return Fault(
         name,
         what,
-        note("Increase the distance of the holes by {shift}, or make the holes smaller", shift=shift),
+        note("Move the holes farther apart by {shift}, or make them smaller", shift=shift),
     )
 
 

@@ -223,7 +223,7 @@ def test_ctrl_c_ends_the_search_and_keeps_what_was_found(monkeypatch):
     with pytest.raises(ec.NotRealizable) as refused:
         spec.make()
     (cure,) = cures_of(spec, refused.value, lambda suggestion: "`it`")
-    assert cure["text"].endswith(" (within 1 mm of the drawn curve, 50 % of the allowed strain): `it`.")
+    assert cure["text"].endswith(" (within 1 mm of the drawn curve, 50 % of the strain limit): `it`.")
 
 
 def test_a_mistyped_command_is_told_the_near_one():

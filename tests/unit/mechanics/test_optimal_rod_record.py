@@ -313,7 +313,7 @@ class TestWeight:
     def test_third_inflection_is_one_condition_too_many(self):
         x = np.linspace(-1.0, 7.0, 300)
         curve = PlaneCurve.fit(np.column_stack([100 * x, 40 * np.sin(x)]), degree=5, tolerance=1e-3)
-        with pytest.raises(NotRealizable, match="cannot be 0 at every place where"):
+        with pytest.raises(NotRealizable, match="cannot be 0 at every inflection"):
             optimal_rod(curve, Gravity(200.0))
 
 

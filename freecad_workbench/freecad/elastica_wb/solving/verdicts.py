@@ -88,7 +88,7 @@ def strain_words(verdict: StrainVerdict) -> str:
     return note(
         "would break: {percent} % of the strain limit"
         if verdict.refused
-        else "strain too large: {percent} % of the allowed strain",
+        else "strain too large: {percent} % of the strain limit",
         percent=verdict.percent,
     )
 
