@@ -32,8 +32,8 @@ def known_answers(folder: Path, sizes: tuple[float, ...] = (8.0, 4.0)) -> Iterat
     for size in sizes:
         for name, curve in {
             "arc of 120 degrees": arc(120.0),
-            "inflectional elastica": elastica(0.8, -1.2, 1.6),
-            "elastica through an inflection": elastica(0.7, -0.5, 3.2),
+            "elastica without inflection": elastica(0.8, -1.2, 1.6),
+            "elastica with one inflection": elastica(0.7, -0.5, 3.2),
         }.items():
             bent = bend_cut_strip(uniform_strip(), folder, size=size, curve=curve)
             yield Known(f"{name}, elements of {size:g} mm", bent.deviation / LENGTH)
@@ -41,7 +41,10 @@ def known_answers(folder: Path, sizes: tuple[float, ...] = (8.0, 4.0)) -> Iterat
         E, rho, h = strip.sheet.youngs_modulus, strip.sheet.density * 1e-12, THICKNESS
         swings = bend_cut_strip(strip, folder, size=size, curve=straight, modes=2).eigenvalues
         exact = 22.373285**2 * E * h**2 / (12 * rho * LENGTH**4)  # clamped at both ends
-        yield Known(f"square of the lowest frequency, elements of {size:g} mm", abs(swings[0] / exact - 1))
+        yield Known(
+            f"square of the lowest natural frequency between clamps, elements of {size:g} mm",
+            abs(swings[0] / exact - 1),
+        )
         light = uniform_strip(density=5.0)
         sag = bend_cut_strip(light, folder, size=size, curve=straight, gravity=(0.0, -1.0)).deviation
         exact = 12 * light.sheet.density * 1e-12 * GRAVITY_MM_S2 * LENGTH**4 / (384 * E * h**2)
