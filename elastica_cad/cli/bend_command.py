@@ -485,8 +485,8 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
         return
     if direction @ gravity.direction < 0:
         yield note(
-            "The rail at {point} is on the strip and pushes it down to this point, which is below the straight "
-            "strip. To put a rail under the strip, with a gap between them, draw the straight line, run "
+            "The rail at {point} is on top of the strip and pushes it down to this point, which is below the "
+            "straight strip. To put a rail under the strip, with a gap between them, draw the straight line, run "
             "{command}, and run `elastica bend` on the report.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip

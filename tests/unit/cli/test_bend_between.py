@@ -123,7 +123,7 @@ SLAT = "bend --straight 850 --hold-start clamped --hold-end slide-x --sheet birc
 def test_the_side_of_a_bar_is_stated_taut_and_slack(tmp_path, options, side, warns):
     result = run(f"{SLAT} {options}", cwd=tmp_path)
     assert re.search(rf"Between .*rail 29\d mm from the start .*\(bar {side} the strip\)", result.stdout)
-    warning = "is on the strip and pushes it down"
+    warning = "is on top of the strip and pushes it down"
     assert (warning in result.stderr) == warns
 
 
