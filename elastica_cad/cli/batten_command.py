@@ -72,7 +72,7 @@ _STOCK = (
 @click.command()
 @join_options(*_STOCK)
 def batten(**chosen: Any) -> None:
-    """Taper a batten that bends to a wanted camber.
+    """Taper a batten that bends to a wanted depth (camber).
 
     The ends are pinned and pressed together until the camber is reached. The camber, which is the depth of the
     bend, and its place (--at) are in percent of the chord, the distance between the ends of the bent batten. Writes

@@ -278,22 +278,25 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica sheets                               list the known materials
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
       elastica new pavilion                         a commented design file to start from
-      elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
+      elastica model pavilion.toml -o out           many strips: slots, base, parts on sheets, cut list
       elastica batten --length 2400 --camber 10 --at 40 --sheet pom-1 --stock 25 8
                                                     a sail batten planed from a bar 25 mm wide and 8 mm thick,
                                                     deepest at 40 % of its chord, by 10 % of the chord
       elastica bow arch.dxf --rod 8                 a rod bent by a cord
-      elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
+      elastica sections pot.obj --radial 16         curves where 16 half planes cut a mesh or a STEP body
 
-    Curves come from DXF, SVG, CSV, JSON, TXT (the control points of a spline) and STEP (needs build123d or
-    CadQuery). Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v. The options
-    below may stand before or after the command. `elastica help` lists all settings of a strip (keys of a design
-    file and of --set), and `elastica help KEY` explains a key.
+    Curves come from DXF, SVG, CSV, JSON, TXT (the control points of a spline) and, if build123d or CadQuery is
+    installed, STEP. Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v. The
+    options below may stand before or after the command. `elastica help` lists all settings of a strip (keys of a
+    design file and of --set), and `elastica help KEY` explains a key.
 
-    Exit codes: 0 done, with warnings or without; 1 no strip can take the curve, this is undecided, the strip is not
-    within its limits, or it is likely to break; 2 bad input; 130 stopped by Ctrl-C; 141 the program that reads the
-    output, such as `head`, ended early. If the strain is above the limit of the sheet, but the strip is not likely
-    to break, `elastica strip` warns and exits with 0, or with 1 if --set files.strict=true is given.
+    Exit codes: 0 done, with warnings or without; 1 no strip can take the curve, this is undecided, no curve near it
+    meets the limits of --nearest (such as --margin and --ratio), or the sheet is likely to break; 2 bad input;
+    130 stopped by Ctrl-C; 141 the program that reads the output, such as `head`, ended early.
+
+    A sheet is likely to break above its breaking strain: 1.5 times the allowed strain for wood and plywood, more
+    for other listed sheets, unknown for card, metals and polypropylene. If the strain is above the allowed strain
+    only, `elastica strip` warns and exits with 0, or with 1 if --set files.strict=true is given.
     """
 
 

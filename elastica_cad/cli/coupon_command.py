@@ -62,7 +62,7 @@ contradict each other."""
 @click.option("--keep", is_flag=True, help="Save the measured sheet in the library for all commands.")
 @output_options
 def coupon(**chosen: Any) -> None:
-    """Write a test strip of a sheet, or compute its stiffness.
+    """Write a test strip of a sheet, or compute the sheet's stiffness.
 
     The test strip (coupon) is written as DXF and SVG. The stiffness follows from its droop (--measured).
 

@@ -64,9 +64,10 @@ def reshape(
     output: Path,
     **corners: tuple[float, float] | None,
 ) -> None:
-    """Stretch and skew the curves in CURVE by moving the corners of their frame.
+    """Stretch and skew curves by moving the corners of their frame.
 
-    The frame is the upright rectangle around the curves. --handle moves four other places instead of the corners.
+    The frame is the upright rectangle around the curves in CURVE. --handle moves four other places
+    instead of the corners.
 
     \b
       elastica reshape wave.dxf --top-right 265 190 --top-left 20 130

@@ -72,7 +72,8 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.argument("mesh", type=click.Path(path_type=Path))
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
               help="Unit of a mesh, whose file names none [default: mm]. A STEP file names it.")  # fmt: skip
-@click.option("--scale", type=POSITIVE, help="Scale factor from file to model, in addition to the unit.")
+@click.option("--scale", type=POSITIVE, metavar="FACTOR",
+              help="Scale factor from file to model, in addition to the unit.")  # fmt: skip
 @click.option(
     "--radial",
     type=click.IntRange(1, 1000),
@@ -108,7 +109,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
     "--up",
     type=TRIPLE,
     metavar="X Y Z",
-    help="Direction in space that points up in the drawn sections [default: z]. Not for half planes.",
+    help="Direction in space that points up in the drawn sections [default: z]; not with --radial and --angle.",
 )
 @click.option("--split", "splits", type=(*SPACE_POINT, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
               help="Split sections at a plane: one of its points, and a direction perpendicular to it; "
@@ -121,7 +122,8 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option("--tolerance", type=Length(positive=True), default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
 @click.option("--wavelength", type=Length(positive=True), metavar="MM",
-              help="Smooth waves of the sections shorter than this, before curves are fitted.")  # fmt: skip
+              help="Smooth waves of the sections shorter than this, before curves are fitted  "
+                   "[default: no smoothing]")  # fmt: skip
 @sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
 @click.option("--max-width", type=Length(positive=True), default=20.0, show_default=True, metavar="MM",
               help="Largest width of the strips, in the design file.")  # fmt: skip
@@ -130,7 +132,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
                    "the narrowest. For this, curves change as little as possible.")  # fmt: skip
 @click.option("--margin", type=float, metavar="MU",
               help="Least stability margin, in the design file; a strip is stable above 0, safely stable "
-                   "from 5.")  # fmt: skip
+                   "from 5  [default: none]")  # fmt: skip
 @click.option("--gravity", is_flag=True, help="Include the weight of strips, along -z, in the design file.")
 @click.option("--stand", metavar="NAME", default="hdf-1.5", show_default=True,
               help="Sheet of the plates that hold the strips, in the design file; none for no plates.")  # fmt: skip

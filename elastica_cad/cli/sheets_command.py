@@ -56,13 +56,16 @@ def sheets(name: str | None) -> None:
         say(
             "\n--sheet: the word to type after --sheet; E: Young's modulus, the stiffness of the material; strain: "
             "largest allowed strain;\nradius: least allowed bending radius; kerf: width of a laser cut, - if "
-            "not known; across the grain: for strips cut\nacross the face grain. All properties: elastica "
-            "sheets NAME"
+            "not known; across the grain: for strips cut\nacross the face grain; rods: for elastica bow, with "
+            "--rod DIAMETER. All properties: elastica sheets NAME"
         )
         count = len(library_sheets()[0])
         folders = ", ".join(map(str, library_folders()))
         contents = counted(count, "sheet") if count else "empty"
-        say(f"library: put the files of your own sheets into {folders} (now {contents})")
+        say(
+            "library: put the files of your own sheets, NAME.toml as `elastica coupon` writes it, into "
+            f"{folders} (now {contents})"
+        )
         for problem in library_sheets()[1]:
             warn(f"Note: {problem}")
         return
@@ -72,8 +75,12 @@ def sheets(name: str | None) -> None:
         "thickness": f"{sheet.thickness:g} mm",
         "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa"
         + _in_range(sheet.youngs_modulus_range),
-        "Poisson's ratio": f"{sheet.poisson_ratio:g}"
-        + ("" if sheet.poisson_known else " (assumed; used for estimates only)"),
+        "Poisson's ratio": f"{sheet.poisson_ratio:g}, narrowing across per stretch along "
+        + (
+            "(for the widths, and for estimates such as Accuracy and the strain beside narrow tabs)"
+            if sheet.poisson_known
+            else "(assumed; for estimates such as Accuracy and the strain beside narrow tabs)"
+        ),
         "shear modulus": f"{number_text(sheet.shear_ratio * sheet.youngs_modulus, '.4g')} MPa"
         + ", against twisting and tipping over sideways"
         + ("" if sheet.shear_modulus else " (assumed, as of a material without grain)"),

@@ -149,8 +149,10 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
         cut_options(),
     ),
     "limits": (
-        click.option("--nearest", is_flag=True, help="Change the curve as little as possible."),
-        click.option("--stable", is_flag=True, help=f"Keep the strip stable (a margin of {SAFE_MARGIN:g})."),
+        click.option("--nearest", is_flag=True, help="Change the curve as little as a strip requires."),
+        click.option("--stable", is_flag=True,
+                     help="As --nearest, and the strip does not snap into another shape (a margin of "
+                          f"{SAFE_MARGIN:g})."),
         click.option("--keep-strain", is_flag=True, help="Keep the strain within the limit of the sheet."),
         click.option("--keep-tangents", is_flag=True, help="Keep the tangents of both ends."),
         click.option("--keep-ends", type=click.Choice(list(BOTH_ENDS)),
