@@ -45,10 +45,10 @@ RESULT = """Result: with widths corrected for all effects, {count} chosen strips
 length (median, worst in brackets), and {few} random strips by {random}. With the default corrections, the {count}
 strips deviate by {default}."""
 
-ACCURACY = """Strips of constant width whose shape, frequency or sag is known in closed form, with nu = 0. An
-elastica is the shape of a bent thin strip. Errors of shapes are divided by the length, and the other errors by
-the exact value. The columns are for elements of 8 mm and 4 mm. Their errors are almost equal, so the mesh is
-fine enough."""
+ACCURACY = """These strips have a constant width, and their shape, frequency or sag is known in closed form. An
+elastica is the shape of a bent thin strip of constant width; nu is 0. Errors of shapes are divided by the length,
+and the other errors by the exact value. The columns are for elements of 8 mm and of 4 mm. Their errors are almost
+equal, so the mesh is fine enough."""
 
 KINDS = """The widths of a strip are computed in three ways (option `compensate`):
 
@@ -86,9 +86,9 @@ strips by {least:.1e} to {most:.1e}."""
 CORRECTED = ", made up for"
 """End of the name of a random strip with corrected widths."""
 
-TABS = """Two more random curves, without correction. The tabs at both ends have 0.2, 0.35 or 0.5 of the width
-of the strip. One constant of the model was set after these results: the length over which a clamp prevents
-curling."""
+TABS = """Two more random curves, with the sheets of the random strips and without correction. The tabs at both
+ends have 0.2, 0.35 or 0.5 of the width of the strip. One constant of the model was set after these results: the
+length over which a clamp prevents curling."""
 
 SIDEWAYS = """Does a bent strip stay in the plane of its curve, or does it tip over sideways? CalculiX computes
 the natural frequencies of the bent strip. The columns *sideways* and *in its plane* have the lowest square of
@@ -128,10 +128,10 @@ bow). The limits are 3e-03 for the deviation, and 3 % for the difference of the 
 The computed forces of rails include the compression of the strip along its length. The design neglects it. In
 the shallow arches, the rail therefore carries 5 % (0.8 mm thick) and 1 % (0.4 mm thick) less than designed."""
 
-POCKETS = """The tabs stand in pockets with a clearance of 0.15 mm on each face, and 10 mm deep. The walls are
-rigid and without friction. The columns have the largest distance between centre line and drawn curve in mm, by
-finite elements and as computed by `Strip.held`. The strips of the Pavilion are card with slots, and have
-weight. In [Reproduce the paper](explanation/reproduce_the_paper.md) they are held differently, by two plates."""
+POCKETS = """The tabs are in pockets 10 mm deep, with a clearance of 0.15 mm on each face. The walls are rigid and
+without friction. The columns have the largest distance between centre line and drawn curve in mm, by finite
+elements and as computed by `Strip.held`. The strips of the Pavilion are of card with slots, and have weight. In
+[Reproduce the paper](explanation/reproduce_the_paper.md) two plates hold them, with other clearances."""
 
 BANK = """These are the strips of the table *Deviations by kind of strip*. Arch, bow, S, hook and tall ellipse
 are shapes of curves. A strip with *2 x 12* holes has 2 columns of 12 holes. Beside each deviation is the
