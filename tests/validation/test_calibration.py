@@ -68,7 +68,7 @@ def test_readings_are_combined_and_scatter_is_not_hidden():
     bad = calibrate_cantilever(lengths, np.add(exact, [6.0, 0.0, -6.0]))
     assert bad.uncertainty > 2 * good.uncertainty
     assert len(bad.readings) == 3
-    assert "readings" in str(bad)
+    assert "each reading" in str(bad)
 
 
 def test_exact_readings_have_no_error_of_their_own():

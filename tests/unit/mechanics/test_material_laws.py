@@ -49,8 +49,8 @@ def test_inverse_returns_the_curvature(law):
 
 test_moment_beyond_reach_is_refused = refusal_test(
     [
-        (lambda: PlasticLaw(0.03).curvature([0.01, 0.04]), r"reaches only 0\.03 1/mm"),
-        (lambda: ElasticPlasticLaw(0.02).curvature(0.031), r"reaches only 0\.03 1/mm"),
+        (lambda: PlasticLaw(0.03).curvature([0.01, 0.04]), r"reaches only 75 % of the largest moment"),
+        (lambda: ElasticPlasticLaw(0.02).curvature(0.031), r"reaches only 96\.77 % of the largest moment"),
     ]
 )
 
