@@ -131,9 +131,9 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     answer({"bow": report})
     for row in in_order(_rows(result, in_newtons=in_newtons)):
         say_row(row)
-    say("If you shorten the cord:")
     _print_table(table)
-    wrote(written)
+    contents = {"csv": "the table", "json": "all numbers and the curve", "dxf": "drawing at full size"}
+    wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})
 
 
 def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bow:
@@ -233,7 +233,10 @@ def _heading(name: str) -> str:
 
 
 def _print_table(table: dict[str, Any]) -> None:
-    """Print the table. Without a sheet, the pull of a rod of each known material replaces the pull per GPa."""
+    """Print the table. Without a sheet, the pull of a rod of each known material replaces the pull per GPa.
+
+    A pull is marked if the strain is above the limit of the material.
+    """
     formats = {
         "shorter_percent": "g",
         "cord_mm": ".1f",
@@ -241,20 +244,20 @@ def _print_table(table: dict[str, Any]) -> None:
         "strain_percent": ".2f",
         "safety": ".2f",
     }
-    columns: dict[str, list[float]] = {}
+    columns: dict[str, list[str]] = {}
+    is_over = False
     for name, values in table.items():
         if name == "pull_N_per_GPa":
             for material, rod in known_rods().items():
-                pulls = [value * rod.youngs_modulus / MPA_PER_GPA for value in values]
-                columns[f"{material.removeprefix('pultruded ')}_N"] = pulls
+                pulls = [number_text(value * rod.youngs_modulus / MPA_PER_GPA, ".3g") for value in values]
+                over = [strain > 100 * rod.max_strain for strain in table["strain_percent"]]
+                marked = [f"! {pull}" if too_far else pull for pull, too_far in zip(pulls, over, strict=True)]
+                columns[f"{material.removeprefix('pultruded ')}_N"] = marked
+                is_over |= any(over)
         elif name != "margin":
-            columns[name] = values
-    say_table(
-        {
-            _heading(name): [number_text(value, formats.get(name, ".3g")) for value in values]
-            for name, values in columns.items()
-        }
-    )
+            columns[name] = [number_text(value, formats.get(name, ".3g")) for value in values]
+    say(f"If you shorten the cord{' (!: above the strain limit of the rod)' if is_over else ''}:")
+    say_table({_heading(name): cells for name, cells in columns.items()})
 
 
 def _write(

@@ -306,7 +306,7 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "of each kind the one closest to its strain limit")
+        _first_names(fitting, "each the closest of its kind to the strain limit; thinner ones are safer")
         if fitting
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'the least enlarged')}",
         details,
@@ -323,7 +323,7 @@ def _first_names(names: Sequence[str], order: str) -> str:
     shown = ", ".join(names[:MOST_SHEETS])
     if not names[MOST_SHEETS:]:
         return shown
-    return f"{len(names)} can take it, such as {shown} ({order}; -v lists all)"
+    return f"any of {len(names)}, e.g. {shown} ({order}; -v lists all)"
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:

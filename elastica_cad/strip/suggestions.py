@@ -178,7 +178,7 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
             shown = (drawn or Provenance()).shown(place)
             return note("Move control point {number} to {place}.", number=index + 1, place=shown)
         case "smooth", _:
-            return note("Smooth the curve by {distance}.", distance=Length(value))
+            return note("Smooth the curve by at most {distance}.", distance=Length(value))
         case "nearest", True:
             return note("Take the nearest curve that a strip can take.")
         case "nearest", _:

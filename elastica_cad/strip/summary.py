@@ -194,10 +194,10 @@ def hold_row(strip: Strip) -> Row:
     text = "{apart:.1f} apart, where the tabs begin" if has_tabs else "{apart:.1f} apart"
     distance = note(text, apart=Length(distance_between(ends)))
     apart = note(
-        "ends {distance}; angle of the strip to the line from start to end: {start} at the start, {end} at the end"
+        "ends {distance}; seen from start to end, the strip points {start} at the start, {end} at the end"
         if all(end.support.angle for end in ends)
-        else "ends {distance}, free to turn; angle of the strip at rest to the line from start to end: {start} at "
-        "the start, {end} at the end",
+        else "ends {distance}, free to turn; seen from start to end, the strip at rest points {start} at the "
+        "start, {end} at the end",
         distance=distance, start=_angle_text(ends[0].tilt), end=_angle_text(ends[1].tilt),
     )  # fmt: skip
     if strip.rod.supports.is_free:
@@ -258,7 +258,7 @@ def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
 
 def _angle_text(degrees: float) -> Refusal:
     if round(degrees, 1) == 0:
-        return note("0 degrees")
+        return note("straight ahead")
     text = "{angle:.1f} degrees to the left" if degrees > 0 else "{angle:.1f} degrees to the right"
     return note(text, angle=abs(degrees))
 

@@ -384,7 +384,7 @@ def test_suggestions_carry_numbers_that_give_a_strip(document, sketch):
 
 def test_kinks_are_smoothed_by_the_suggested_distance(document, drawn):
     made = new(strip.create, document, drawn([(0, 0), (25, 45), (35, 90), (25, 135), (0, 180)], 3))
-    assert suggested(made) == {"Smooth the curve by 0.1 mm.": {"Smooth": 0.1}}
+    assert suggested(made) == {"Smooth the curve by at most 0.1 mm.": {"Smooth": 0.1}}
     change(made, Smooth=0.1)
     assert suggested(made) == {}
     assert made.State == ["Up-to-date"]
