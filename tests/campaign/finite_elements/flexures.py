@@ -87,8 +87,7 @@ def flexed_parts(
             part = FlexureSpec(*(_lopsided(rise) for rise in (30.0, -15.0)), "pom-3").make()
         else:
             part = read_pair(EXAMPLES / f"{name}.toml", read_curves).make()
-        # on the lopsided clip's way back the solver of the elements finds no balance
-        yield flexed(name, part, folder / name.replace(" ", "-"), push=name == "clip")
+        yield flexed(name, part, folder / name.replace(" ", "-"), push=name != "stand")
 
 
 def _lopsided(rise: float) -> PlaneCurve:
