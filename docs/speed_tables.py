@@ -23,29 +23,34 @@ This page compares the speed of this program with other solvers, and shows how l
 `make benchmark` writes the page (`docs/speed_tables.py`, from `tests/benchmarks`).
 
 The times are medians, and depend on the machine. A ratio divides our time by the time of the other task in
-the same run. It depends little on the machine, and a ratio below 1 means that ours is faster.
+the same run. It depends little on the machine, and a ratio below 1 means that our task is faster. Both tasks
+are ours unless another solver or scipy is named. Equations are those of [the paper](reproduce_the_paper.md).
 """
+
+CALLS = """*First call*: measured once, without warm-up. *Later call*: `stability` reuses intermediate
+results of the same rod. Ratios of these rows are of later calls."""
+"""Remark on rows that have the entry "call"; a new run has none."""
 
 PEERS = {
     "test_nearest_against_ipopt.py::test_sixteen_light_curves_against_ipopt": (
-        "`nearest_rod`: sixteen curves of the Flower Pot without weight (median of their ratios)",
+        "`nearest_rod`: all sixteen curves of the Flower Pot without weight (ratio: their median)",
         "IPOPT through casadi: the same rod (201 nodes, 20 coefficients), exact derivatives",
     ),
     "test_lp_cost.py::test_row_generation_against_all_rows[200]": (
         "least stiffness ratio of a half ellipse, 200 samples",
-        "HiGHS: the program of Eq. 4 with all rows",
+        "HiGHS: the linear program of Eq. 4, for all samples at once",
     ),
     "test_lp_cost.py::test_row_generation_against_all_rows[2000]": (
         "the same, 2000 samples",
-        "HiGHS: the program of Eq. 4 with all rows",
+        "HiGHS: the linear program of Eq. 4, for all samples at once",
     ),
     "test_lp_cost.py::test_gravity_against_the_full_program": (
         "least stiffness ratio under weight, 500 samples",
-        "HiGHS: the program of Eq. 6 with all rows",
+        "HiGHS: the linear program of Eq. 6, for all samples at once",
     ),
     "test_lp_cost.py::test_all_strips_of_the_gallery": (
         "least stiffness ratios of all strips of nine models",
-        "HiGHS: the linear programs of the paper with all rows",
+        "HiGHS: the linear programs of Eqs. 4 and 6, for all samples at once",
     ),
     "test_rod_speed.py::test_bend_against_solve_bvp": (
         "`bend`: a rod of 201 nodes between two clamps",
@@ -107,10 +112,10 @@ OURS = {
     ),
     "test_batch_speed.py::test_ten_thousand": (
         "10,000 nearest rods in two processes",
-        "the same in one process, half of its time",
+        "half the time of the same in one process",
     ),
     "test_batch_speed.py::test_memory_is_constant": (
-        "largest memory that Python uses for 600 nearest rods",
+        "memory that the main process adds for 600 nearest rods in two processes, at its peak",
         "the same for 200 nearest rods",
     ),
     "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
@@ -122,13 +127,13 @@ OURS = {
 
 ALONE = {
     "test_nearest_speed.py::test_sixteen_light_curves": (
-        "nearest rods of sixteen curves without weight, ratio at most 2.5"
+        "nearest rods of sixteen curves without weight, stiffness ratio at most 2.5"
     ),
     "test_nearest_speed.py::test_sixteen_heavy_stable_curves": (
-        "the same under weight, ratio at most 3.3, margin at least 5"
+        "the same under weight, ratio at most 3.3, [stability margin](stability.md) at least 5"
     ),
     "test_nearest_speed.py::test_wishes_that_no_rod_meets": (
-        "sixteen searches that find no rod: ratio at most 1.3, margin at least 500"
+        "sixteen searches that find no rod: ratio at most 1.3, stability margin at least 500"
     ),
     "test_nearest_speed.py::test_unstable_s": (
         "the nearest stable curve of an unstable S, with the same end tangents"
@@ -157,7 +162,7 @@ BODIES = {
     "test_cad_speed.py::test_one_strip[FlatSolid]": "flat strip",
     "test_cad_speed.py::test_one_strip[BentSolid]": "bent strip",
     "test_cad_speed.py::test_assembly_of_31_slotted_strips": "31 bent strips with six slots each",
-    "test_cad_speed.py::test_a_strip_bent_forward": "strip bent by `bend`: its `BentSolid`, without OpenCASCADE",
+    "test_cad_speed.py::test_a_strip_bent_forward": "strip bent by `bend`: its surfaces, without OpenCASCADE",
 }
 """Bodies of OpenCASCADE."""
 
@@ -215,7 +220,8 @@ def page(kept: dict[str, Any]) -> str:
         if kept["busy"]
         else ""
     )
-    parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}\n"]
+    calls = f" {CALLS}" if any("call" in one for one in found.values()) else ""
+    parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}{calls}\n"]
     parts += table(
         "Compared with other solvers",
         ["task", "other solver", "our time", "ratio"],
@@ -227,7 +233,7 @@ def page(kept: dict[str, Any]) -> str:
         if name not in ("ratio", "median_s")
     }
     parts += table(
-        "The strips of each model, compared with HiGHS with all rows",
+        "The strips of each model, compared with HiGHS",
         ["model", "ratio"],
         [[name, told(share)] for name, share in models.items()],
     )
@@ -286,7 +292,8 @@ def seconds(one: dict[str, Any]) -> str:
         return f"{told(one['megabytes'])} MB"
     median = one["median_s"]
     size, unit = next(unit for unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if median >= unit[0])
-    return f"{told(median / size)} {unit}"
+    call = f" ({one['call']})" if "call" in one else ""
+    return f"{told(median / size)} {unit}{call}"
 
 
 def ratio(one: dict[str, Any]) -> str:

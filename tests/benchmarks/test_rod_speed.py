@@ -1,5 +1,7 @@
 """Speed as ratios within one run: bend and stability against dense and adaptive methods."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import scipy.linalg
@@ -10,6 +12,7 @@ from tests.benchmarks.timing import seconds
 
 
 def arch(samples):
+    """A rod; `replace` copies it without its cached results."""
     return bend(Rod.straight(1.0, [1.0, 2.0, 1.5], samples=samples), end=(0.7, 0.1))
 
 
@@ -23,8 +26,8 @@ def test_stability_against_the_dense_constrained_eigenproblem(benchmark):
         return np.linalg.eigvalsh(free.T @ H @ free)
 
     reference = seconds(dense, 1)
-    benchmark(stability, rod)
-    ratio = seconds(lambda: stability(rod)) / reference
+    benchmark(lambda: stability(replace(rod)))
+    ratio = seconds(lambda: stability(replace(rod))) / reference
     benchmark.extra_info["ratio"] = ratio
     assert ratio <= 0.02
 
@@ -64,7 +67,7 @@ def test_cost_is_linear_up_to_20000(benchmark, what):
     def task(samples):
         rod = arch(samples)
         again = rod.with_stiffness(1.0 + 0.1 * rod.s)
-        return (lambda: bend(again)) if what == "bend" else (lambda: stability(rod))
+        return (lambda: bend(again)) if what == "bend" else (lambda: stability(replace(rod)))
 
     few, many = task(5001), task(20001)
     benchmark.pedantic(many, rounds=7)

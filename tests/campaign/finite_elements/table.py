@@ -23,14 +23,15 @@ HEAD = """# Strips bent by finite elements
 Does a strip take the curve for which elastica_cad designed it? On this page, strips are bent by an independent
 program. The program gmsh makes a mesh from the cutting file (DXF) of the strip. The program CalculiX bends this
 mesh into the drawn curve, and then releases it except for its tabs. If the design were exact, the strip would
-keep the drawn curve. Thickness, stiffness, cuts and clamps have no errors here.
+keep the drawn curve. Thickness, stiffness, cuts and clamps have no errors here, except *Pockets with clearance*.
 
 {result}
 
 - *Deviation*: largest distance between the centre line of the released strip and the drawn curve, divided by
   the length of the strip. At 1e-03, a strip of 300 mm is 0.3 mm off its curve. The centre line is the mean over
   each cross-section.
-- *Computed*: the deviation that elastica_cad itself reports for the strip.
+- *Computed*: the deviation that elastica_cad itself reports for the strip. After correction, it is often much
+  smaller than the deviation, because elastica_cad does not compute the remaining effects.
 - *nu*: Poisson ratio of the sheet. If nu is not 0, bending also curls a strip across its width. A wide strip
   can hardly curl, and is therefore stiffer than a beam.
 - *Heavy*: the strip is designed and bent with its own weight. Other strips are weightless unless stated.
@@ -48,7 +49,7 @@ strips deviate by {default}."""
 ACCURACY = """These strips have a constant width, and their shape, frequency or sag is known in closed form. An
 elastica is the shape of a bent thin strip of constant width; nu is 0. Errors of shapes are divided by the length,
 and the other errors by the exact value. The columns are for elements of 8 mm and of 4 mm. Their errors are almost
-equal, so the mesh is fine enough."""
+equal, so they are not due to the mesh."""
 
 KINDS = """The widths of a strip are computed in three ways (option `compensate`):
 
@@ -65,15 +66,15 @@ than the strip. *Plain* strips have none of these, and no weight."""
 
 DRAWN = """A random generator drew the curves, the widths, the places of slots and the widths of tabs of twelve
 strips. The stiffness model was not adjusted to them. *Uncertainty* is the largest error that elastica_cad
-expects in its computed deviation. The uncertainties of slots, of perforated and of laminated plywood, and the
-least value for any strip (1e-4) were set after these results. In these cases, the agreement is no independent
-proof.
+expects in its computed deviation, with or without correction. The uncertainties of slots and of perforated and
+laminated plywood were set after these results, so in their 8 cases the agreement is no independent proof. The least
+uncertainty of any strip (1e-4) was also set afterwards, but the other 14 cases agree without it too.
 
 Plywood has nu = 0.1, and a Young's modulus of 15 times its shear modulus. CalculiX, but not elastica_cad, uses
 a modulus across the grain of 0.3 of the modulus along the grain. Sheets without grain have nu = 0.3. The two
-slots of *slotted, no grain* are 6 mm apart. For slots that are closer together than they are deep, elastica_cad
-reports that it does not compute their combined effect. Strips of glued plies and strips tapered in thickness
-cannot be corrected."""
+slots of *slotted, no grain* are 6 mm apart, which is less than their depth. elastica_cad reports that it does not
+compute their combined effect. *Glued plies* are stacks of one to four plies, whose number changes along the strip.
+They and strips tapered in thickness cannot be corrected."""
 
 DRAWN_WORDS = {"even": "no grain", "ply": "plywood", "leaves": "glued plies", "tabbed": "narrow tabs",
                "tapered": "tapered in thickness"}  # fmt: skip
@@ -97,10 +98,10 @@ stiffness E I, the mass per length m and the length L. For comparison, a straigh
 number is negative, the strip is unstable. *Rating* is the result of elastica_cad (`Strip.sideways`).
 
 The strips are 300 mm long and of constant width, with nu = 0.3. Strips without a backing are 0.8 mm thick.
-Laminated strips have two layers of 0.5 mm. *Backing 12 mm*: the second layer is 12 mm wide. *10 rows*: ten rows
-of holes along the strip. In *ends pushed together*, both clamps are on one line, and k is the modulus of
-the elastica. The distance of the clamps is 0.84 of the length for k = 0.4, 0.47 for 0.7, 0.28 for 0.8, 0.16 for
-0.85, 0.09 for 0.88, and 0.03 for 0.9."""
+Laminated strips have two layers of 0.5 mm. *Backing 12 mm*: the second layer is 12 mm wide. *10 rows*: ten
+holes, one behind another along the strip. In *ends pushed together*, both clamps are on one line, and k is the
+modulus of the elastica. The distance of the clamps is 0.84 of the length for k = 0.4, 0.47 for 0.7, 0.28 for
+0.8, 0.16 for 0.85, 0.09 for 0.88, and 0.03 for 0.9."""
 
 TAPERED = """Strips 400 mm long and 8 mm wide whose thickness varies instead of their width, and round rods
 whose diameter varies. The mesh is made from the side view (DXF)."""
@@ -132,8 +133,9 @@ elements and as computed by `Strip.held`. The strips of the Pavilion are of card
 [Reproduce the paper](explanation/reproduce_the_paper.md) two plates hold them, with other clearances."""
 
 BANK = """These are the strips of the table *Deviations by kind of strip*. Arch, bow, S, hook and tall ellipse
-are shapes of curves. A strip with *2 x 12* holes has 2 columns of 12 holes. Beside each deviation is the
-computed deviation. Where *by default* is blank, the widths are those of *not corrected*."""
+are shapes of curves. A strip with *2 x 12* holes has 12 rows along its length, each of 2 holes side by side.
+Beside each deviation is the computed deviation. Where *by default* is blank, the widths are those of *not
+corrected*."""
 
 
 @dataclass(frozen=True)
