@@ -220,8 +220,9 @@ def page(kept: dict[str, Any]) -> str:
         if kept["busy"]
         else ""
     )
-    calls = f" {CALLS}" if any("call" in one for one in found.values()) else ""
-    parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}{calls}\n"]
+    parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}\n"]
+    if any("call" in one for one in found.values()):
+        parts.append(f"{CALLS}\n")
     parts += table(
         "Compared with other solvers",
         ["task", "other solver", "our time", "ratio"],
