@@ -23,6 +23,7 @@ from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
+from elastica_cad.strip.clamp_errors import snap_by_clamps
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
@@ -97,8 +98,8 @@ class Suggestion:
 
     @property
     def is_last_resort(self) -> bool:
-        """True if the strip is far from the drawn curve, or tips over."""
-        return self.is_far or self.tips
+        """True if the strip is far from the drawn curve, tips over, or snaps at a small error of a clamp."""
+        return self.is_far or self.tips or any(map(snap_by_clamps, self.strips))
 
     @property
     def effect(self) -> Refusal:
@@ -118,6 +119,8 @@ class Suggestion:
             effect = note(
                 "{effect}; the strip tips over sideways: guide the strip at the sides", effect=effect
             )
+        if any(map(snap_by_clamps, self.strips)):
+            effect = note("{effect}; the strip snaps at a small error of a clamp", effect=effect)
         if any(map(collapses, self.strips)):
             effect = note(
                 "{effect}; the strip collapses under its own weight if it stands upright", effect=effect

@@ -1,0 +1,60 @@
+"""Small errors of the clamps' angles that let a strip snap into another shape."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending import bend, snap_percent
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.refusals import Refusal, note
+from elastica_cad.strip.held_shape import closes
+from elastica_cad.strip.strip import Strip
+
+ROBUST_MARGIN = 60.0
+"""Stability margin above which the effect of turned clamps is not computed.
+
+The arches of the examples have margins of 80 to 110."""
+
+
+def snap_by_clamps(strip: Strip) -> Refusal | None:
+    """Return the warning that a usual error of a clamp lets a stable strip snap, or None."""
+    error = strip.tolerance.clamps
+    snap = _least_turn(strip.rod, error)
+    if snap is None:
+        return None
+    turn, end = snap
+    return note(
+        "close to snapping: the strip snaps into another shape if the clamp at its {end} is turned by "
+        "{turn:.2g} degrees; usual errors are up to {error:.2g} degrees. Support the strip between its ends, or "
+        "draw another curve",
+        end=note(end), turn=np.degrees(turn), error=np.degrees(error), severity="warning",
+    )  # fmt: skip
+
+
+@lru_cache(maxsize=64)
+def _least_turn(rod: Rod, error: float) -> tuple[float, str] | None:
+    """Return the least turn of a clamp, rad, at which the rod snaps, and the end of this clamp, or None.
+
+    The rod is bent with one clamp turned by `error` to either side.
+    """
+    if rod.supports.is_free or rod.discrete.unstable_modes or closes(rod):
+        return None
+    if stability(rod).margin > ROBUST_MARGIN:
+        return None
+    light = replace(rod, warnings=())
+    first, last = float(rod.angle[0]), float(rod.angle[-1])
+    holds_start, holds_end = (end.angle for end in rod.supports.ends)
+    turned = [("start", (first + turn, None)) for turn in (error, -error) if holds_start]
+    turned += [("end", (None, last + turn)) for turn in (error, -error) if holds_end]
+    snaps: list[tuple[float, str]] = []
+    for end, angles in turned:
+        try:
+            percent = snap_percent(bend(light, angles=angles))
+        except (InputError, NotConvergedError):
+            continue
+        if percent is not None:
+            snaps.append((error * percent / 100, end))
+    return min(snaps, default=None)
