@@ -1,7 +1,7 @@
 """`elastica model`: make the model of a design file, with all files that are needed to build it."""
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import partial
 from itertools import count
 from pathlib import Path
@@ -16,7 +16,6 @@ from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn
 from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import paths_of
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.drawn_file import CurveList
@@ -243,8 +242,8 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
         warn("Before you cut:", in_notes=False)
     for text in printed:
         say_row(warning_row(text, "Note"))
-    fields = set[str]().union(*(text.fields for text in printed if isinstance(text, Refusal)))
-    if keys := sorted(fields & {*paths_of(DesignKeys)}):
+    named = set[str]().union(*(text.fields for text in printed if isinstance(text, Refusal)))
+    if keys := sorted(named & {key.name for key in fields(StripSpec)}):
         warn(
             f"Keys of the design file: {Listed(keys)}. `elastica help {keys[0]}` explains it.",
             in_notes=False,

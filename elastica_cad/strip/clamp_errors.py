@@ -45,16 +45,14 @@ def _least_turn(rod: Rod, error: float) -> tuple[float, str] | None:
     if stability(rod).margin > ROBUST_MARGIN:
         return None
     light = replace(rod, warnings=())
-    first, last = float(rod.angle[0]), float(rod.angle[-1])
-    holds_start, holds_end = (end.angle for end in rod.supports.ends)
-    turned = [("start", (first + turn, None)) for turn in (error, -error) if holds_start]
-    turned += [("end", (None, last + turn)) for turn in (error, -error) if holds_end]
     snaps: list[tuple[float, str]] = []
-    for end, angles in turned:
-        try:
-            percent = snap_percent(bend(light, angles=angles))
-        except (InputError, NotConvergedError):
-            continue
-        if percent is not None:
-            snaps.append((error * percent / 100, end))
+    for k, (end, name) in enumerate(zip(rod.supports.ends, ("start", "end"), strict=True)):
+        for turn in (error, -error) if end.angle else ():
+            angle = float(rod.angle[-k]) + turn
+            try:
+                bent = bend(light, angles=(None, angle) if k else (angle, None))
+            except (InputError, NotConvergedError):
+                continue
+            if (percent := snap_percent(bent)) is not None:
+                snaps.append((error * percent / 100, name))
     return min(snaps, default=None)
