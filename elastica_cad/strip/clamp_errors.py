@@ -38,9 +38,9 @@ def snap_by_clamps(strip: Strip) -> Refusal | None:
 def _least_turn(rod: Rod, error: float) -> tuple[float, str] | None:
     """Return the least turn of a clamp, rad, at which the rod snaps, and the end of this clamp, or None.
 
-    The rod is bent with one clamp turned by `error` to either side.
+    The rod is bent with one clamp turned by `error` to either side. Rods with rails, pins or ties are left out.
     """
-    if rod.supports.is_free or rod.discrete.unstable_modes or closes(rod):
+    if rod.between or rod.supports.is_free or rod.discrete.unstable_modes or closes(rod):
         return None
     if stability(rod).margin > ROBUST_MARGIN:
         return None
