@@ -174,8 +174,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     angles = dict.fromkeys(f"{angle:.1f}" for angle in np.degrees(np.abs(result.end_angles)))
     rods = {} if in_newtons else known_rods()
     per_rod = [
-        f"{number_text(result.pull * rod.youngs_modulus / MPA_PER_GPA, '.2g')} N as a {name}"
-        for name, rod in rods.items()
+        f"{number_text(_newtons(result.pull, rod), '.2g')} N as a {name}" for name, rod in rods.items()
     ]
     force = f"{number_text(result.pull)} N" if in_newtons else (
         f"{', '.join(per_rod)} ({number_text(result.pull)} N per GPa of Young's modulus)"
@@ -245,19 +244,23 @@ def _print_table(table: dict[str, Any]) -> None:
         "safety": ".2f",
     }
     columns: dict[str, list[str]] = {}
-    is_over = False
     for name, values in table.items():
         if name == "pull_N_per_GPa":
             for material, rod in known_rods().items():
-                pulls = [number_text(value * rod.youngs_modulus / MPA_PER_GPA, ".3g") for value in values]
-                over = [strain > 100 * rod.max_strain for strain in table["strain_percent"]]
-                marked = [f"! {pull}" if too_far else pull for pull, too_far in zip(pulls, over, strict=True)]
-                columns[f"{material.removeprefix('pultruded ')}_N"] = marked
-                is_over |= any(over)
+                columns[f"{material.removeprefix('pultruded ')}_N"] = [
+                    ("! " if strain > 100 * rod.max_strain else "") + number_text(_newtons(pull, rod), ".3g")
+                    for pull, strain in zip(values, table["strain_percent"], strict=True)
+                ]
         elif name != "margin":
             columns[name] = [number_text(value, formats.get(name, ".3g")) for value in values]
+    is_over = any(cell.startswith("!") for cells in columns.values() for cell in cells)
     say(f"If you shorten the cord{' (!: above the strain limit of the rod)' if is_over else ''}:")
     say_table({_heading(name): cells for name, cells in columns.items()})
+
+
+def _newtons(pull: float, rod: Sheet) -> float:
+    """Return the pull of a rod of a known material, N, from the pull for a Young's modulus of 1 GPa."""
+    return pull * rod.youngs_modulus / MPA_PER_GPA
 
 
 def _write(

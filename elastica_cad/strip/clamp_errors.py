@@ -1,6 +1,5 @@
 """Small errors of the clamps' angles that let a strip snap into another shape."""
 
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -19,7 +18,7 @@ ROBUST_MARGIN = 60.0
 The arches of the examples have margins of 80 to 110."""
 
 
-def snap_by_clamps(strip: Strip) -> Refusal | None:
+def clamp_warning(strip: Strip) -> Refusal | None:
     """Return the warning that a usual error of a clamp lets a stable strip snap, or None."""
     error = strip.tolerance.clamps
     snap = _least_turn(strip.rod, error)
@@ -40,18 +39,15 @@ def _least_turn(rod: Rod, error: float) -> tuple[float, str] | None:
 
     The rod is bent with one clamp turned by `error` to either side. Rods with rails, pins or ties are left out.
     """
-    if rod.between or rod.supports.is_free or rod.discrete.unstable_modes or closes(rod):
+    if rod.between or rod.supports.is_free or closes(rod) or not 0 < stability(rod).margin <= ROBUST_MARGIN:
         return None
-    if stability(rod).margin > ROBUST_MARGIN:
-        return None
-    light = replace(rod, warnings=())
     snaps: list[tuple[float, str]] = []
     for k, (end, name) in enumerate(zip(rod.supports.ends, ("start", "end"), strict=True)):
         for turn in (error, -error) if end.angle else ():
             angle = float(rod.angle[-k]) + turn
             try:
-                bent = bend(light, angles=(None, angle) if k else (angle, None))
-            except (InputError, NotConvergedError):
+                bent = bend(rod, angles=(None, angle) if k else (angle, None))
+            except (InputError, NotConvergedError):  # `bend` refuses taut strips
                 continue
             if (percent := snap_percent(bent)) is not None:
                 snaps.append((error * percent / 100, name))

@@ -23,7 +23,7 @@ from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
-from elastica_cad.strip.clamp_errors import snap_by_clamps
+from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
@@ -97,9 +97,14 @@ class Suggestion:
         return any(strip.sideways.word == "unstable" for strip in self.strips)
 
     @property
+    def snaps(self) -> bool:
+        """True if a small error of a clamp lets a strip snap into another shape."""
+        return any(map(clamp_warning, self.strips))
+
+    @property
     def is_last_resort(self) -> bool:
         """True if the strip is far from the drawn curve, tips over, or snaps at a small error of a clamp."""
-        return self.is_far or self.tips or any(map(snap_by_clamps, self.strips))
+        return self.is_far or self.tips or self.snaps
 
     @property
     def effect(self) -> Refusal:
@@ -119,7 +124,7 @@ class Suggestion:
             effect = note(
                 "{effect}; the strip tips over sideways: guide the strip at the sides", effect=effect
             )
-        if any(map(snap_by_clamps, self.strips)):
+        if self.snaps:
             effect = note("{effect}; the strip snaps at a small error of a clamp", effect=effect)
         if any(map(collapses, self.strips)):
             effect = note(

@@ -17,7 +17,7 @@ from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
-from elastica_cad.strip.clamp_errors import snap_by_clamps
+from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, distance_of_tips, held_ends
@@ -172,8 +172,8 @@ def instability(strip: Strip, verdict: Stability) -> Refusal | None:
             "close to snapping: a push can move the strip into another shape",
             severity="warning",
         )
-    if snap := snap_by_clamps(strip):
-        return snap
+    if warning := clamp_warning(strip):
+        return warning
     if strip.sideways.word == "unstable":
         return note(
             "unstable sideways: the strip tips over; guide it at the sides, or make it wider",
