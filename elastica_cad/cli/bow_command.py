@@ -32,12 +32,12 @@ from elastica_cad.mechanics.sheets import Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
-from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of
+from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of, room_for_hole
 from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import size_row, strain_rows
+from elastica_cad.strip.summary import cut_rows, size_row, strain_rows
 from elastica_cad.strip.travel import Travel
 
 MPA_PER_GPA = 1000.0
@@ -82,6 +82,9 @@ _STOCK = (
     click.option("--max-width", type=LENGTH, metavar="MM", help="Largest width of a strip cut from the sheet."),
     click.option("--min-width", type=LENGTH, metavar="MM",
                  help="Least width of the strip; equal to --max-width for a strip of constant width."),
+    click.option("--hole", type=LENGTH, default=0.0, metavar="MM",
+                 help="Diameter of the hole in the strip for the cord, at each end of the cord; 0 for none. The "
+                      "tabs are outside the holes."),
     smooth_option,
     click.option("--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."),
     click.option("--shorter", type=Shortening(), multiple=True, metavar="PERCENT|LENGTH",
@@ -111,7 +114,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     """
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     sheet, fields = _material(chosen)
-    result = _bow_or_suggestion(requested, sheet, fields)
+    result = _bow_or_suggestion(requested, sheet, fields, chosen["hole"])
     fractions = [0.0, *sorted({part + mm / result.cord for part, mm in chosen["shorter"]} or SHORTER)]
     shorter = result.shortened(fractions)
     in_newtons = chosen["sheet"] is not None
@@ -136,11 +139,12 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})
 
 
-def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bow:
+def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any], hole: float) -> Bow:
     curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
+    near = fields | room_for_hole(hole, sheet, **fields)
 
-    suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **fields), typed_change, ["nearest"])
-    return bow(curve, sheet, label=requested.label, **fields)
+    suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **near), typed_change, ["nearest"])
+    return bow(curve, sheet, label=requested.label, hole=hole, **fields)
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
@@ -159,6 +163,8 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
         if chosen["sheet"] is None:
             raise InputError("--max-width needs a sheet, which sets the thickness. Add --sheet NAME.")
         return requested_sheet(chosen), fields | {"max_width": widest, "min_width": least}
+    if chosen["hole"]:
+        raise InputError("--hole applies to strips only. Leave out --hole.")
     if least is not None:
         raise InputError("--min-width applies to strips only. Use --rod LEAST:LARGEST.")
     sheet = (
@@ -197,7 +203,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
         return [*rows, Row("Strain", "; ".join([largest, *limits]))]
     reported = {*strip.strain_warnings}
     warnings = [warning_row(text) for text in strip.warnings if text not in reported]
-    return [*rows, *strain_rows(strip), *warnings]
+    return [*rows, *strain_rows(strip), *cut_rows(result.pattern), *warnings]
 
 
 def _curve_row(result: Bow) -> Row:
@@ -279,7 +285,7 @@ def _write(
     ]
     rod = chosen["rod"]
     if rod is None or rod[0] < rod[1]:
-        drawing = bench_drawing(strip) if rod else strip.drawing()
+        drawing = bench_drawing(strip) if rod else result.pattern.drawing()
         files += [File(f"{stem}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
     if can_draw():
         from elastica_cad.plot.bow_picture import bow as draw_bow

@@ -1,7 +1,7 @@
 """Bows: rods and strips that are held bent by a cord between their ends."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +15,7 @@ from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.elements import ElementForce, Tie
 from elastica_cad.mechanics.loads import Supports, require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
@@ -23,6 +24,7 @@ from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
+from elastica_cad.strip.uncuttable_parts import find_strip_faults, limits_or_default
 
 ENDS = Supports("pinned", "pinned")
 """Pinned supports. They act like a cord, and also fix the direction of the line between the ends."""
@@ -46,10 +48,13 @@ class Bow:
         Drawn curve. The bow has the same end points.
     strip : Strip
         Strip or rod with pinned ends at the ends of the cord. The weight is neglected.
+    hole : float
+        Diameter of the hole for the cord at each end of the cord, mm; 0 for none.
     """
 
     drawn: PlaneCurve
     strip: Strip
+    hole: float = 0.0
 
     def __repr__(self) -> str:
         return f"<Bow of {self.length:.4g} mm, cord {self.cord:.4g} mm, pull {self.pull:.3g} N>"
@@ -82,6 +87,16 @@ class Bow:
         return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
 
     @cached_property
+    def pattern(self) -> Strip:
+        """Strip as it is cut, with the holes for the cord."""
+        rod = self.strip.rod
+        if not self.hole:
+            return self.strip
+        cord = Tie(0.0, rod.length, hole=self.hole)
+        holes = ElementForce(cord, np.array([0.0, rod.length]), np.zeros((2, 2)))
+        return replace(self.strip, rod=replace(rod, between=(holes,)))
+
+    @cached_property
     def deviation(self) -> float:
         """Largest distance between the drawn curve and the bow, mm."""
         bent = self.strip.rod.curve
@@ -99,7 +114,7 @@ class Bow:
         return bend_strip(self.strip, [rod.position[0] + (1 - share) * _chord(rod) for share in shares])
 
 
-def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
+def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: Any) -> Bow:
     """Return the rod or strip that a cord between its ends bends into a given curve.
 
     A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica.
@@ -112,6 +127,9 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     curve : PlaneCurve
     sheet : Sheet or str
         Material, and thickness of a strip.
+    hole : float
+        Diameter of the hole for the cord at each end of the cord, mm; 0 for none. The tabs of the strip are
+        outside the holes.
     **fields
         Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the
         nearest possible curve. For a constant section, only `max_width`, `min_width`, `law`, `ends` and
@@ -142,9 +160,32 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     if curve.length - chord < least:
         raise InputError("The curve is straight, so a cord between its ends is slack. Draw an open arch.")
     if _has_constant_section(**fields):
-        return Bow(curve, _strip_of_constant_section(curve, Sheet.of(sheet), **fields))
-    level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
-    return Bow(curve, make_strip(curve, sheet, supports=ENDS, **(level | fields)))
+        strip = _strip_of_constant_section(curve, Sheet.of(sheet), **fields)
+    else:
+        level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
+        wide = room_for_hole(hole, sheet, **fields) if fields.get("limits") or fields.get("keep") else {}
+        strip = make_strip(curve, sheet, supports=ENDS, **(level | fields | wide))
+    result = Bow(curve, strip, hole)
+    if hole and not fields.get("ignore_limits"):
+        known = {fault.what for fault in find_strip_faults(strip, fields.get("shop"))}
+        for fault in find_strip_faults(result.pattern, fields.get("shop")):
+            if fault.what not in known:
+                raise InputError(
+                    "The hole for the cord is too large: {what}. Make the hole smaller, or the strip wider.",
+                    what=fault.what,
+                )
+    return result
+
+
+def room_for_hole(hole: float, sheet: Sheet | str, **fields: Any) -> dict[str, float]:
+    """Return the field `min_width` with which the sheet has enough material beside a hole of diameter `hole`, mm.
+
+    The result is empty without a hole, and if the strip may not be so wide.
+    """
+    shop, material = limits_or_default(fields.get("shop")), Sheet.of(sheet)
+    least = hole + 2 * min(shop.width_for(material), shop.bridge_for(material))
+    fits = hole and fields.get("max_width", np.inf) > least > (fields.get("min_width") or 0)
+    return {"min_width": least} if fits else {}
 
 
 def rise_of(rod: Rod) -> float:

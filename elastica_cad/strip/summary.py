@@ -65,7 +65,7 @@ def strip_rows(
         rows += [
             Row(note("Stability"), LATER),
             hold_row(strip),
-            *_cut_rows(strip),
+            *cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
         ]
         rows += [Row(note("Accuracy"), LATER)]
@@ -74,7 +74,7 @@ def strip_rows(
         rows += [
             stability_row(strip, verdict),
             hold_row(strip),
-            *_cut_rows(strip),
+            *cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
             *_mounting_rows(strip),
         ]
@@ -274,7 +274,8 @@ def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
     )
 
 
-def _cut_rows(strip: Strip) -> Iterator[Row]:
+def cut_rows(strip: Strip) -> Iterator[Row]:
+    """Yield a row on the holes and notches for pins and ties, if any."""
     cuts, first = element_cuts(strip.rod), strip.ends[0].length
     if not cuts:
         return

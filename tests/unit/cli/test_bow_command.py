@@ -2,7 +2,9 @@
 
 import csv
 import json
+import re
 
+import ezdxf
 import numpy as np
 import pytest
 from scipy.special import ellipk
@@ -80,6 +82,29 @@ def test_a_taper_is_refused_with_the_command_that_works(arch, stock, check_drawi
     assert outline.area > near["length_mm"] * 4
 
 
+@pytest.mark.parametrize("more", [("--nearest",), ("--min-width", "30")])
+def test_the_holes_for_the_cord_are_at_the_ends_of_the_computed_cord(arch, more):
+    """The pattern has two holes, with the material that the sheet needs beside them."""
+    done = run("bow", "arch.json", *STRIP, "--hole", 4, *more, "-o", "out", cwd=arch)
+    length = json.loads((arch / "out" / "arch-bow.json").read_text())["length_mm"]
+    drawn = ezdxf.readfile(arch / "out" / "arch-bow.dxf").modelspace()
+    first, last = sorted((e.dxf for e in drawn.query("CIRCLE")), key=lambda circle: circle.center.x)
+    assert [first.layer, last.layer] == ["CUT_INNER"] * 2
+    assert [first.radius, last.radius] == pytest.approx([2, 2])
+    assert [*first.center, *last.center] == pytest.approx([0, 0, 0, length, 0, 0], abs=1e-6)
+    assert f"holes of 4 mm at 10 and {length + 10:.4g} mm; measured along the flat strip" in done.output
+    least = re.search(r"([\d.]+) (?:to [\d.]+ )?mm wide", done.output)
+    assert float(least[1]) >= 8
+
+
+def test_a_hole_too_large_for_the_strip_is_refused(arch):
+    narrow = ("--sheet", "pom-2", "--max-width", 7, "--min-width", 7, "--hole", 4)
+    done = run("bow", "arch.json", *narrow, "-o", "out", cwd=arch, code=2)
+    assert "The hole for the cord is too large: only 1." in done.stderr
+    assert "pom-2 needs at least 2 mm. Make the hole smaller, or the strip wider." in done.stderr
+    assert not (arch / "out").exists()
+
+
 def test_a_strip_of_constant_width_is_an_even_bow(arch):
     even = record(arch, *STRIP, "--min-width", 30)
     assert even["ratio"] < 1.01
@@ -105,6 +130,7 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
         (("--rod", 8, *STRIP), "The section of the bow is missing."),
         (("--max-width", 30), "--max-width needs a sheet, which sets the thickness. Add --sheet NAME."),
         (("--rod", 8, "--min-width", 3), "--min-width applies to strips only. Use --rod LEAST:LARGEST."),
+        (("--rod", 8, "--hole", 3), "--hole applies to strips only. Leave out --hole."),
         (("--rod", 8, "--nearest"), "--nearest and --smooth apply to a varying section only."),
         (("--rod", "8:6", "--sheet", "pom-2"), "diameter limits are 8 and 6"),
         (("--rod", "8:x"), "'x' is not a length"),
