@@ -28,7 +28,7 @@ from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import bar_direction, side_of_bar
+from elastica_cad.strip.summary import bar_direction, moves_far, side_of_bar
 
 MOST_SUGGESTIONS = 4
 
@@ -102,9 +102,14 @@ class Suggestion:
         return any(map(clamp_warning, self.strips))
 
     @property
+    def moves_far(self) -> bool:
+        """True if a small mounting error of a rail, pin or tie moves a strip far."""
+        return any(map(moves_far, self.strips))
+
+    @property
     def is_last_resort(self) -> bool:
-        """True if the strip is far from the drawn curve, tips over, or snaps at a small error of a clamp."""
-        return self.is_far or self.tips or self.snaps
+        """True if the strip is far from the drawn curve, tips over, or is sensitive to small errors."""
+        return self.is_far or self.tips or self.snaps or self.moves_far
 
     @property
     def effect(self) -> Refusal:
@@ -126,6 +131,8 @@ class Suggestion:
             )
         if self.snaps:
             effect = note("{effect}; the strip snaps at a small error of a clamp", effect=effect)
+        if self.moves_far:
+            effect = note("{effect}; a small mounting error moves the strip far", effect=effect)
         if any(map(collapses, self.strips)):
             effect = note(
                 "{effect}; the strip collapses under its own weight if it stands upright", effect=effect
@@ -219,7 +226,8 @@ def suggest(
     The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
     nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
     size. A strip is suitable if it is bent, stable and strained within the limit of its sheet. Strips farther
-    from the drawn curve than 3 % of the curve's size, and strips that tip over sideways, are suggested last.
+    from the drawn curve than 3 % of the curve's size, and strips that tip over sideways or are sensitive to small
+    errors, are suggested last.
 
     Parameters
     ----------

@@ -347,6 +347,15 @@ MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""
 
 
+def _mounting_moves(strip: Strip) -> list[float]:
+    return [MOUNTING_ERROR_MM * moved for moved in displacements_per_mm(strip.rod)]
+
+
+def moves_far(strip: Strip) -> bool:
+    """Return True if a usual mounting error of a rail, pin or tie moves the strip far."""
+    return bool(strip.rod.between) and max(_mounting_moves(strip)) > FAR_SHARE * strip.rod.length
+
+
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
     if not strip.rod.between:
         return
@@ -355,19 +364,25 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
             "the {element} from {start:.0f} to {end:.0f} moves the strip by {far}"
             if isinstance(action.element, Tie)
             else "the {element} {start:.0f} from the start moves the strip by {far}",
-            far=_rounded_move(MOUNTING_ERROR_MM * moved), element=noun_of(action.element),
+            far=_rounded_move(moved), element=noun_of(action.element),
             start=Length(action.s[0]), end=Length(action.s[-1]),
         )
-        for action, moved in zip(strip.rod.between, displacements_per_mm(strip.rod), strict=True)
+        for action, moved in zip(strip.rod.between, _mounting_moves(strip), strict=True)
     ]  # fmt: skip
     text = note(
         "if mounted with an error of {error}, {moves}", error=Length(MOUNTING_ERROR_MM), moves=sentences(texts),
     )  # fmt: skip
+    if far := moves_far(strip):
+        text = note(
+            "{text}. Movements above {percent:g} % of its length are large: support the strip in another way, or "
+            "draw another curve",
+            text=text, percent=100 * FAR_SHARE,
+        )  # fmt: skip
     details = note(
         "The error is the distance of a rail or pin from its designed position, or the error of the length of a "
         "cord. The stated movement is that of the point of the strip that moves most."
     )
-    yield Row(note("Mounting"), text, (details,))
+    yield Row(note("Mounting"), text, (details,), "warning" if far else "note")
 
 
 def _rounded_move(mm: float) -> Length | Refusal:

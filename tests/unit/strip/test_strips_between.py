@@ -11,7 +11,9 @@ from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import FinishedStrip, request_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.strip.holding_template import ends_message, holding_template
+from elastica_cad.strip.suggestions import suggest
 from elastica_cad.strip.summary import strip_rows
 
 WAVE = ec.PlaneCurve.spline(
@@ -156,6 +158,20 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
         f"{rail / 2:.2g} mm; the tie from 40 mm to 310 mm moves the strip by {tie / 2:.2g} mm"
     )
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
+
+
+def test_a_pin_whose_error_moves_the_strip_far_is_marked_and_suggested_last(tmp_path):
+    poles = "0 -21.2 \n 50 16 \n 100 -18.4 \n 150 14.2 \n 200 -24 \n 250 9.1 \n 300 -21.3 \n 350 4.3"
+    (tmp_path / "wave.txt").write_text(f"4 8\n{poles}\n")
+    (curve,) = ec.read_curves(tmp_path / "wave.txt")
+    spec = ec.StripSpec(curve, "polypropylene-0.6", max_width=30)
+    with pytest.raises(NotRealizable) as refused:
+        spec.make()
+    *_, last = suggest(spec, refused.value, {"nearest", "between"})
+    assert "; a small mounting error moves the strip far; build the pin" in str(last)
+    (row,) = (row for row in strip_rows(last.strips[0]) if row.label == "Mounting")
+    assert row.stops
+    assert "moves the strip by 8.1 mm. Movements above 3 % of its length are large" in row.text
 
 
 def test_a_shallow_strip_rests_as_designed_if_its_ends_are_closer_by_its_compression():
