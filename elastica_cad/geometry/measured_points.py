@@ -157,6 +157,11 @@ class MeasuredPoints:
         return Length(float(f"{self.noise:.1g}"))
 
     @property
+    def noise_text(self) -> str:
+        """Sentence about the noise, without a full stop and without the advice of `noise_message`."""
+        return note("the points have noise of about {noise}", noise=self.rounded_noise)
+
+    @property
     def noise_message(self) -> str:
         """Message about the noise, without a full stop."""
         return note(

@@ -82,6 +82,19 @@ def test_a_taper_is_refused_with_the_command_that_works(arch, stock, check_drawi
     assert outline.area > near["length_mm"] * 4
 
 
+def test_a_bow_with_bent_ends_is_not_advised_to_be_smoothed(tmp_path):
+    """Smoothing the points leaves the ends bent, so only the nearest curve is proposed."""
+    points = [(0, 0), (80, 95), (200, 180), (360, 225), (520, 222), (680, 170), (790, 90), (860, 0)]
+    (tmp_path / "bow.csv").write_text("\n".join(f"{x},{y}" for x, y in points))
+    words = ("bow", "bow.csv", "--sheet", "birch-plywood-1.5", "--max-width", "40")
+    for more in ((), ("--smooth", "0.53")):
+        done = run(*words, *more, "-o", "out", cwd=tmp_path, code=1)
+        assert "is free to turn, so the curvature there must be 0" in done.stderr
+        assert "set --smooth" not in done.stderr
+        assert "--nearest`." in done.stderr
+        assert ("noise of about 0.3 mm. The start" in done.stderr) == (not more)
+
+
 @pytest.mark.parametrize("more", [("--nearest",), ("--min-width", "30")])
 def test_the_holes_for_the_cord_are_at_the_ends_of_the_computed_cord(arch, more):
     """The pattern has two holes, with the material that the sheet needs beside them."""
