@@ -164,8 +164,8 @@ def watched(
                     first += 1
     took = round((time.monotonic() - since) / 60, 1)
     sums = {
-        "cases": sum(ends.values()), "seed": seed, "ends": dict(ends), "kinds": dict(kinds), "longest_s": longest,
-        "most_mib": most, "starts": starts, "minutes": took,
+        "cases": sum(ends.values()), "seed": seed, "ends": dict(ends), "kinds": dict(kinds), "faults": len(faults),
+        "longest_s": longest, "most_mib": most, "starts": starts, "minutes": took,
     }  # fmt: skip
     return faults, sums
 
@@ -194,9 +194,9 @@ def main() -> None:
     (asked.out / f"files-{asked.seed}.json").write_text(
         json.dumps({"sums": sums, "faults": faults}, indent=1) + "\n"
     )
-    print(json.dumps(sums))
     for fault in faults[:50]:
         print(json.dumps(fault))
+    print(json.dumps(sums))
     sys.exit(bool(faults))
 
 

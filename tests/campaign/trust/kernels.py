@@ -196,8 +196,9 @@ def main():
     parser.add_argument("--here", action="store_true")
     asked = parser.parse_args()
     if asked.here:
-        print(asked.cases, *ask_here(asked.cases, asked.seed))
-        return
+        refused, count = ask_here(asked.cases, asked.seed)
+        print(f"{asked.cases} cases; {refused} of {count} wrong calls refused")
+        sys.exit(refused < count)
     found = ask_apart(asked.cases, asked.seed)
     print(found.stdout, found.stderr)
     sys.exit(found.returncode)

@@ -210,8 +210,7 @@ def main():
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     for key, count in sorted(wrong.items()):
         print(f"{count:5} {key} {first[key]}")
-    count = len({key.split(": ")[0] for key in wrong})
-    print(f"{asked.calls} calls, {sum(wrong.values())} wrong in {count} callables, {most:.0f} MB")
+    print(f"{asked.calls} calls; {sum(wrong.values())} wrong; {most:.0f} MiB of memory")
     sys.exit(bool(wrong) or most > MOST_MIB)
 
 
