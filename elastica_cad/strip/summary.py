@@ -144,7 +144,12 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
 def stability_row(strip: Strip, verdict: Stability) -> Row:
     """Return the row on stability, in the plane and sideways."""
     sideways = strip.sideways
-    details = [note("The stability margin is {margin:.3g}; at least 5 is safe.", margin=verdict.margin)]
+    details = [
+        note(
+            "The stability margin is {margin:.3g}; below 5, a push can move the strip into another shape.",
+            margin=verdict.margin,
+        )
+    ]
     if sideways.decided:
         details.append(
             note(
