@@ -306,7 +306,7 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _first_names(fitting, "each the closest of its kind to the strain limit; thinner ones are safer")
+        _first_names(fitting, "those closest to their strain limit, one of each kind; thinner ones are safer")
         if fitting
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'the least enlarged')}",
         details,

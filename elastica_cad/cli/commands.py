@@ -236,7 +236,8 @@ def _usage_message(problem: click.UsageError, context: click.Context | None) -> 
         case click.BadOptionUsage() if context is not None and context.invoked_subcommand:
             for option in _imported(context.invoked_subcommand).params:
                 if isinstance(option, click.Option) and problem.option_name in option.opts and option.metavar:
-                    return f"{problem.option_name} needs {option.metavar}. {option.help}"
+                    values = f"{option.nargs} values, " if option.nargs > 1 else ""
+                    return f"{problem.option_name} needs {values}{option.metavar}. {option.help}"
     return problem.format_message()
 
 

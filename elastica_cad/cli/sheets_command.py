@@ -75,12 +75,9 @@ def sheets(name: str | None) -> None:
         "thickness": f"{sheet.thickness:g} mm",
         "Young's modulus": f"{number_text(sheet.youngs_modulus, 'g')} MPa"
         + _in_range(sheet.youngs_modulus_range),
-        "Poisson's ratio": f"{sheet.poisson_ratio:g}, narrowing across per stretch along "
-        + (
-            "(for the widths, and for estimates such as Accuracy and the strain beside narrow tabs)"
-            if sheet.poisson_known
-            else "(assumed; for estimates such as Accuracy and the strain beside narrow tabs)"
-        ),
+        "Poisson's ratio": f"{sheet.poisson_ratio:g} (stretched by 1 %, the material narrows by "
+        + f"{sheet.poisson_ratio:g} %; "
+        + ("used for the widths)" if sheet.poisson_known else "assumed, and used only for estimates)"),
         "shear modulus": f"{number_text(sheet.shear_ratio * sheet.youngs_modulus, '.4g')} MPa"
         + ", against twisting and tipping over sideways"
         + ("" if sheet.shear_modulus else " (assumed, as of a material without grain)"),

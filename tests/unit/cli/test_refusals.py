@@ -394,7 +394,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
             "check arch.csv --scale 2",
             "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
         ),
-        ("bend arch.csv --to 380", "--to needs X Y. New position of the end, in mm of the drawing"),
+        ("bend arch.csv --to 380", "--to needs 2 values, X Y. New position of the end, in mm of the drawing"),
         ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
         ("help rails", "did you mean rail?"),
