@@ -38,6 +38,16 @@ class Length(_Worded, float):
         return format(self)
 
 
+class BareLength(Length):
+    """Length in mm, shown without its unit because a later length of the message has the unit.
+
+    Examples
+    --------
+    >>> "a part of {} by {}".format(BareLength(300), Length(20))
+    'a part of 300 by 20 mm'
+    """
+
+
 class FieldName(_Worded, str):
     """Name of a field of a request: its key in design files, preceded by the name of its table.
 
@@ -176,6 +186,8 @@ class Wording(Formatter):
                 return self.field(str(value))
             case Refusal():
                 return self.sentence(value)
+            case BareLength():
+                return self._in_unit(value, spec)
             case Length():
                 return f"{self._in_unit(value, spec)} {self.unit}"
             case Point():
@@ -184,6 +196,8 @@ class Wording(Formatter):
             case Listed():
                 return self._joined(value, spec) + (f" {self.unit}" if _are_lengths(value) else "")
             case float():
+                return self._digits(value, spec)
+            case int() if spec.endswith(("f", "g")):
                 return self._digits(value, spec)
         return str(format(value, spec))
 

@@ -203,7 +203,7 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
         return np.linspace(0.0, length, chosen["stations"])
     if not length / MOST_STATIONS <= every <= length:
         raise InputError(
-            "--every is {every:g} mm. Choose {least:g} mm to {length:g} mm, the length of the batten.",
+            "--every is {every:g}. Choose {least:g} to {length:g}, the length of the batten.",
             every=Length(every),
             least=Length(rounded_up(length / MOST_STATIONS, 3)),
             length=Length(length),

@@ -15,7 +15,7 @@ from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 Point: TypeAlias = tuple[float, float]
 Handles: TypeAlias = tuple[Point, Point, Point, Point]
@@ -50,7 +50,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
         raise InputError(
             "The bounding box of the curve measures {left:.4g} by {low:.4g}, too thin for handles at its "
             "corners. Set four handles instead.",
-            left=right - left,
+            left=BareLength(right - left),
             low=Length(high - low),
         )
     before = [(left, low), (right, low), (right, high), (left, high)]
@@ -207,7 +207,7 @@ class EllipseArc:
                 "{place}: y = {rise:.4g} does not cut the ellipse. Choose a height between {reach:.4g} and "
                 "{reach_2:.4g}.",
                 place=f"{where}: above",
-                reach=center[1] - reach,
+                reach=BareLength(center[1] - reach),
                 reach_2=Length(center[1] + reach),
                 rise=Length(rise + center[1]),
             )

@@ -50,7 +50,7 @@ def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rationa
         raise InputError(
             "the tolerance is {tolerance:g}, finer than any machine cuts: set at least {finest_mm:g}",
             tolerance=Length(tolerance),
-            finest_mm=FINEST_MM,
+            finest_mm=Length(FINEST_MM),
         )
     if curves in ("spline", "bezier", EXACT):
         finest = _SPLINE_TOLERANCE_MM if curves == EXACT else min(tolerance, _SPLINE_TOLERANCE_MM)

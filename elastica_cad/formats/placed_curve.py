@@ -155,14 +155,11 @@ def place_chain(
                     "draw a spline through its points for the strip to follow",
                     count=len(run),
                 )
-            x, y, z = before.end
             raise InputError(
-                "edges meet at a corner of {turn:.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm: "
-                "make them tangent or round the corner",
+                "edges meet at a corner of {turn:.3g} degrees at {place}: make them tangent or round "
+                "the corner",
                 turn=np.degrees(turn),
-                x=x,
-                y=y,
-                z=z,
+                place=Point(before.end),
             )
     frame = frame_of(run)
     flat, *drilled = [in_plane(part, frame) for part in (run, *holes)]

@@ -13,7 +13,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.refusals import FieldName, Length
+from elastica_cad.refusals import BareLength, FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
 """Fingerprint of a file (modification time, size and inode number), or None for a missing file."""
@@ -198,7 +198,7 @@ def check_size(points: FloatArray, *, in_file: bool = True) -> None:
             else "The size of the curve is {size}, outside {smallest_size:g} to {largest_size:g}. Check the unit.",
             field=UNIT,
             size=Length(size),
-            smallest_size=SMALLEST_SIZE,
+            smallest_size=BareLength(SMALLEST_SIZE),
             largest_size=Length(LARGEST_SIZE),
         )
 

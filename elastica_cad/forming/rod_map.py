@@ -22,7 +22,7 @@ from elastica_cad.mechanics.loads import Supports, Weight
 from elastica_cad.mechanics.optimal_balance import TangentWeight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class SectionScale:
                     "the {quantity} limits {least:g} and {largest:g} are too close together: set them "
                     "farther apart",
                     quantity=law.quantity,
-                    least=least,
+                    least=BareLength(least),
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)

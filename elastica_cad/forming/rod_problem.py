@@ -35,7 +35,7 @@ from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 # derivative of an angle by an unknown, rad, above which squares could overflow
 _TOO_SENSITIVE = 1e50
@@ -248,7 +248,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 "{asked} a length of {size:.6g} to {size_2:.6g}, but the pre-bent strip is {blank:.6g} "
                 "long. Give the curvature of the pre-bent strip along the required length",
                 asked=wish,
-                size=least * target.size,
+                size=BareLength(least * target.size),
                 size_2=Length(most * target.size),
                 blank=Length(blank),
             )
@@ -258,7 +258,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 "`keep.length` requires a length of {size:.6g}, but the limit of the length is "
                 "{size_2:.6g} to {size_3:.6g}: leave out `keep.length`, or change the limit",
                 size=Length(target.size),
-                size_2=low * target.size,
+                size_2=BareLength(low * target.size),
                 size_3=Length(high * target.size),
             )
         low = high = 1.0

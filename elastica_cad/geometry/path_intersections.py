@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import JOIN, Path, meets
 from elastica_cad.geometry.plane_points import boxes_meet, cross
 from elastica_cad.geometry.segments import Line, Segment, chords, trim_segment
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
@@ -228,9 +228,9 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     if not runs:
         raise InputError(
             "the path has no part between x = {low:g} and {high:g}: give places from {bounds:g} to {bounds_2:g}",
-            low=low,
+            low=BareLength(low),
             high=Length(high),
-            bounds=path.bounds[0, 0],
+            bounds=BareLength(path.bounds[0, 0]),
             bounds_2=Length(path.bounds[1, 0]),
         )
     if len(runs) > 1 and meets(runs[-1][-1], runs[0][0]):
@@ -242,7 +242,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
             if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
                 raise InputError(
                     "the part between x = {low:g} and {high:g} is not in one piece: give another range",
-                    low=low,
+                    low=BareLength(low),
                     high=Length(high),
                 )
             chain.append(Line(run[-1].end, following[0].start))

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 MOST_LEAVES = 50
 """Largest number of plies; with more plies a stack would be as smooth as a taper."""
@@ -61,7 +61,7 @@ class _PowerLaw(FixedLaw):
             raise InputError(
                 "{quantity} limits are {low:g} and {high:g}: give the least first, such as 3 and 8",
                 quantity=self.quantity,
-                low=low,
+                low=BareLength(low),
                 high=Length(high),
             )
 

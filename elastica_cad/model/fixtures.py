@@ -17,7 +17,7 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
-from elastica_cad.refusals import Length, Refusal, both_names, note
+from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
@@ -232,7 +232,7 @@ class EndFixture(EqualByValue):
                 "foot longer or the screw thinner",
                 who=who,
                 screw=Length(self.screw),
-                foot=self.foot,
+                foot=BareLength(self.foot),
                 across=Length(self.across),
             )
         if self.engrave is None:

@@ -13,7 +13,7 @@ from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.refusals import BareLength, FieldName, Length, note
 from elastica_cad.strip.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.strip.pieces import Piece
 
@@ -349,7 +349,7 @@ def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float
                 "{piece}: a part of {x:.4g} by {y:.4g}, with its grain {grain} the part, does not fit on a "
                 "sheet of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet ({field}) "
                 "or make the part in pieces",
-                piece=piece.name, x=x, y=Length(y), long=size[0], short=Length(size[1]), margin=Length(margin),
-                grain=piece.sheet.grain, field=FieldName("nest.sheet_size"),
+                piece=piece.name, x=BareLength(x), y=Length(y), long=BareLength(size[0]), short=Length(size[1]),
+                margin=Length(margin), grain=piece.sheet.grain, field=FieldName("nest.sheet_size"),
             )  # fmt: skip
     raise AssertionError("every piece fits the sheet")

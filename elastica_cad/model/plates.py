@@ -20,7 +20,7 @@ from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_mee
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
-from elastica_cad.refusals import FieldName, both_names, note
+from elastica_cad.refusals import FieldName, Point, both_names, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable, text_width
@@ -579,14 +579,13 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
     met = near[_least_distances(*corners[near.T]) <= 0]
     for i, j in met[:1].tolist():
-        x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
+        middle = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            "{name}: the slots of {tabs} overlap near ({x:.1f}, {y:.1f}): give the strips "
-            "narrower tabs, or move the strips apart",
+            "{name}: the slots of {tabs} overlap near {place:.1f}: give the strips narrower tabs, or move "
+            "the strips apart",
             name=name,
             tabs=both_names(slots[j].name, slots[i].name),
-            x=x,
-            y=y,
+            place=Point(middle),
         )
 
 

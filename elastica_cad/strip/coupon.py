@@ -7,7 +7,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.sheets import Sheet, require_printable
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
 
@@ -20,6 +20,8 @@ TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Spacing of ticks and of long ticks on the scale, mm."""
 
 MOST_OVERHANG_MM = 10_000.0
+
+NARROWEST_MM = 8.0
 
 EDGE_MM = 0.5
 """Distance of engraving from the edge, mm. A tick at the edge would act as a notch."""
@@ -89,10 +91,11 @@ def coupon_drawing(
             free=Length(free),
             most_overhang_mm=Length(MOST_OVERHANG_MM),
         )
-    if width < 8.0:
+    if width < NARROWEST_MM:
         raise InputError(
-            "a coupon {width:g} wide is too narrow for its engraving: use 8 mm or more",
+            "a coupon {width:g} wide is too narrow for its engraving: use {least} or more",
             width=Length(width),
+            least=Length(NARROWEST_MM),
         )
     if width > free:
         raise InputError(
@@ -130,7 +133,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     if text_width(figure, height) > 0.9 * length:
         raise InputError(
             "a reference bar of {length:g} by {width:g} is too short for its numbers: make the bar longer",
-            length=length,
+            length=BareLength(length),
             width=Length(width),
         )
     start = (length - text_width(figure, height)) / 2

@@ -19,7 +19,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import greville, knot_runs
 from elastica_cad.mechanics.loads import Supports
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import BareLength, Length
 
 StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
@@ -180,7 +180,7 @@ class Tab:
                     "tab, overlap: move one of them",
                     diameter=Length(first.diameter),
                     diameter_2=Length(second.diameter),
-                    at=first.at,
+                    at=BareLength(first.at),
                     at_2=Length(second.at),
                 )
 
@@ -201,7 +201,7 @@ class Tab:
             raise InputError(
                 "tab corners of {cut:g} do not fit a tab of {length:g} by {w:g}: make the corners smaller",
                 cut=Length(cut),
-                length=length,
+                length=BareLength(length),
                 w=Length(w),
             )
         if 2 * self.taper >= w:

@@ -427,9 +427,10 @@ class Perforated:
         if missing[i] > TIP_FRACTION:
             warnings.append(note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips of the "
-                "holes {s} from the start: use {least:.2g} or less to stay within {allowed:.0f} %",
+                "holes {s} from the start: use {least:g} or less to stay within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
-                least=Mm(self.corner_radius * TIP_FRACTION / missing[i]), allowed=100 * TIP_FRACTION,
+                least=Mm(rounded_down(self.corner_radius * TIP_FRACTION / missing[i], 2)),
+                allowed=100 * TIP_FRACTION,
             ))  # fmt: skip
         return tuple(warnings)
 

@@ -19,7 +19,7 @@ from elastica_cad.geometry.plane_points import box_about, boxes_meet, left_of, l
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, trim_segment
 from elastica_cad.geometry.splines import spline_through
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import BareLength, Length, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK
 from elastica_cad.strip.lettering import (
     LABEL_MM,
@@ -308,7 +308,7 @@ class _Edge:
                     "tabs from {low:.4g} to {high:.4g}: move the slot",
                     name=name,
                     at=Length(slot.at),
-                    low=low,
+                    low=BareLength(low),
                     high=Length(high),
                 )
             raise InputError(

@@ -56,7 +56,7 @@ from elastica_cad.mechanics.sideways import (
     stations_of_sideways,
 )
 from elastica_cad.mechanics.stiffness_law import RoundLaw
-from elastica_cad.refusals import FieldName, Length, Span, note
+from elastica_cad.refusals import BareLength, FieldName, Length, Span, note
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
     StrainedCut,
@@ -283,7 +283,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
         if not judged.allowed:
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
-            radius, least = distinct_digits(1 / bend[at], 1 / bearable, ".3g")
+            radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
             yield note(
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
                 "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).",
@@ -298,7 +298,7 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
         yield note(
             "The ends of the closed strip do not fit together: one is {start:.3g} wide, the other {end}. Choose "
             "another place for the joint, leave out gravity, or make the curvature continuous there.",
-            start=start, end=Length(end), severity="warning",
+            start=BareLength(start), end=Length(end), severity="warning",
         )  # fmt: skip
     widest = float(width.extremes[1])
     if widest > length:

@@ -42,7 +42,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
-from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.refusals import BareLength, FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import make_within, with_warnings
@@ -240,7 +240,7 @@ def _limits_with_sheet_and_widths(
                 "width or the limits, or leave out the limits",
                 name=FieldName(name),
                 width=Length(width),
-                low=low,
+                low=BareLength(low),
                 high=Length(high),
                 where={"field": (name, "limits.width")},
             )

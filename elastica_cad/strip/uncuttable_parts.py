@@ -16,7 +16,7 @@ from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.geometry.segments import Arc
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import FieldName, Length, Point, both_names, note, sentences
+from elastica_cad.refusals import BareLength, FieldName, Length, Point, both_names, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
@@ -715,8 +715,8 @@ def _too_large(
         )
         what = note(
             "{long:g} x {short:g} is larger than the stock of {stock_long:g} x {stock_short:g} in {sheet}",
-            long=its_long, short=Length(its_short), stock_long=long_side, stock_short=Length(short_side),
-            sheet=sheet.name,
+            long=BareLength(its_long), short=Length(its_short), sheet=sheet.name,
+            stock_long=BareLength(long_side), stock_short=Length(short_side),
         )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)

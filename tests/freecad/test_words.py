@@ -15,6 +15,7 @@ from freecad.elastica_wb.host.words import Unit, capital, worded
 from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
 from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.refusals import (
+    BareLength,
     MATERIAL_WIDTH,
     Either,
     FieldName,
@@ -173,6 +174,8 @@ def test_lengths_are_said_in_the_users_unit():
         worded(note("{far:.2g} off, {bend} 1/mm", far=Length(2.54), bend=0.02), inch)
         == "0.1 in off, 0.02 1/mm"
     )
+    two = note("{long:g} by {short:g}", long=BareLength(50.8), short=Length(25.4))
+    assert (str(two), worded(two, inch)) == ("50.8 by 25.4 mm", "2 by 1 in")
 
 
 def test_fields_have_freecads_names():
@@ -335,7 +338,7 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
 def test_a_stored_message_has_all_its_values():
     message = sentences([
         note("at {at}, {width}", at=Listed(map(Length, (1.5, 20))), width=Span.of(20.8, 30)),
-        note("{far} from {place}", far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
+        note("{wide} by {far} from {place}", wide=BareLength(5), far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
         note("{count} {flag} {share:.3g}", count=3, flag=True, share=np.float64(0.123456)),
         note("set {name}, or {other}", name=FieldName("max_width"), other=MATERIAL_WIDTH),
         note("{either}", either=Either(["widen it", note("take {name}", name="another sheet")])),

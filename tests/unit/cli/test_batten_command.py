@@ -238,7 +238,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
             r"Move the largest camber to at most \d\d\.\d % of the chord",
         ),
         (("--stock", 25, 8, "--bore", 0.5), "--bore is the inner diameter of a tube"),
-        (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
+        (("--stock", 25, 8, "--every", 0.1), r"--every is 0.1 mm\. Choose [\d.]+ mm to [\d.]+ mm,"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves applies to strips"),
         (("--stock", 25, 8, "--full", 95), "full size over 95 % of its length. Set --full to 0 to 80 %"),

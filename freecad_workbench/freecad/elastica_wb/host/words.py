@@ -16,7 +16,17 @@ import FreeCAD as App
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._text import printable
-from elastica_cad.refusals import Either, FieldName, Length, Listed, MaterialWidth, Point, Refusal, Span
+from elastica_cad.refusals import (
+    BareLength,
+    Either,
+    FieldName,
+    Length,
+    Listed,
+    MaterialWidth,
+    Point,
+    Refusal,
+    Span,
+)
 from elastica_cad.words import Translated
 
 NAMES = {
@@ -107,7 +117,10 @@ def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
     ]
 
 
-TYPES = {kind.__name__: kind for kind in (Length, FieldName, MaterialWidth, Listed, Either, Span, Point)}
+TYPES = {
+    kind.__name__: kind
+    for kind in (Length, BareLength, FieldName, MaterialWidth, Listed, Either, Span, Point)
+}
 """Types of values that messages format in a special way, by name."""
 
 
