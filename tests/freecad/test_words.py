@@ -15,8 +15,8 @@ from freecad.elastica_wb.host.words import Unit, capital, worded
 from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
 from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.refusals import (
-    BareLength,
     MATERIAL_WIDTH,
+    BareLength,
     Either,
     FieldName,
     Length,
@@ -338,7 +338,8 @@ def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monk
 def test_a_stored_message_has_all_its_values():
     message = sentences([
         note("at {at}, {width}", at=Listed(map(Length, (1.5, 20))), width=Span.of(20.8, 30)),
-        note("{wide} by {far} from {place}", wide=BareLength(5), far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
+        note("{far} from {place}", far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
+        note("{long} by {wide}", long=BareLength(5), wide=Length(1.25)),
         note("{count} {flag} {share:.3g}", count=3, flag=True, share=np.float64(0.123456)),
         note("set {name}, or {other}", name=FieldName("max_width"), other=MATERIAL_WIDTH),
         note("{either}", either=Either(["widen it", note("take {name}", name="another sheet")])),
