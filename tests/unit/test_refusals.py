@@ -75,6 +75,10 @@ def refuse(number):
     return note("at {places}, near {place}", places=Listed([Length(number), Length(7)]), place=Point((1, 2)))
 
 
+def test_a_whole_number_has_no_exponent():
+    assert note("{modulus:g} N/mm2, {force:.2g} N", modulus=12_000_000, force=120) == "12000000 N/mm2, 120 N"
+
+
 def test_a_process_pool_returns_records_whole():
     with ProcessPoolExecutor(1, get_context("spawn")) as pool:
         even, odd = pool.submit(refuse, 2), pool.submit(refuse, 3)
