@@ -1,6 +1,6 @@
 """The table of a design file for a surface of revolution: its meridian, strips and rings."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
@@ -15,16 +15,23 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.held_tabs import tab_seats
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plates import Border
 from elastica_cad.model.revolution_model import revolve
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Point, Refusal, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 Pair: TypeAlias = tuple[float, float]
+
+OPENING_STEPS = (1, 2, 4, 8, 16)
+"""Increases of the radius of an opening, mm, that are tested if the rings cannot be made."""
+
+LARGEST_STEP_FRACTION = 0.3
+"""Largest tested increase as a fraction of the radius."""
 
 NEAR_MM, NEAR_SHARE = 0.05, 1e-3
 """Distances, in mm and as a fraction of the length. A meridian that deviates by less than both is not reported."""
@@ -119,7 +126,44 @@ class RevolutionTable:
         return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
-        """Make all strips, and the rings."""
+        """Make all strips and rings. An error suggests a tested opening with which the rings can be made."""
+        try:
+            return self._model(name)
+        except InputError as problem:
+            if not _is_fault(problem.refusal) or (moved := self._larger_opening()) is None:
+                raise
+            old, new = moved
+            raise InputError(
+                "Move the point {old} of the meridian to {new}: the rings can then be made. {problem}",
+                old=Point(old), new=Point(new), problem=problem.refusal,
+            ) from problem  # fmt: skip
+
+    def _larger_opening(self) -> tuple[Pair, Pair] | None:
+        """Return an end point of the meridian, and the tested point farther from the axis with which rings fit."""
+        if self.gap is None or not self.points or not replace(self, rings=None)._is_made:
+            return None
+
+        def moved(k: int, step: int) -> "RevolutionTable":
+            points = [*self.points]
+            points[k] = (points[k][0] + step, points[k][1])
+            return replace(self, points=tuple(points))
+
+        for step in OPENING_STEPS:
+            for k in (0, -1):
+                if step <= LARGEST_STEP_FRACTION * self.points[k][0] and moved(k, step)._is_made:
+                    works = (moved(k, least) for least in range(step // 2 + 1, step + 1))
+                    return self.points[k], next(table.points[k] for table in works if table._is_made)
+        return None
+
+    @property
+    def _is_made(self) -> bool:
+        """True if strips and rings can be made, and no tab rocks."""
+        try:
+            return not any(seat.rocks for seat in tab_seats(self._model("").plates).values())
+        except (InputError, NotConvergedError):
+            return False
+
+    def _model(self, name: str) -> Model:
         return revolve(
             self.meridian,
             self.strips,
@@ -156,6 +200,12 @@ class RevolutionTable:
                 far=Length(self.meridian.deviation),
             ))  # fmt: skip
         return tuple(reports)
+
+
+def _is_fault(refusal: Refusal) -> bool:
+    """Return True for a fault of a part or of its tabs, without a tested remedy."""
+    inside = (value for value in refusal.values.values() if isinstance(value, Refusal))
+    return refusal.kind == "fault" or any(map(_is_fault, inside))
 
 
 EQUATION_KEYS = ("a", "b", "start", "angle", "length")

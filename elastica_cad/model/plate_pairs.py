@@ -35,7 +35,7 @@ from elastica_cad.model.plates import (
     tab_slot,
     with_shoulders,
 )
-from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
@@ -188,7 +188,7 @@ def _with_endless_tabs(plate: Plate) -> Plate:
 
 def _untested_cures(length: float) -> str:
     if length == np.inf:
-        return note("hold the strips by single plates")
+        return Refusal("fault", "let the strips meet the plate more steeply", severity="note")
     return note("make the tab {needed:.0f} long", needed=Length(length))
 
 

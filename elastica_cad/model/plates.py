@@ -793,6 +793,7 @@ def ring_plate(
             lean=lean,
             steep=steep,
             flat=flat,
+            kind="fault",
         )
     below = middle > height
     frame = _level_frame(height + (-0.5 if below else 0.5) * first.thickness, up=below)

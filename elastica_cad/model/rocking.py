@@ -23,12 +23,6 @@ from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
 from elastica_cad.strip.tab_seats import TabSeat
 
-ROCKING_RAD = np.radians(3.0)
-"""Largest rotation, rad, of a tab in its holder that is not reported.
-
-A larger rotation changes the shape by some percent.
-"""
-
 GAPS_MM = (GAP_MM, 15.0, 10.0, 6.0)
 """Distances of two plates, mm, in the order in which they are tested."""
 
@@ -45,7 +39,7 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     two_plates = cache(partial(_two_plates, placed, holders))
     for holder, held in seats_by_holder(placed, holders).items():
-        rocking = [place for place in held if np.ptp(place[2].turning) > 2 * ROCKING_RAD]
+        rocking = [place for place in held if place[2].rocks]
         if rocking:
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             toward, away = _tipping_angles(strip, end, seat)
@@ -170,4 +164,4 @@ def _pair_text(gap: float, length: float, width: float) -> str:
 
 def _any_tab_rocks(placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float) -> bool:
     pairs = [plate for first in plates for plate in pair_with_tabs(placed, first, gap)]
-    return any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in tab_seats(pairs).values())
+    return any(seat.rocks for seat in tab_seats(pairs).values())

@@ -176,15 +176,18 @@ class Shoulder:
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
         strain, limit = distinct_digits(100 * peak, 100 * bears, ".2g")
+        wider = f"{{ width = {self.least_tab:g}, ... }}"
+        tabs = ("{ ... }", wider) if self.at else (wider, "{ ... }")
         place = note(
             "in the corners beside the tab" if peak > self.strain * (1 + STRAIN_SLACK) else "across the tab"
         )
         return note(
             "At {at} from the start, the strip is {width} wide and its tab is {tab} wide. The strain "
-            "{place} is {strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at least {least} "
-            "wide, or the curve gentler there.",
+            "{place} is {strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at the {end} at least "
+            "{least} wide (in a design file: {written}), or the curve gentler there.",
             at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
             limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
+            end=note("end" if self.at else "start"), written=f"ends = [{', '.join(tabs)}]",
             severity="warning",
         )  # fmt: skip
 

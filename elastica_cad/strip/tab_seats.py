@@ -18,6 +18,12 @@ from elastica_cad.refusals import Length, note
 STEEPEST_RAD = np.radians(80.0)
 """Largest turn of a tab, rad, up to which contact with the holder is searched."""
 
+ROCKING_RAD = np.radians(3.0)
+"""Largest rotation, rad, of a tab in its holder that is not reported.
+
+A larger rotation changes the shape by some percent.
+"""
+
 STOP_RAD = np.radians(0.05)
 """Step of the search for the largest turn of a tab, rad."""
 
@@ -147,6 +153,12 @@ class TabSeat:
         strip.
         """
         return -self._stop(-1), self._stop(1)
+
+    @property
+    def rocks(self) -> bool:
+        """True if the tab can turn by more than `ROCKING_RAD` on average to both sides."""
+        right, left = self.turning
+        return bool(left - right > 2 * ROCKING_RAD)
 
     def _stop(self, sense: int) -> float:
         # `sense` is 1 for turns to the left and -1 for turns to the right

@@ -1,5 +1,7 @@
 """Surfaces of revolution in design files: a meridian by points, by a curve, by its constants."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -45,6 +47,30 @@ def test_a_gap_makes_two_rings_at_either_end(read):
         "ring-bottom", "ring-bottom-outer", "ring-top", "ring-top-outer",
     ]  # fmt: skip
     assert not ec.model.rocking_tabs(model.placed, model.plates)
+
+
+@pytest.mark.parametrize("ends", ["ends = { length = 27, width = 8 }\n", ""])
+def test_rings_that_are_too_small_for_inclined_tabs_get_the_least_opening(read, ends):
+    def ball(radius):
+        return read(
+            "[revolution]\nsheet = 'polypropylene-0.6'\nrings = 'polypropylene-0.8'\nstrips = 16\ngap = 5\n"
+            f"points = [[{radius}, 0], [100, 37], [120, 95], [114, 140], [80, 190]]\n{ends}"
+        ).model()
+
+    with pytest.raises(
+        InputError, match="the load of the strip bends the tab of strip 1:1 too far"
+    ) as refused:
+        ball(55)
+    assert "single plates" not in str(refused.value)
+    old, new = re.search(
+        r"point \((\d+), 0\) mm of the meridian to \((\d+), 0\) mm", str(refused.value)
+    ).groups()
+    assert old == "55"
+    works = ball(new)
+    assert len(works.plates) == 4
+    assert not ec.model.rocking_tabs(works.placed, works.plates)
+    with pytest.raises(InputError):
+        ball(int(new) - 1)
 
 
 def test_the_opening_of_a_narrow_ring_follows_from_its_note(read):

@@ -241,10 +241,12 @@ def tabbed(width, sheet=PLYWOOD, **options):
 def test_a_tab_that_its_end_would_break_is_refused_with_the_width_that_bears_it():
     with pytest.raises(
         StrainError,
-        match=r"strip is 24.7 mm wide and its tab is 3 mm wide\. .* Make the tab at least (\S+) mm wide",
+        match=r"strip is 24.7 mm wide and its tab is 3 mm wide\. .* tab at the start at least (\S+) mm wide",
     ) as no:
         tabbed(3)
-    assert not tabbed(float(re.search(r"tab at least (\S+) mm", str(no.value))[1])).warnings
+    assert not tabbed(
+        float(re.search(r"ends = \[{ width = (\S+), \.\.\. }, { \.\.\. }\]", str(no.value))[1])
+    ).warnings
     (told,) = tabbed(3, ignore_limits=True).strain_warnings
     assert told in str(no.value)
 
