@@ -12,7 +12,7 @@ from elastica_cad._text import quote_words
 from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
 from elastica_cad.cli.suggestions import name_program
 from elastica_cad.cli.voice import answer, say, say_row, wrote
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
@@ -33,6 +33,7 @@ contradict each other."""
 
 
 @click.command()
+@click.argument("name_or_file", metavar="[NAME|FILE]", required=False)
 @click.option("--sheet", metavar="NAME|FILE",
               help="The material, or a similar one; for others use --thickness and --density.")  # fmt: skip
 @click.option("--overhang", type=LENGTH, metavar="MM", help="Longest free length [default: from the sheet].")
@@ -61,10 +62,11 @@ contradict each other."""
 @click.option("--name", help="Name of the measured sheet [default: my-NAME].")
 @click.option("--keep", is_flag=True, help="Save the measured sheet in the library for all commands.")
 @output_options
-def coupon(**chosen: Any) -> None:
+def coupon(name_or_file: str | None, **chosen: Any) -> None:
     """Write a test strip of a sheet, or compute the sheet's stiffness.
 
-    The test strip (coupon) is written as DXF and SVG. The stiffness follows from its droop (--measured).
+    NAME or FILE is the sheet, as with --sheet. The test strip (coupon) is written as DXF and SVG. The stiffness
+    follows from its droop (--measured).
 
     Cut the coupon, clamp it level at the edge of a table up to one of its ticks, let the rest hang, and measure how
     far its end drops. Turn it over and measure again, because the mean cancels its curl. Then
@@ -76,6 +78,12 @@ def coupon(**chosen: Any) -> None:
     prints the stiffness and writes the sheet as NAME.toml, which all commands read by --sheet NAME.toml. With
     --keep the sheet is saved in the library, and its name is enough: --sheet NAME.
     """
+    if name_or_file is not None and chosen["sheet"] is not None:
+        raise InputError(
+            "{word} is an extra argument. Leave it out, or put quotes around a name with spaces.",
+            word=quoted(name_or_file),
+        )
+    chosen["sheet"] = name_or_file or chosen["sheet"]
     sheet, name = _sheet_of_coupon(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
         raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)

@@ -16,6 +16,14 @@ def test_a_coupon_is_written(tmp_path, check_drawing_file):
     assert "exists already" in run("coupon", "--sheet", "card-200gsm", "-o", tmp_path, code=2).stderr
 
 
+def test_the_sheet_of_a_coupon_is_named_as_for_elastica_sheets(tmp_path):
+    named, bare = (run("coupon", *words, "-o", tmp_path, "--force").output for words in (
+        ("--sheet", "card-200gsm"), ("card-200gsm",),
+    ))  # fmt: skip
+    assert bare == named
+    assert "coupon --sheet card-200gsm --measured" in bare
+
+
 def test_a_measured_coupon_becomes_a_sheet(tmp_path):
     droop = float(ec.mechanics.cantilever_droop(150.0, 96.05))
     result = run(
@@ -71,6 +79,8 @@ def test_a_strain_of_the_other_grain_is_told(tmp_path, grain):
     ("arguments", "message"),
     [
         (("--sheet", "paper"), "unknown sheet 'paper'"),
+        (("paper",), "unknown sheet 'paper'"),
+        (("--sheet", "card-200gsm", "--name", "my", "card"), "'card' is an extra argument. Leave it out"),
         (("--sheet", "card-200gsm", "--kerf", 0.1), "--kerf belongs to a measurement"),
         (("--sheet", "card-200gsm", "--grain", "none"), "--grain belongs to a measurement"),
         ((), "set --thickness MM and --density KG/M3"),
