@@ -191,7 +191,7 @@ def ribs():
     )
 
 
-@asks("docs/json.md", "schema", "keys besides", "what they are")
+@asks("docs/json.md", "schema", "further keys", "meaning")
 def _records(row, _):
     """Each command is typed and its keys are compared there."""
     proved_by(

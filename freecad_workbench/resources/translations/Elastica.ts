@@ -2390,7 +2390,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <source>Open an example arch with its strip and its flat part, to try changes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2386,8 +2386,8 @@
         <translation>Ein Beispiel öffnen</translation>
     </message>
     <message>
-        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
-        <translation>Einen gezeichneten Bogen mit Streifen und flachem Teil öffnen; Pole ziehen, die Platte ändern</translation>
+        <source>Open an example arch with its strip and its flat part, to try changes</source>
+        <translation>Einen Beispielbogen mit Streifen und flachem Teil öffnen, um Änderungen auszuprobieren</translation>
     </message>
 </context>
 <context>

@@ -2386,8 +2386,8 @@
         <translation>打开示例</translation>
     </message>
     <message>
-        <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
-        <translation>打开一个已绘制的拱形及其条带和平面件；可拖动控制点、更换板材</translation>
+        <source>Open an example arch with its strip and its flat part, to try changes</source>
+        <translation>打开一个示例拱形及其条带和平面件，用于尝试修改</translation>
     </message>
 </context>
 <context>

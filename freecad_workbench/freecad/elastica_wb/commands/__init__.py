@@ -262,7 +262,7 @@ EXAMPLE = Command(
     text=QT_TRANSLATE_NOOP("Elastica_Example", "Open an example"),
     tip=QT_TRANSLATE_NOOP(
         "Elastica_Example",
-        "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
+        "Open an example arch with its strip and its flat part, to try changes",
     ),
     run=open_example,
     has_subject=lambda: True,
