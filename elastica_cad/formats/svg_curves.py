@@ -353,7 +353,12 @@ def _with_polylines(run: Sequence[Edge]) -> Run:
 
 
 def _edge(kind: str, segment: Any) -> Edge | None:
-    return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
+    if kind not in ("Line", "Close"):
+        return _arc(segment)
+    ends = _points(segment.start, segment.end)
+    # svgelements rounds the end of an ellipse, so the line that closes it has a length
+    rounded = kind == "Close" and np.ptp(ends, axis=0).max() <= 1e-12 * np.abs(ends).max()
+    return None if rounded else bezier_edge(ends)
 
 
 def _points(*points: Any) -> FloatArray:

@@ -60,6 +60,15 @@ def test_joined_and_turned_curves_are_reported(dxf):
     assert report.distance < 1e-3
 
 
+@pytest.mark.parametrize(
+    "shape", ['circle cx="0" cy="0" r="10.3"', 'ellipse cx="150" cy="120" rx="120" ry="90"']
+)
+def test_a_closed_shape_of_an_svg_file_is_one_arc(shape, tmp_path):
+    path = tmp_path / "ring.svg"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg"><{shape}/></svg>', encoding="utf-8")
+    assert read_drawing(path).report().kinds == {"arc": 1}
+
+
 def test_the_distance_of_a_fitted_polyline_is_that_of_its_facets(dxf):
     angles = np.linspace(0, np.pi, 37)
     facets = 120 * np.column_stack([np.cos(angles), np.sin(angles)])
