@@ -103,10 +103,10 @@ class RevolutionTable:
     def _profile(self) -> PlaneCurve | None:
         if self.axis is None and self.axis_x is None:
             return self.curve
-        if self.curve is None or (self.axis is not None and self.axis_x is not None):
-            raise InputError(
-                "The keys 'axis' and 'axis_x' need a profile. Set the key 'curve', and one of 'axis' and 'axis_x'."
-            )
+        if self.curve is None:
+            raise InputError("The keys 'axis' and 'axis_x' apply only to a profile. Set the key 'curve'.")
+        if self.axis is not None and self.axis_x is not None:
+            raise InputError("The keys 'axis' and 'axis_x' exclude each other. Leave out one of them.")
         start, end = (
             np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
         )

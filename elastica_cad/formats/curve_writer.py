@@ -148,8 +148,8 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
             file=file, number=number, far=far, severity="warning",
         )  # fmt: skip
     return note(
-        "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}. This changes the "
-        "widths of a strip {widest} wide by up to {change:.2g}.",
+        "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}. The widths of a "
+        "{widest} wide strip change by up to {change:.2g}.",
         file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH),
         change=Length(float(np.abs(after - before).max())), severity="warning",
     )  # fmt: skip

@@ -94,7 +94,7 @@ def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
         )
     for key in ("degree", "knots", "control_points"):
         if key not in record:
-            raise InputError("{place} has no {key!r}", place=where, key=key)
+            raise InputError("{place} has no {key!r}: add this key", place=where, key=key)
     degree = record["degree"]
     if not isinstance(degree, int) or isinstance(degree, bool):
         raise InputError(

@@ -543,7 +543,7 @@ def nearest_rod(
         raise InputError(f"`coefficients` is {coefficients!r}: give 4 to {(samples - 1) // 2}, at most half "
                          "of `samples`")  # fmt: skip
     if not (start is None or isinstance(start, NearestRod)):
-        raise InputError(f"`start` is {start!r}: give the record of nearest_rod for a similar curve, or None")
+        raise InputError(f"`start` is {start!r}: give the result of nearest_rod for a similar curve, or None")
     return find_nearest(
         RodSpec(
             curve, gravity, supports, natural_curvature, samples, section=section, limits=limits, keep=keep,

@@ -156,8 +156,8 @@ def _positive_pieces(
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
             x, y, w = back @ _vanishing(piece)
             raise InputError(
-                "the projective map moves a place of the curve to infinity, near "
-                f"{place(np.array([x, y]) / w)}: move the handles less"
+                f"the projective map moves the curve near {place(np.array([x, y]) / w)} to infinity: "
+                "move the handles less"
             )
         left, right = subdivide_pieces(piece)
         middle = (a + b) / 2

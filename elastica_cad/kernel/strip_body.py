@@ -163,7 +163,7 @@ def color_numbers(color: Any) -> tuple[float, ...]:
         row = ()
     if len(row) not in (3, 4) or not all(0 <= part <= 1 for part in row):
         raise InputError(
-            f"color is {color!r}. Pass a Color of your library, its name, or red, green and blue from 0 to 1."
+            f"color is {color!r}. Pass a CAD library's Color, its name, or red, green and blue from 0 to 1."
         )
     return row
 

@@ -170,7 +170,7 @@ def _require_curve(path: Any) -> None:
     if len(rows) and all(map(_is_point, rows)):
         raise InputError(
             f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
-            "ec.PlaneCurve.fit(points) or a spline of your library."
+            "ec.PlaneCurve.fit(points) or a CAD library's spline."
         )
 
 
@@ -288,7 +288,7 @@ def _frame_of(plane: Any) -> Frame:
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
         if all(hasattr(plane, name) for name in names):
             return Frame(*(numbers_of(getattr(plane, name)) for name in names))
-    raise InputError(f"plane is {plane!r}. Pass a Plane of your library, or a Frame.")
+    raise InputError(f"plane is {plane!r}. Pass a CAD library's Plane, or a Frame.")
 
 
 def _is_vector(value: Any) -> bool:

@@ -159,7 +159,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"bend was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or Rod.straight returns"
+            f"bend was called with a {type(rod).__name__}: give a Rod from optimal_rod or Rod.straight"
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]

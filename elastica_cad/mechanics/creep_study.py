@@ -155,9 +155,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     (True, 0.556)
     """
     if not isinstance(rod, Rod):
-        raise InputError(
-            f"creep was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or bend returns"
-        )
+        raise InputError(f"creep was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend")
     phi = require_creep(factor)
     require_free_between(rod, "A creep study")
     first = later = rod

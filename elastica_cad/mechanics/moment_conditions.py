@@ -895,7 +895,7 @@ class ConditionedRows:
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
                 "With these supports, rails, pins, ties and loads, the moment cannot be 0 at every inflection "
-                "({places} from the start). Move one of them, or add one."
+                "({places} from the start). Move or add a rail, pin or tie."
                 if held
                 else "With this weight and these supports, the moment cannot be 0 at every inflection ({places} "
                 "from the start). Take the nearest curve that a strip can take, move the inflections, or clamp "
@@ -906,16 +906,16 @@ class ConditionedRows:
             wrong = find_violations(family)
             near = stretches(wrong, self.check.length)
             reason = note(
-                "With these supports, rails, pins, ties and loads, the strip would have to bend against its "
-                "moment near {stretches}, which is impossible. Move one of them there, or add one."
+                "With these supports, rails, pins, ties and loads, the moment near {stretches} would bend the "
+                "strip to the other side. Move or add a rail, pin or tie there."
                 if held and near else
-                "With these supports, rails, pins, ties and loads, the strip would have to bend against its "
-                "moment, which is impossible. Move one of them, or add one." if held else
-                "With this weight and these supports, the strip would have to bend against its moment near "
-                "{stretches}, which is impossible. Use a lighter or stiffer sheet, support the strip there, "
+                "With these supports, rails, pins, ties and loads, the moment would bend the strip to the "
+                "other side. Move or add a rail, pin or tie." if held else
+                "With this weight and these supports, the moment near {stretches} would bend the strip to the "
+                "other side. Use a lighter or stiffer sheet, support the strip there, "
                 "or change the curve." if near else
-                "With this weight and these supports, the strip would have to bend against its moment, which "
-                "is impossible. Use a lighter or stiffer sheet, support the strip, or change the curve.",
+                "With this weight and these supports, the moment would bend the strip to the other side. "
+                "Use a lighter or stiffer sheet, support the strip, or change the curve.",
                 stretches=near,
             )  # fmt: skip
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))

@@ -370,7 +370,7 @@ def sideways_stability(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"sideways_stability was called with a {type(rod).__name__}: give a Rod, such as bend returns"
+            f"sideways_stability was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend"
         )
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(

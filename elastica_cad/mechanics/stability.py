@@ -374,7 +374,7 @@ def stability(rod: Rod) -> Stability:
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"stability was called with a {type(rod).__name__}: give a Rod, such as optimal_rod or bend returns"
+            f"stability was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend"
         )
     if rod.residual > OUT_OF_BALANCE:
         raise InputError(

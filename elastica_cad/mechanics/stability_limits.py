@@ -317,7 +317,7 @@ def _present_values(rod: Rod, names: set[str]) -> dict[str, Any]:
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
         raise InputError(
-            "the rod has no load for the load factors of the path: add a weight, or a force or moment at an end"
+            "the rod has no load that the path could scale: add a weight, or a force or moment at an end"
         )
     present: dict[str, Any] = {
         "start": system.start, "end": system.end, "gravity": rod.gravity, "force": system.force,

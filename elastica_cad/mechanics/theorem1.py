@@ -501,7 +501,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
                     "the points turn by {angle:.3g} degrees at {shown}, but are too few to distinguish a corner "
-                    "from a tight bend. Give more points there, or draw two curves{smooth}",
+                    "from a tight bend. Give more points there, or split the curve{smooth}",
                     angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(corners, key=lambda corner: abs(corner.angle))
@@ -512,12 +512,12 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     if len(corners) > 1:
         return note(
             "the curve has corners {places} from its start, but a strip bends without kinks. The sharpest, of "
-            "{angle:.3g} degrees, is at {shown}. Round the corners, or draw separate curves{smooth}",
+            "{angle:.3g} degrees, is at {shown}. Round the corners, or split the curve there{smooth}",
             **values,
         )
     return note(
         "the curve has a corner {places} from its start, at {shown}, of {angle:.3g} degrees, but a strip "
-        "bends without kinks. Round the corner, or draw two curves{smooth}",
+        "bends without kinks. Round the corner, or split the curve there{smooth}",
         **values,
     )
 

@@ -122,7 +122,8 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
-            "a loss of width of {loss:g} is more than the least width, {least:.4g}: use a larger max_width",
+            "a loss of width of {loss:g} is more than the least width, {least:.4g}: use a smaller loss or a "
+            "larger `max_width`",
             loss=Length(loss),
             least=Length(least),
         )

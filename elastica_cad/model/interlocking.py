@@ -329,7 +329,7 @@ class _Cutter:
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
                 raise InputError(
-                    "a clearance of {clearance:g} is more than the width of {names} {rows:.6g} from its "
+                    "a clearance of {clearance:g} is more than the width of {names} at {rows:.6g} from its "
                     "start: reduce the clearance",
                     clearance=Length(self.clearance),
                     names=names[which],

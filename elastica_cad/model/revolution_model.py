@@ -154,7 +154,7 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
         s = np.linspace(0.0, curve.length, 2001)
         at = float(s[int(np.argmin(half(s)))])
         raise InputError(
-            "with a gap of {gap:g}, {name} would be only {least:.4g} wide {at:.6g} from its start: reduce "
+            "with a gap of {gap:g}, {name} would be only {least:.4g} wide at {at:.6g} from its start: reduce "
             "the gap, or end the strip before this place",
             name=name,
             at=Length(at),

@@ -132,10 +132,10 @@ def examine_pair(
     if answer is None:
         against = find_violations(paired.family)
         reason = note(
-            "No part can rest in both curves, because near {places} the part would have to bend against its "
-            "moment. Change one of the curves there, or draw the curves closer to each other."
+            "No part can rest in both curves, because the moment near {places} would bend the part to the "
+            "other side. Change one of the curves there, or draw the curves closer to each other."
             if against.size
-            else "No part can rest in both curves, because the part would have to bend against its moment. "
+            else "No part can rest in both curves, because the moment would bend the part to the other side. "
             "Draw the curves closer to each other.",
             places=stretches(against, check.length),
         )

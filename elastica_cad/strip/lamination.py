@@ -128,7 +128,7 @@ class Laminated:
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
             raise InputError(
-                "the base is {w1:g} wide {s:.1f} from the start, less than the narrowest backing "
+                "the base {s:.1f} from the start is {w1:g} wide, less than the narrowest backing "
                 "({least:g}): widen the base there",
                 w1=Length(narrow),
                 s=Length(s[i]),

@@ -464,7 +464,7 @@ class _Fit:
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
-                "the outline is {w:.4g} wide {s:.1f} from the start, but {ligaments} ligaments (material "
+                "the outline {s:.1f} from the start is {w:.4g} wide, but {ligaments} ligaments (material "
                 "between holes) of {least_ligament:g} and {columns} columns of holes need more than "
                 "{holes:.4g}. Widen the outline or use fewer columns",
                 w=Mm(self.w[i]),
@@ -537,7 +537,7 @@ class _Fit:
         ways = []
         if np.isfinite(need):
             ways.append(note(
-                "make the outline at least {least:g} wide {s} from the start (now {now:.4g})"
+                "make the outline {s} from the start at least {least:g} wide (now {now:.4g})"
                 if self._has_varying_outline(i) else
                 "make the outline at least {least:g} wide everywhere (now {now:.4g})",
                 least=Mm(rounded_up(need)), s=Mm(self.s[i]), now=Mm(self.w[i]),
@@ -595,13 +595,13 @@ class _Fit:
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
             percent, most = distinct_digits(100 * share, 100 * self.style.hole_ratio, ".3g")
             return note(
-                "holes would take {percent:g} % of the width {s} from the start, more than {most:g} %",
+                "holes {s} from the start would take {percent:g} % of the width, more than {most:g} %",
                 percent=percent, s=Mm(self.s[i]), most=most,
             )  # fmt: skip
         i = self.by_ligaments.lowest_at
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
         shown, least = distinct_digits(each, self.style.least_ligament, ".3g")
         return note(
-            "ligaments (material between holes) would be {each:g} wide {s} from the start, below {least:g}",
+            "ligaments (material between holes) {s} from the start would be {each:g} wide, below {least:g}",
             each=Mm(shown), s=Mm(self.s[i]), least=Mm(least),
         )  # fmt: skip

@@ -177,7 +177,7 @@ def _check_conflicts(spec: RodSpec) -> None:
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
             "with {gravity}, a laminate can only be made for the drawn curve itself and from flat sheets. "
-            "Leave out {limits} (the nearest possible curve) and {natural_curvature}, or leave out {gravity}",
+            "Leave out {limits} (which changes the curve) and {natural_curvature}, or leave out {gravity}",
             limits=FieldName("limits"),
             natural_curvature=FieldName("natural_curvature"),
             gravity=FieldName("gravity"),

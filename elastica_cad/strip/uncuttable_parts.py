@@ -437,7 +437,7 @@ def find_strip_faults(
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         allowed = style.least_ligament
         what = note(
-            "ligaments (material between holes) may be as narrow as {allowed}, but only ligaments at least "
+            "ligaments (material between holes) of {allowed} are allowed, but only ligaments at least "
             "{ligament} wide can be cut",
             allowed=Length(allowed),
             ligament=Length(ligament),
@@ -721,11 +721,11 @@ def _too_large(
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
             fits = Change(field, rounded_down(min(stock[1], length / LEAST_LENGTH_RATIO), 2))
-            cure = note("Set a smaller {field}, or a larger stock", field=field)
+            cure = note("Set a smaller {field}, or a larger stock size", field=field)
             yield Fault(name, what, cure, (fits,))
         else:
             cure = note(
-                "Set a larger stock, cut the strip in pieces that are joined by plates ({field}), or make the "
+                "Set a larger stock size, cut the strip in pieces that are joined by plates ({field}), or make the "
                 "curve smaller",
                 field=FieldName("shop.lap"),
             )

@@ -40,7 +40,7 @@ def test_a_pin_at_a_point_and_a_tie(desk):
 
 def test_the_reasons_have_places(desk):
     printed = run("check wave.dxf --rail 60", cwd=desk, code=1).output
-    assert "would have to bend against its moment near 60 and 371 mm" in printed
+    assert "the moment near 60 and 371 mm would bend the strip to the other side" in printed
     assert "Change" not in printed
 
 

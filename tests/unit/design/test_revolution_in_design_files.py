@@ -188,7 +188,7 @@ def test_the_axis_that_is_assumed_is_told(read, tmp_path):
         ("points = 3", "points is not a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: the meridian cannot be read: give at least three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
-        (f"{POINTS}\naxis_x = 5", "'axis' and 'axis_x' need a profile"),
+        (f"{POINTS}\naxis_x = 5", "'axis' and 'axis_x' apply only to a profile"),
         (f"{POINTS}\nring = 500", "revolution: the radius `ring` is 500"),
         (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),
         (f"{POINTS}\nstrip = 3", "did you mean strips"),

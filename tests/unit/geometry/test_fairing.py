@@ -111,7 +111,7 @@ def test_a_corner_that_would_take_more_stays_a_corner():
     with pytest.raises(InputError, match=r"a corner .* from its start, at .*, of 0.115 degrees"):
         smooth_curve(kinked(0.115), 0.01)
     assert smooth_for_corners(kinked(2.0)) is None
-    with pytest.raises(InputError, match=r"or draw two curves$"):
+    with pytest.raises(InputError, match=r"or split the curve there$"):
         require_bendable(kinked(2.0))
     with pytest.raises(InputError, match="of 6 degrees"):
         smooth_curve(kinked(6.0, handle=1.0), 0.5)

@@ -301,7 +301,7 @@ class TestWeight:
             assert rod.ratio == pytest.approx(1.01 * light, rel=1e-4)
 
     def test_too_heavy_says_where(self):
-        with pytest.raises(NotRealizable, match=r"against its moment near .* mm") as caught:
+        with pytest.raises(NotRealizable, match=r"the moment near .* mm would bend") as caught:
             optimal_rod(WAVE, Gravity(9.0))
         assert not caught.value.check.realizable
         assert caught.value.check.zeros

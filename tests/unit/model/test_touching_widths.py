@@ -74,7 +74,7 @@ test_refused = refusal_test(
         ),
         (
             lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], 3.0),
-            r"with a gap of 3 mm, strip 1 would be .* wide 0 mm from its start",
+            r"with a gap of 3 mm, strip 1 would be .* wide at 0 mm from its start",
         ),
         (lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], np.nan), "gap"),
     ]

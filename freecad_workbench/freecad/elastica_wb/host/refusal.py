@@ -125,7 +125,7 @@ def explained(error: Exception) -> ElasticaError:
         return error
     if isinstance(error, ImportError):
         return MissingDependencyError(
-            "{name} is not installed in this FreeCAD: strips need numpy and scipy",
+            "{name} is not installed in this FreeCAD: install numpy and scipy",
             name=error.name or "a library",
         )
     return InputError(
