@@ -391,7 +391,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield one message of each group that differs only in numbers and names, with the number of the others."""
+    """Of messages that differ only in numbers and names, yield the first, with the number of the others."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

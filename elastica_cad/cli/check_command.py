@@ -107,7 +107,7 @@ def check(
 
     A strip can take a curve if a straight line meets the curve exactly in its inflections and is not tangent to it
     there. Rails, pins and ties (--rail 200) make more curves possible. Every curve is checked separately. Exit code
-    1 if no strip can take a curve, or if its points leave this undecided; 2 if a curve is not open and smooth.
+    1 if a curve is impossible for strips or undecided because of its points; 2 if a curve is not open and smooth.
     """
     requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1

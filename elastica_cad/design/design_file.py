@@ -265,7 +265,7 @@ def parse_design(path: Path) -> dict[str, Any]:
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
     """Return the surface of revolution of a design, or None. Keys at the top of the design are defaults.
 
-    Strips without holders have no tabs by default.
+    Without holders, `ends` is two tabs of length 0 by default.
     """
     if not top.has("revolution"):
         return None

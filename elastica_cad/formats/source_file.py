@@ -92,7 +92,7 @@ def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def mark_file(path: Path) -> FileMark:
-    """Return a fingerprint of a file; equal fingerprints mean equal contents."""
+    """Return time, size and inode of a file, which differ after the file was written again."""
     try:
         status = path.stat()
     except OSError:

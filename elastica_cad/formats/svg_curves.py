@@ -35,7 +35,7 @@ _TRANSPARENT = re.compile(
 
 # least size of a user unit, mm
 _LEAST_UNIT = 1e-9
-# larger numbers are refused, so that products of two numbers are finite
+# limit of numbers, far below the overflow of their products
 _LARGEST = 1e15
 
 

@@ -419,7 +419,7 @@ class LargestSection(Constraint):
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices and derivatives of nodes close to the largest section: see `Constraint.rows`."""
+        """Return indices and derivatives of the values at nodes near the largest section: see `Constraint.rows`."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -459,7 +459,7 @@ class BendLimit(Constraint):
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices and derivatives of nodes close to the limit: see `Constraint.rows`."""
+        """Return the indices and derivatives of the values at nodes near the limit: see `Constraint.rows`."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -516,7 +516,7 @@ class KeepOut(Constraint):
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices and derivatives of nodes close to the region: see `Constraint.rows`."""
+        """Return the indices and derivatives of the values at nodes near the region: see `Constraint.rows`."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)

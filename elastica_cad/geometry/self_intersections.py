@@ -199,9 +199,9 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
     """Return Bezier pieces (k, n, 2) of the directions between the point p at t and all other points.
 
-    The direction between p and a point q is q - p after t, and p - q before t. In both pieces that end at p,
-    the factor that is zero at p (u or 1 - u) is divided out. Also return the edges (k + 1,) of the pieces,
-    and p.
+    The direction to a point q is q - p after t and p - q before t, so it does not jump at p. A piece that ends
+    at p, with parameter u, has a factor u or 1 - u, which is divided out. Also return the edges (k + 1,) of the
+    pieces, and p.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

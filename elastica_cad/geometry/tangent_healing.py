@@ -17,7 +17,7 @@ ANYWAY = 1e-9
 """Smallest angle of a corner that is removed, rad."""
 
 SURE = np.radians(5.0)
-"""Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
+"""Largest angle of a corner, rad, that is removed by default if rounding explains it."""
 
 # a control point closer to a chord than this fraction of the chord is on the chord
 _STRAIGHT = 1e-12
@@ -27,7 +27,7 @@ _SHORT = 1e-12  # control points closer than this fraction of the extent of both
 
 @dataclass(frozen=True)
 class Turn:
-    """Node of a spline at which the tangent has a corner.
+    """Node of a spline at which the tangent jumps.
 
     Attributes
     ----------

@@ -125,7 +125,7 @@ def make_location(frame: Frame) -> Any:
 def moved_frame(frame: Frame, motion: Any) -> Frame:
     """Return the frame after a gp_Trsf: a translation, rotation or reflection.
 
-    After a reflection, only the x and z axes are reflected, because frames are right-handed.
+    After a reflection, y is z x x for the reflected x and z, because frames are right-handed.
     """
     axes = plane_axes_of(frame).Transformed(motion)
     x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))

@@ -230,7 +230,7 @@ class MadeStrip:
         return self
 
     def mirrored(self) -> "MadeStrip":
-        """Return the record of the mirrored body, with the strip turned over."""
+        """Return the record of the mirrored body, with the mirrored strip."""
         return replace(self, strip=self.strip.mirrored())
 
     @property

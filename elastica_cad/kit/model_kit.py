@@ -42,7 +42,7 @@ FRAME_MM = 4.0
 """Distance between a printed template and the cutting line around it, mm."""
 
 LONGEST_TITLE = 90
-"""Largest number of letters of a page title with all parts. A longer title names only the first part."""
+"""Largest number of letters of a page title that names all parts. A longer title names only the first part."""
 
 NOT_WRITTEN = "not written"
 """Text in the lists instead of the file name of a block, if no solids are written."""

@@ -165,8 +165,8 @@ def constrained_inertia(
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
     By Sylvester's law for the bordered matrix, the number is neg(A - shift) + pos(S) - rank(C). Here C = `rows`,
-    S = C (A - shift)^-1 C^t, and neg and pos are numbers of negative and positive eigenvalues. The `terms`, which
-    are added to A, are further rows of the border.
+    S = C (A - shift)^-1 C^t, and neg and pos are numbers of negative and positive eigenvalues. The `terms` are
+    added to A by further rows of C and their corner in S: see `Terms`.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _border_of(constraints, terms)

@@ -188,7 +188,7 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # keep the position of the rod, which no support holds
+        if self.turns_freely:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(rows, pulls, corner, residual, places)

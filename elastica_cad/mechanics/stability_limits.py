@@ -25,7 +25,7 @@ Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[st
 LARGEST_TURN_RAD = 0.3
 # initial number of steps for each leg of the path of loads and end positions
 FIRST_STEPS = 16
-# accuracy of the limit, as a fraction of the path
+# accuracy of the stability limit, as a fraction of the path
 RESOLUTION_SHARE = 1e-9
 # rotation along the critical mode before the search for the next stable shape
 PUSH_RAD = 0.02

@@ -54,7 +54,7 @@ class NestedSheet(Drawing):
     pieces : tuple of str
         Name of each piece.
     used : float
-        Area, mm2, of the rows of pieces, with margins.
+        Area, mm2, of the rows of the sheet with pieces.
     filled : float
         Area of the pieces' bounding boxes, each with its margin, mm2.
     share : float

@@ -197,7 +197,7 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
 
 
 class _Placement(NamedTuple):
-    """Plates with room for spacers, width of the spacers, mm, and their places (count, 3): x, y and angle.
+    """Two plates, and the width, mm, and the places (count, 3) of spacers between them: x, y and angle.
 
     `spread` is the extent of the spacers around the middle of the tabs; see `LEAST_SPREAD`.
     """
@@ -302,7 +302,7 @@ def _radii(plate: BasePlate) -> tuple[float, float]:
 def _free_places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float
 ) -> Iterator[tuple[float, FloatArray, FloatArray]]:
-    """Yield the widths, mm, of spacers, from wide to narrow, all free places (n, 3), and their margins (n,), mm.
+    """For each width, mm, from wide to narrow, yield the width, the free places (n, 3) and their margins (n,), mm.
 
     A place is x, y and angle.
     """

@@ -340,7 +340,7 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # N at a node is N at the nearer end of the panel, which may be 0, plus the change between both points
+        # N at a node is N at the nearer end of its panel (0 at a zero of N) plus the change from there
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])

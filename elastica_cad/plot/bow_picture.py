@@ -10,7 +10,7 @@ from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, NUMBERED,
 from elastica_cad.strip.travel import Travel
 
 SAME_CORD_SHARE = 1e-6
-"""Another shape is drawn if its cord is shorter by at least this fraction of the cord's length."""
+"""Least difference of the cords, as a fraction of the bow's cord, for which another shape is drawn."""
 
 
 def bow(bow: Bow, shorter: Travel) -> Figure:

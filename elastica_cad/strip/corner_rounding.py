@@ -123,7 +123,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Return True if the arc cuts off the sides with indices `gap` without crossing them."""
+    """Return True if the arc is inside the sides with indices `gap`, which it replaces, or if `gap` is empty."""
     if not gap:
         return True
     if arc is None:

@@ -88,7 +88,7 @@ class DiamondPattern:
 
     @property
     def ligaments(self) -> int:
-        """Number of ligaments side by side across the strip. Two joined ligaments count as two."""
+        """Number of ligaments side by side across the strip. Ligaments that are joined count separately."""
         return 2 * self.columns + 2
 
     @property

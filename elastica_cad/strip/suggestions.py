@@ -328,7 +328,7 @@ def _is_unloaded(spec: StripSpec) -> bool:
 def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
     """Yield changes to other sheets: for each kind, the thickest sheet that withstands the curve.
 
-    The kind of the present sheet is first. For a sheet defined by the user, only this kind is considered.
+    The kind of the present sheet is first. For a user's sheet, only sheets of its kind are considered.
     `share` is the strain divided by the limit of the present sheet.
     """
     own, listed = spec.material, spec.material.name in sheet_names()

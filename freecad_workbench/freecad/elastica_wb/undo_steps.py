@@ -58,7 +58,7 @@ def undo_new_steps(before: dict[str, int]) -> None:
 
 
 def forget_step() -> None:
-    """Close the undo step of a closed document, unless FreeCAD has closed it."""
+    """Abort the undo step of a closed document, unless FreeCAD has ended this step."""
     if not _has_steps_of_documents():
         App.closeActiveTransaction(True)
 

@@ -156,7 +156,7 @@ def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
-    """Make the curve of a strip with moved ends.
+    """Make the curve that a strip takes with its ends moved.
 
     `moves` are displacements (mm) and angles (degrees), named as in `MOVES`.
     """

@@ -63,7 +63,7 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 
 
 def blocks_for(source: Any) -> list[EndFixture]:
-    """Return the blocks of a document that hold the ends of a strip or a model, in their positions."""
+    """Return the blocks that hold the ends of a strip or a model, at their places in the document."""
     hanging = dict.fromkeys(user for obj in (source, *getattr(source, "Strips", ())) for user in obj.InList)
     users = [obj for obj in hanging if feature_kind(obj) == "Fixtures"]
     tabs = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()

@@ -120,5 +120,5 @@ def _other_boxes(strip: Any) -> Iterator[App.BoundBox]:
 
 
 def flats_of(strips: Iterable[Any]) -> list[Any]:
-    """Return the flat parts of strips."""
+    """Return the features of the flat parts of strips."""
     return [obj for strip in strips for obj in strip.InList if is_flat(obj) and obj.Strip is strip]

@@ -107,7 +107,7 @@ class Unsaved:
 
 
 def dress(obj: Any) -> None:
-    """Set the view provider of a feature from a file that freecadcmd wrote."""
+    """Give a feature its view provider, which a file of freecadcmd lacks."""
     make = view_providers.get(feature_kind(obj))
     if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
         make(obj.ViewObject)

@@ -128,7 +128,7 @@ class EscapeKey(InputLater):
         super().leave()
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Record that the Escape key was pressed, and hide the event from all other receivers."""
+        """Record a press of the Escape key, and hide it and later keys from all other receivers."""
         typed = kind_of(event) == QtCore.QEvent.KeyPress
         if typed and event.key() == QtCore.Qt.Key_Escape:
             self.pressed = True
