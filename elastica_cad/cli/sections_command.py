@@ -71,7 +71,8 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.command()
 @click.argument("mesh", type=click.Path(path_type=Path))
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
-              help="Unit of a mesh, whose file names none [default: mm]. A STEP file names it.")  # fmt: skip
+              help="Unit of a mesh, whose file names none [default: mm]. A STEP file names it; leave out --unit "
+                   "there, because it would scale the body again.")  # fmt: skip
 @click.option("--scale", type=POSITIVE, metavar="FACTOR",
               help="Scale factor from file to model, in addition to the unit.")  # fmt: skip
 @click.option(
