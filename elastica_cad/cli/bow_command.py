@@ -162,7 +162,13 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     if rod is None:
         if chosen["sheet"] is None:
             raise InputError("--max-width needs a sheet, which sets the thickness. Add --sheet NAME.")
-        return requested_sheet(chosen), fields | {"max_width": widest, "min_width": least}
+        sheet = requested_sheet(chosen)
+        if sheet.kind == "rod" and widest != least:
+            raise InputError(
+                "{sheet} is a rod, so no strip can be cut from it. Use --rod DIAMETER instead of --max-width.",
+                sheet=sheet.name,
+            )
+        return sheet, fields | {"max_width": widest, "min_width": least}
     if chosen["hole"]:
         raise InputError("--hole applies to strips only. Leave out --hole.")
     if least is not None:

@@ -549,6 +549,13 @@ class StripSpec(EqualByValue):
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
             _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)
+        elif self.material.kind == "rod":
+            raise InputError(
+                "{sheet} is a rod, so no strip can be cut from it. Choose another {field}, or set the diameters "
+                "of the rod ({law}). `elastica bow --rod` bends a rod by a cord.",
+                sheet=self.material.name, field=FieldName("sheet"), law=FieldName("law"),
+                where={"field": "sheet"},
+            )  # fmt: skip
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         _check_seam(self.seam_position, self.curve)

@@ -39,6 +39,14 @@ def test_strip_writes_every_file_and_a_report(drawn, tmp_path):
         assert f"bow.{suffix}" in result.stdout
 
 
+def test_no_strip_is_cut_from_a_rod(drawn, tmp_path):
+    done = run("strip", drawn, "--sheet", "glass-rod-3", "--max-width", 20, "-o", tmp_path / "out", code=2)
+    assert (
+        "glass-rod-3 is a rod, so no strip can be cut from it. Choose another --sheet, or set" in done.stderr
+    )
+    assert "`elastica bow --rod`" in done.stderr
+
+
 def test_step_and_picture_may_be_left_out(drawn, tmp_path):
     """Without a word of what they would need."""
     out = tmp_path / "out"
