@@ -72,8 +72,9 @@ def cantilever() -> Iterator[str]:
                      f"{shortening:.6f}", f"{one.angle:.6f}", f"{angle:.6f}"])  # fmt: skip
     yield from _table(
         "A cantilever with a load at its tip",
-        "K. Mattiasson, *Int. J. Numer. Meth. Eng.* 17 (1981) 145-153. The load is P L² / E I. Drop and shortening "
-        "of the tip are divided by the length. The angle of the tip is in rad.",
+        "K. Mattiasson, *Int. J. Numer. Meth. Eng.* 17 (1981) 145-153. The load is P L² / E I, "
+        "with the force P, the length L and the bending stiffness E I. "
+        "Drop and shortening of the tip are divided by the length. The angle of the tip is in rad.",
         "test_cantilever_tables",
         ["load", "drop", "ours", "shortening", "ours", "angle", "ours"],
         rows,

@@ -23,7 +23,7 @@ HEAD = """# What the long test runs found
 The tests of `make test` are run for every change. Long test runs are called *campaigns*. A campaign is run when a
 change affects the code that it tests, and before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says how to run
 them. The campaigns *elements* and *solids* have pages of their own: [strips bent by finite
-elements](finite_elements.md) and [bodies in three CAD kernels](kernels.md).
+elements](finite_elements.md) and [bodies in three CAD programs](kernels.md).
 
 - *Passed*: no check of the run failed. For the campaigns *elements*, *solids* and *mutants*, it means that the
   measurement was completed, because most of what they measure has no limit.
@@ -101,7 +101,7 @@ SAID = {
     "kills": "{killed before a day} runs killed as they wrote: {left} folders left, {a day later} after a day",
     "soak": "after {solves} strips, memory has grown by {grown mib} MiB, threads by {grown threads}, "
     "open files by {grown files}",
-    "solids": "{succeeded} of {operations} operations succeeded; [the page](kernels.md) lists the others",
+    "solids": "{succeeded} of {operations} operations succeeded; [the page](kernels.md) has the causes",
 }
 """Results of the campaigns that print a record, in words; a dictionary's counts are named by both keys."""
 

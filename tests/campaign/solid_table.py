@@ -33,23 +33,24 @@ MEANT = {
 }
 """What each operation of `operations.py` does, in the order of the tables."""
 
-HEAD = """# Bodies in three CAD kernels
+HEAD = """# Bodies in three CAD programs
 
-`make campaign-solids` writes this page. The tables count how often an operation of build123d, CadQuery or FreeCAD
-succeeds on the bodies of strips. All three use the kernel OpenCASCADE, in different versions. The strips have
-thirty curves, each in five styles. "29/30" means that 29 of 30 operations succeeded. If the second number is
-smaller than 30, the other bodies have not been tried yet. The resulting body must be valid, and its volume must be
-right where the volume is known. An operation that takes more than 10 s of processor time (shells 20 s, meshes and
-checks 60 s) counts as failed.
+If you go on with the body of a strip in CAD, which operations work? The tables count how often an operation of
+build123d, CadQuery or FreeCAD succeeds on such bodies. All three programs use the CAD kernel OpenCASCADE, in
+different versions. The strips have thirty curves, each in five styles. "29/30" means that the operation succeeded
+on 29 of 30 bodies. If the second number is smaller than 30, the other bodies have not been tried yet. The
+resulting body must be valid, and its volume must be right where the volume is known. An operation that takes more
+than 10 s of processor time (shells 20 s, meshes and checks 60 s) counts as failed. *Bent* and *flat* mean the body
+of the bent strip and of the flat part. `make campaign-solids` writes this page.
 
 An operation that fails is repeated on simpler bodies. They have the same faces, but their long sides are drawn
 anew, as splines through 9, 17, 25, 40 and 90 points. If the operation also fails on a simpler body, the cause is
-the kernel, not this program. These failures are in the column *simpler body fails too*. All other failures are
+OpenCASCADE, not this program. These failures are in the column *simpler body fails too*. All other failures are
 in the column *ours only*, and are listed at the end.
 
 The styles are: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
-(the backing). For CadQuery, meshes and checks are not repeated, because its bodies are those of build123d 0.12 in
-the same version of OpenCASCADE.
+(the backing, which is the glued layer). For CadQuery, meshes and checks are not repeated, because its bodies are
+those of build123d 0.12 in the same version of OpenCASCADE.
 """
 
 

@@ -91,7 +91,7 @@ def _left_out(row, _):
 NEAREST = "tests/unit/forming/test_nearest_rod.py"
 TESTS_OF_TASKS = {
     "zeros of the curvature": "tests/unit/geometry/test_bernstein.py::test_all_roots_of_random_products",
-    "where the line meets the curve": f"{CHECK}::test_line_through_two_inflections_crossing_a_third_time",
+    "crossings of curve and inflection line": f"{CHECK}::test_line_through_two_inflections_crossing_a_third_time",
     "least ratio (Eqs. 4 and 6)": f"{VALIDATION}/test_optimal_ratios.py::test_same_ratio_as_the_full_program",
     "a curve that cannot be bent": f"{NEAREST}::test_near_curve_is_realizable_and_asks_for_the_limit",
     "stability (Algorithm 2)": f"{NEAREST}::test_an_unstable_wave_becomes_stable",
