@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
 from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
@@ -329,8 +329,8 @@ def _violation_sentence(near: NearestRod, binding: Binding) -> str:
             limit=binding.limit, margin=rating.margin, word=note(rating.rating),
         )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
-        radius = Length(1 / float(np.abs(near.rod.curvature).max()))
-        least = Length(1 / binding.limit)
+        radius = Length(rounded_down(1 / float(np.abs(near.rod.curvature).max()), 3))
+        least = Length(rounded_up(1 / binding.limit, 3))
         return note(
             "The smallest radius is {radius}, below the limit of {least}.",
             least=least,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.control_point_constraints import (
     Constraint,
     CurvatureAt,
@@ -222,5 +222,5 @@ def _reasons(tail: FreeTail, off: float, allowed: float, reach: float) -> Iterat
             "{station}. The curve there is up to {off} from a straight line (allowed: {allowed}). Draw this part "
             "straight, or move the element or load to {straight}.",
             end=note("end" if tail.end else "start"), station=Length(round(tail.station, 6)),
-            off=Length(float(f"{off:.2g}")), allowed=Length(float(f"{allowed:.2g}")), straight=straight,
+            off=Length(rounded_up(off, 2)), allowed=Length(rounded_down(allowed, 2)), straight=straight,
         )  # fmt: skip

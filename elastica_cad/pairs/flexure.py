@@ -21,7 +21,7 @@ from elastica_cad._values import (
     require_record,
 )
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, NotConvergedError, StrainError, quoted, rounded_up
+from elastica_cad.errors import InputError, NotConvergedError, StrainError, quoted, rounded_down, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -839,16 +839,18 @@ class Flexure:
                 "thick, but parts must be at least {least:g} thick to be {made}. Draw both curves {share:g} "
                 "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
                 "strain",
-                sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
-                made=verb, share=share, needs=Length(share * self.pair.length),
+                sheet=self.sheet.name, strain=100 * self.sheet.max_strain,
+                thin=Length(rounded_down(thin, 3)), least=Length(least), made=verb,
+                share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
         worst = max(self.strain)
         verdict = judge_strain(self.sheet, worst)
         if verdict.refused:
+            reached, limit = distinct_digits(100 * worst, 100 * self.sheet.max_strain, ".2g")
             yield StrainError(
-                "the part breaks, because its strain is {worst:.2g} % and {sheet} allows {most:.2g} %: make "
+                "the part breaks, because its strain is {worst:g} % and {sheet} allows {most:g} %: make "
                 "the part thinner, or draw the curves closer to each other",
-                worst=100 * worst, sheet=self.sheet.name, most=100 * self.sheet.max_strain,
+                worst=reached, sheet=self.sheet.name, most=limit,
             )  # fmt: skip
         for name, gap in self.contacts.items():
             yield InputError(

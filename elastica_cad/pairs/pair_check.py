@@ -264,8 +264,8 @@ def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
 
 def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
     what = {
-        0: "At {places} a curvature jumps, so that the other curve becomes the sharper one at once. A part "
-        "cannot do this. Make the curvature continuous there, as in a spline.",
+        0: "At {places} a curvature jumps past the curvature of the other curve, which no part can follow. "
+        "Make the curvature continuous there, as in a spline.",
         2: "At {places} the curvatures are both 0 and touch without crossing. There the moments cannot differ "
         "in the same way (order 4, not 2). Bend both curves there, or let their curvatures differ.",
         3: "At {places} the curvatures cross with equal slopes. There the moments cannot differ in the same "

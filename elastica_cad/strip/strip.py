@@ -21,7 +21,7 @@ from elastica_cad._values import (
     three,
     value_key,
 )
-from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.errors import InputError, NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import Path
@@ -323,8 +323,9 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
             yield note(
                 "The radius is {radius} at {at} from the start. Plywood {thickness:g} thick needs at least "
                 "{least} {grain} the face grain ({source}). Use a thinner sheet or a gentler curve.",
-                radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(cut.sheet.thickness),
-                least=Length(least), grain=note(cut.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
+                radius=Length(rounded_down(1 / bend[tightest], 3)), at=Length(at),
+                thickness=Length(cut.sheet.thickness), least=Length(least),
+                grain=note(cut.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
             )  # fmt: skip
 
 

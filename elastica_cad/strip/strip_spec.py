@@ -269,7 +269,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
             least_width=FieldName("shop.least_width"),
             max_width=Length(max_width),
             name=sheet.name,
-            least=Length(least),
+            least=Length(rounded_up(least, 3)),
             where={"field": "max_width"},
             changes=[Change("max_width", rounded_up(2 * least, 3))],
         )

@@ -379,7 +379,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
     )  # fmt: skip
     if far := moves_far(strip):
         text = note(
-            "{text}. Movements above {percent:g} % of its length are large: support the strip in another way, or "
+            "{text}. Movements above {percent:g} % of the length are large: support the strip in another way, or "
             "draw another curve",
             text=text, percent=100 * FAR_SHARE,
         )  # fmt: skip

@@ -171,7 +171,7 @@ def test_a_pin_whose_error_moves_the_strip_far_is_marked_and_suggested_last(tmp_
     assert "; a small mounting error moves the strip far; build the pin" in str(last)
     (row,) = (row for row in strip_rows(last.strips[0]) if row.label == "Mounting")
     assert row.stops
-    assert "moves the strip by 8.1 mm. Movements above 3 % of its length are large" in row.text
+    assert "moves the strip by 8.1 mm. Movements above 3 % of the length are large" in row.text
 
 
 def test_a_shallow_strip_rests_as_designed_if_its_ends_are_closer_by_its_compression():

@@ -13,7 +13,7 @@ from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
 
 from elastica_cad.design.reports import pre_bend_message
-from elastica_cad.errors import ElasticaError, StrainError, rounded_up
+from elastica_cad.errors import ElasticaError, StrainError, rounded_down, rounded_up
 from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
@@ -199,7 +199,7 @@ def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fau
         "at least {least}. Use a thinner sheet or a gentler curve." if judged.refused else
         "The strain exceeds its limit {s} from the start: the radius there is {radius}, but the "
         "sheet needs at least {least}; {outcome}. Use a thinner sheet or a gentler curve.",
-        s=Length(place), radius=Length(1 / bend), least=Length(rounded_up(judged.used / bend, 3)),
-        outcome=note(judged.outcome),
+        s=Length(place), radius=Length(rounded_down(1 / bend, 3)),
+        least=Length(rounded_up(judged.used / bend, 3)), outcome=note(judged.outcome),
     )  # fmt: skip
     return Fault(strain_words(judged), words, "LargestStrain")
