@@ -204,8 +204,9 @@ class RationalPieces:
         """Return the parameters clipped to the domain, and refuse those that are clearly outside."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
-        if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
-            raise InputError(f"the parameter is outside the curve: use {a:g} to {b:g}")
+        off = np.abs(t - inside)
+        if not off.max(initial=0.0) <= 1e-9 * (b - a):
+            raise InputError(f"parameter {t.flat[off.argmax()]:g} is outside the curve: use {a:g} to {b:g}")
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:

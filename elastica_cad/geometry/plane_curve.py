@@ -202,12 +202,14 @@ class PlaneCurve(NurbsCurve):
     def parameter(self, s: ArrayLike) -> FloatArray:
         """Return the parameters at arc lengths s, mm."""
         s = numbers(s, "arc lengths")
-        slack = 1e-9 * self.length
-        if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
-            raise InputError(
-                "an arc length is outside the curve: use 0 to {length:g}", length=Length(self.length)
-            )
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
+        off = np.abs(s.ravel() - inside)
+        if not off.max(initial=0.0) <= 1e-9 * self.length:
+            raise InputError(
+                "the arc length {s:g} is outside the curve: use 0 to {length:g}",
+                s=Length(s.ravel()[off.argmax()]),
+                length=Length(self.length),
+            )
         return self._pieces.arc_length.parameter_at(inside).reshape(s.shape)
 
     @property

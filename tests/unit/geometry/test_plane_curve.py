@@ -275,9 +275,9 @@ OPEN = PlaneCurve.spline(POINTS)
 
 test_parameters_and_arc_lengths_outside_are_refused = refusal_test(
     [
-        (lambda: OPEN.evaluate(1.1), "outside the curve"),
+        (lambda: OPEN.evaluate(1.1), "1.1 is outside the curve"),
         (lambda: OPEN.parameter([0.0, 1.01 * OPEN.length]), "outside the curve"),
-        (lambda: OPEN.at(np.nan), "outside the curve"),
+        (lambda: OPEN.at(np.nan), "nan mm is outside the curve"),
         (lambda: OPEN.evaluate(0.5, 4), "is 4: use 0 to 3"),
         (lambda: OPEN.sample(1), "use 2 or more"),
     ]
