@@ -218,7 +218,8 @@ class EquilibriumCheck:
         if self.undecided is not None:
             return sentences([*outlier, self.verdict], " ")
         first = [*outlier, self.verdict] if outlier else [self.verdict, *self.points_message]
-        return sentences([*first, *self.reasons, *self.warnings], " ")
+        kept = [text for text in self.warnings if self.realizable or getattr(text, "kind", "") != "kinks"]
+        return sentences([*first, *self.reasons, *kept], " ")
 
     @property
     def details(self) -> tuple[str, ...]:
