@@ -198,7 +198,7 @@ class Smoothing:
             notes.append(
                 note(
                     "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
-                    "{far:.2g}; no strip can take the drawn curve.",
+                    "{far:.2g}; a strip can take only the smoothed curve.",
                     far=Length(self.moved), severity=severity,
                 )
                 if before is None

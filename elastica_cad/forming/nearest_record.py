@@ -285,7 +285,7 @@ def _step(binding: Binding) -> tuple[str | Length, float]:
 
 _NAMES = {
     "margin": "the stability margin",
-    "strain": "the sheet's strain limit",
+    "strain": "the sheet's strain limit (with a thinner sheet)",
     "keep-out": "the keep-out regions",
     "stiffness bounds": "the stiffness bounds",
     "points": "the kept points",
@@ -310,7 +310,7 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
         return note(
             "the curvature limit"
             if limits.curvature == limits.largest_curvature
-            else "the sheet's strain limit"
+            else "the sheet's strain limit (with a thinner sheet)"
         )
     if kind == "length":
         return note("the length" if near.keep.length else "the range of lengths")

@@ -46,7 +46,7 @@ def saving(near, start):
         ),
         (ARCH, "curvature limit: a change of 10 %", Limits(4, curvature=0.02), Keep(), Limits(4, curvature=0.0202)),
         (
-            ARCH, "sheet's strain limit: a change of 10 %",
+            ARCH, "sheet's strain limit (with a thinner sheet): a change of 10 %",
             Limits(4, sheet=PLY, strain=PLY.thickness / 100), Keep(),
             Limits(4, sheet=PLY, strain=PLY.thickness / 99),
         ),
@@ -155,7 +155,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     radius = f"low the limit of {sheet.least_radius:.3g} mm"
     done = run(*asked, code=1)
     assert radius in done.stderr
-    assert "Relax the sheet's strain limit, " in done.stderr
+    assert "Relax the sheet's strain limit (with a thinner sheet), " in done.stderr
 
 
 @pytest.mark.campaign
