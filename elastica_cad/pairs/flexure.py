@@ -562,7 +562,7 @@ class Flexure:
             )  # fmt: skip
         if apart < least * (1 - 1e-9):
             raise InputError(
-                "the holder's holes for the two states are only {apart} apart, but it needs at least {least} "
+                "the holder's holes for the two states are only {apart} apart, but need at least {least} "
                 "between their centres. Change the length of the pads, or turn the second curve so that its end "
                 "is elsewhere",
                 apart=Length(apart), least=Length(least),
