@@ -186,7 +186,7 @@ def main(*options):
         "This page is for readers of [the paper](explanation/reproduce_the_paper.md) by Hafner and Bickel. "
         "`python docs/gallery.py` writes it from one run. Seconds are processor time. The columns are:\n\n"
         "- *strips (computed)*: strips of the model, and how many of them were computed (the others are copies); "
-        "*samples*: places along a strip at which its rod is computed;\n"
+        "*samples*: places along a strip at which it is computed;\n"
         "- *stiffness ratio*: largest stiffness of a strip divided by its smallest, from the least to the largest "
         "of all strips;\n"
         "- *from the target*: the largest distance between the design and the requested curve, in mm and as a "

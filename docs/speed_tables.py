@@ -25,6 +25,9 @@ This page compares the speed of this program with other solvers, and shows how l
 The times are medians, and depend on the machine. A ratio divides our time by the time of the other task in
 the same run. It depends little on the machine, and a ratio below 1 means that our task is faster. Both tasks
 are ours unless another solver or scipy is named. Equations are those of [the paper](reproduce_the_paper.md).
+
+A *rod* is a strip as it is computed, at points along it (*nodes*, *samples*). The *nearest rod* is the strip that
+is nearest to a curve that no strip can take within the limits.
 """
 
 CALLS = """*First call*: measured once, without warm-up. *Later call*: `stability` reuses intermediate
