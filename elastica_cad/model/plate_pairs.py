@@ -33,6 +33,7 @@ from elastica_cad.model.plates import (
     ring_plate,
     shoulder_faults,
     tab_slot,
+    up_to_tenth,
     with_shoulders,
 )
 from elastica_cad.refusals import Length, Refusal, note, sentences
@@ -189,7 +190,7 @@ def _with_endless_tabs(plate: Plate) -> Plate:
 def _untested_cures(length: float) -> str:
     if length == np.inf:
         return Refusal("fault", "let the strips meet the plate more steeply", severity="note")
-    return note("make the tab {needed:.0f} long", needed=Length(length))
+    return note("make the tab {needed:g} long", needed=Length(length))
 
 
 def _tested_cures(
@@ -207,7 +208,7 @@ def _tested_cures(
         sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:
         long, wide = sized
-        text = "make the tab {needed:.0f} long and {width:.0f} wide"
+        text = "make the tab {needed:g} long and {width:.0f} wide"
         cures.append(
             _untested_cures(long) if wide == np.inf else note(text, needed=Length(long), width=Length(wide))
         )
@@ -226,7 +227,7 @@ def _tested_cures(
         try:
             _fitted_length(placed, slotted, gap, length, np.inf)
         except (InputError, NotConvergedError) as problem:
-            text = "with tabs {needed:.0f} long, there is another problem: {problem}"
+            text = "with tabs {needed:g} long, there is another problem: {problem}"
             return note(text, needed=Length(length), problem=problem.refusal)
     return sentences(cures, note(", or ")) or _untested_cures(np.inf)
 
@@ -264,7 +265,7 @@ def _fitted_length(
 ) -> float:
     _require_makeable(placed, length, width, plates[0].options)
     tried = [_tried_pair(with_tabs(placed, length, width), plate, gap) for plate in plates]
-    longer = max(length, *(np.ceil(max(needed.values())) for _, needed in tried))
+    longer = max(length, *(up_to_tenth(max(needed.values())) for _, needed in tried))
     _require_makeable(placed, longer, width, plates[0].options)
     return float(longer)
 
@@ -457,7 +458,7 @@ def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -
     if short:
         raise InputError(
             "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
-            name=first.name, name_2=short[0].name, cures=cures(float(np.ceil(max(needed.values())))),
+            name=first.name, name_2=short[0].name, cures=cures(up_to_tenth(max(needed.values()))),
         )  # fmt: skip
 
 

@@ -460,11 +460,13 @@ STANDS_MM = 0.2
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
     """Return a note if tabs extend below all plates of a base, so that the model would stand on their tips."""
     lowest = min(plates, key=lambda plate: float(plate.frame.origin @ plate.frame.z_axis))
-    depths = [
-        -float(lowest.frame.local(slot.tab.tip)[2]) - lowest.sheet.thickness
-        for slot in lowest.slots
-        if slot.tab is not None
-    ]
+    thickness, depths = lowest.sheet.thickness, []
+    for slot in lowest.slots:
+        if (tab := slot.tab) is not None:
+            # a load bends the tab towards the middle of its slot, which has been moved accordingly
+            start = lowest.frame.local(tab.frame.origin)
+            out = np.append(slot.corners.mean(axis=0), -thickness / 2) - start
+            depths.append(-float(start[2] + tab.length * out[2] / np.linalg.norm(out)) - thickness)
     if max(depths, default=0.0) <= STANDS_MM:
         return ()
     return (
@@ -853,7 +855,12 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
 
 
 def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
-    """Return the length, in whole mm, of a tab through a plate and a plate `gap` mm behind it."""
+    """Return the length, mm, of a tab through a plate and a plate `gap` mm behind it, rounded up to 0.1 mm."""
     back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
     missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
-    return float(np.ceil(tab.length + missing))
+    return up_to_tenth(tab.length + missing)
+
+
+def up_to_tenth(length: float) -> float:
+    """Return a length rounded up to 0.1 mm, so that a longer tab hardly extends beyond its plate."""
+    return float(np.ceil(10 * length - 1e-6) / 10)

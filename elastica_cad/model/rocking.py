@@ -152,11 +152,11 @@ def _pair_text(gap: float, length: float, width: float) -> str:
     changes = (Change("two_plates", {"gap": gap, "tab": tab}),)
     if width == np.inf:
         return note(
-            "two plates ({field} = {gap:g}) and tabs {length:.0f} long",
+            "two plates ({field} = {gap:g}) and tabs {length:g} long",
             field=FieldName("gap"), gap=gap, length=Length(length), changes=changes,
         )  # fmt: skip
     return note(
-        "two plates ({field} = {gap:g}) and tabs {length:.0f} long and {width:.0f} wide",
+        "two plates ({field} = {gap:g}) and tabs {length:g} long and {width:.0f} wide",
         field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
         changes=changes,
     )  # fmt: skip

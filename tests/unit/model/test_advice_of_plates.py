@@ -10,13 +10,14 @@ import elastica_cad as ec
 from elastica_cad import InputError
 from elastica_cad.model import revolve, rocking_tabs
 from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.model.plates import tips_below
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed
 
 LAMP = [(60, 0), (85, 40), (100, 90), (85, 140), (60, 180)]
 POT = [(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)]
 CONE = [(60, 0), (80, 60), (95, 120), (105, 180)]
-PLATES = r"plates \(gap = (\d+)\) and tabs (\d+) mm long(?: and (\d+) mm wide)?"
+PLATES = r"plates \(gap = (\d+)\) and tabs ([\d.]+) mm long(?: and (\d+) mm wide)?"
 
 
 def suggested_tab(found):
@@ -76,7 +77,7 @@ def ribs(tab, count=8):
 def test_a_tab_too_short_for_two_plates_follows_either_suggestion(gap):
     with pytest.raises(InputError, match="does not reach") as refused:
         end_plates(ribs(Tab(12)), "mdf-3", gap=gap)
-    found = re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value))
+    found = re.search(r"make the tab ([\d.]+) mm long(?: and (\d+) mm wide)?", str(refused.value))
     assert len(end_plates(ribs(suggested_tab(found)), "mdf-3", gap=gap)) == 4
     nearer = re.search(r"reduce the gap to (\d+) mm", str(refused.value))
     assert len(end_plates(ribs(Tab(12)), "mdf-3", gap=float(nearer[1]))) == 4
@@ -87,14 +88,16 @@ def test_no_longer_tab_is_suggested_where_the_second_ring_has_no_room_for_it():
     placed = ribs(Tab(12), count=14)
     with pytest.raises(InputError, match="does not reach") as refused:
         end_plates(placed, "mdf-3", gap=40.0)
-    tab = suggested_tab(re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value)))
+    tab = suggested_tab(
+        re.search(r"make the tab ([\d.]+) mm long(?: and (\d+) mm wide)?", str(refused.value))
+    )
     with pytest.raises(InputError):
         end_plates(ribs(Tab(tab.length), count=14), "mdf-3", gap=40.0)
     assert len(end_plates(ribs(tab, count=14), "mdf-3", gap=40.0)) == 4
 
 
 def test_tabs_that_the_load_bends_get_the_length_of_the_bent_tab():
-    """The straight tab would be long enough."""
+    """The straight tab would be long enough. The bent tab ends at the lower face of the second ring."""
     ball = ec.meridian_through([(60, 0), (103.9, 43.9), (120, 104), (103.9, 164.1), (60, 208)])
 
     def rings(tab, gap):
@@ -104,8 +107,11 @@ def test_tabs_that_the_load_bends_get_the_length_of_the_bent_tab():
 
     with pytest.raises(InputError, match="does not reach") as refused:
         rings(Tab(20, width=10), 6.0)
-    found = re.search(r"make the tab (\d+) mm long, or reduce the gap to (\d+) mm", str(refused.value))
-    assert len(rings(Tab(float(found[1]), width=10), 6.0).plates) == 4
+    found = re.search(r"make the tab ([\d.]+) mm long, or reduce the gap to (\d+) mm", str(refused.value))
+    made = rings(Tab(float(found[1]), width=10), 6.0)
+    assert len(made.plates) == 4
+    assert not tips_below(made.plates[:2])
+    assert tips_below(rings(Tab(float(found[1]) + 1, width=10), 6.0).plates[:2])
     assert len(rings(Tab(20, width=10), float(found[2])).plates) == 4
 
 
@@ -117,7 +123,7 @@ def test_where_no_longer_tab_fits_the_message_says_why():
         tabs = (Tab(length, width=10),) * 2
         return revolve(ball, 12, sheet="polypropylene-0.8", rings="birch-plywood-2", gap=gap, ends=tabs)
 
-    told = r"does not reach .*: with tabs (\d+) mm long, there is another problem: .*: the load .* too far"
+    told = r"does not reach .*: with tabs ([\d.]+) mm long, there is another problem: .*: the load .* too far"
     with pytest.raises(InputError, match=told) as refused:
         rings(10.0)
     longer = float(re.search(told, str(refused.value))[1])
@@ -143,7 +149,7 @@ def test_suggestions_hold_for_both_rings_of_a_revolution(latitudes, gap, tabs):
 
     with pytest.raises(InputError, match=r"second plate|too far") as refused:
         rings()
-    longer = re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value))
+    longer = re.search(r"make the tab ([\d.]+) mm long(?: and (\d+) mm wide)?", str(refused.value))
     nearer = re.search(r"reduce the gap to (\d+) mm", str(refused.value))
     assert longer or nearer or "let the strips meet the plate more steeply" in str(refused.value)
     if longer:
