@@ -21,8 +21,8 @@ Lengths are in mm and angles in degrees. Heights and angles are measured from th
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
 
-SKETCHED = 60
-"""Approximate number of points of the curve in `Measuring.shape`."""
+SKETCHED = 61
+"""Number of points of the curve in `Measuring.shape`."""
 
 UNEVEN_SHARE = 0.02
 """Relative difference between the stiffness at mirrored positions, above which reversing the strip changes
@@ -76,7 +76,7 @@ SLIPS: Mapping[str, str] = {
     "signs": "All heights and angles have the opposite sign. Read their signs from the measuring page.",
     "turned": (
         "The readings agree with the design turned by 180 degrees. Read them again, with the strip in the position "
-        "that the measuring page shows."
+        "that the measuring page shows. If they do not change, the strip is mounted end for end: exchange its ends."
     ),
     "tips": "The chord is measured between the tips of the tabs. Measure it where the bend begins.",
 }
@@ -182,6 +182,8 @@ class Measuring:
         for k, cause in enumerate(owners):
             lengths = _measured(design.position + moved[:, k], design.position)
             causes.setdefault(cause, []).append({name: lengths[name] - unmoved[name] for name in unmoved})
+        sketched = np.linspace(0, n - 1, SKETCHED)
+        shape = [np.interp(sketched, np.arange(n), axis) for axis in design.position.T]
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
@@ -189,7 +191,7 @@ class Measuring:
             expected,
             uncertain,
             {cause: tuple(change_list) for cause, change_list in causes.items()},
-            tuple(map(tuple, design.position[:: max(1, n // SKETCHED)].tolist())),
+            tuple(map(tuple, np.column_stack(shape).tolist())),
             distance_of_tips(held_ends(strip)),
         )
 

@@ -113,9 +113,19 @@ def test_readings_turned_by_180_degrees_are_named(names):
         "end_angle": "start_angle",
     }
     turned = {name: -measuring.expected[other_end.get(name, name)] for name in names}
-    assert measuring.compare(turned)[0].text.startswith(
-        "The readings agree with the design turned by 180 degrees."
-    )
+    sentence = measuring.compare(turned)[0].text
+    assert sentence.startswith("The readings agree with the design turned by 180 degrees.")
+    assert "the strip is mounted end for end" in sentence
+
+
+@pytest.mark.parametrize("samples", [200, 241, 257])
+def test_the_drawn_shape_has_even_steps_from_start_to_end(samples):
+    rod = ec.optimal_rod(ec.PlaneCurve.spline(S_CURVES["unsymmetric"], degree=3), samples=samples)
+    shape = np.array(Measuring.of(Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0)).shape)
+    assert shape[[0, -1]] == pytest.approx(rod.position[[0, -1]], abs=0.01)
+    steps = np.hypot(*np.diff(shape, axis=0).T)
+    assert steps.sum() == pytest.approx(rod.length, rel=1e-3)
+    assert steps == pytest.approx(np.full(60, rod.length / 60), rel=5e-3)
 
 
 @pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
