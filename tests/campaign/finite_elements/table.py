@@ -46,7 +46,9 @@ test runs](trust.md) has the date and commit of the last run.
 
 RESULT = """Result: with widths corrected for all effects, the largest distance between strip and drawn curve is
 {corrected} for {count} chosen strips, and {random} for {few} random strips. By default, {changed} of the
-{count} strips are corrected, and for curl only; for all {count}, the distance is then {default}."""
+{count} strips are corrected, and for curl across their width only; for all {count}, the distance is then {default}.
+Usual errors of sheet, cut and clamps move a strip by another {least:.1f} to {most:.1f} mm per metre, as computed
+for the random strips."""
 
 ACCURACY = """These strips have a constant width, and their shape, frequency or sag is known in closed form. An
 elastica is the shape of a bent thin strip of constant width. In all rows, nu is 0. Errors of shapes are divided
@@ -216,7 +218,9 @@ def written(everything: dict[str, list[dict[str, Any]]]) -> str:
     spreads = (before, [own.get(_key(row), row) for row in before], [*now.values()])
     random = [row for row in everything.get("drawn", []) if row["name"].endswith(CORRECTED)]
     default, corrected = map(_per_metre, spreads[1:])
+    effects = [1000 * row["sheet"] for row in everything.get("drawn", [])] or [0.0]
     result = RESULT.format(count=len(before), changed=len(own), corrected=corrected, default=default,
+                           least=min(effects), most=max(effects),
                            few=len(random), random=_per_metre(random))  # fmt: skip
     lines = [
         HEAD.format(result=textwrap.fill(result, 112)),
