@@ -395,7 +395,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
             "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
         ),
         ("bend arch.csv --to 380", "--to needs 2 values, X Y. New position of the end, in mm of the drawing"),
-        ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
+        ("pair arch.csv arch.csv birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
         ("help rails", "did you mean rail?"),
         ("help screws", "did you mean revolution.holes.screws, base.holes.screws, or rings.holes.screws?"),
