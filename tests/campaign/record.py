@@ -127,7 +127,9 @@ def _row(name: str, last: dict[str, Any]) -> str:
 def _said(name: str, result: str) -> str:
     """The last line of a campaign, in words."""
     if result.startswith("{") and name in SAID:
-        return SAID[name].format_map(Counter(_figures(json.loads(result))))
+        record = json.loads(result)
+        missed = f"; outside the limits: {', '.join(record['missed'])}" if record.get("missed") else ""
+        return SAID[name].format_map(Counter(_figures(record))) + missed
     if re.search(r"\d (passed|failed|errors?)\b.* in [\d.]+s", result):
         counts = {word: number for number, word in re.findall(r"(\d+) (\w+)", result)}
         return ", ".join(f"{counts[word]} {TESTS[word]}" for word in TESTS if word in counts)
