@@ -1,5 +1,6 @@
 """`elastica model`: make the model of a design file, with all files that are needed to build it."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import fields, replace
 from functools import partial
@@ -23,9 +24,9 @@ from elastica_cad.forming.nearest_record import Status
 from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
-from elastica_cad.mechanics.stability import SAFE_MARGIN
+from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
-from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, one_of_each, sentences
+from elastica_cad.refusals import Length, Listed, Refusal, Severity, is_reported, note, one_of_each, sentences
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
@@ -33,7 +34,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
-from elastica_cad.strip.summary import accuracy_row, hold_row, size_row
+from elastica_cad.strip.summary import accuracy_row, hold_row, size_row, stability_row
 
 MOST_SHOWN = 6
 """Largest number of notes printed without -v. The report contains all notes."""
@@ -180,17 +181,21 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
         say_row(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
-    sizes: dict[str, list[EqualStrips]] = {}
+    sizes: dict[tuple[str, Severity], list[EqualStrips]] = {}
     for part in model.parts:
         shape = contents.held.get(model.single_name_of(part.members[0]))
         accuracy = "" if shape is None else f"; accurate to about {about(shape.expected)}"
-        sizes.setdefault(f"{size_row(part.strip).text}{accuracy}", []).append(part)
-    for text, parts in sizes.items():
+        judged = stability_row(part.strip, stability(part.strip.rod))
+        used, word = 100 * part.strip.strain_verdict.used, re.split("[:;]", judged.text)[0]
+        text = f"{size_row(part.strip).text}; strain {used:.0f} % of the limit, {word}{accuracy}"
+        sizes.setdefault((text, judged.severity), []).append(part)
+    for (text, severity), parts in sizes.items():
         count, names = sum(part.count for part in parts), [part.name for part in parts]
         label = f"{names[0]} x {count}" if count > 1 else names[0]
         loads = (hold_row(part.strip).text for part in parts)
         details = [f"{name}: {load}" for name, load in zip(names, loads, strict=True)]
-        say_row(Row(label, text, [f"These are {', '.join(names)}.", *details] if names[1:] else details))
+        more = [f"These are {', '.join(names)}.", *details] if names[1:] else details
+        say_row(Row(label, text, more, severity))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
     metres = cut_list.cut_length / 1000
     mass = f"{cut_list.mass / 1000:.3g} kg" if cut_list.mass >= 1000 else f"{cut_list.mass:.3g} g"

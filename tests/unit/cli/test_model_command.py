@@ -547,6 +547,9 @@ def test_equal_strips_have_one_row_with_their_number(design, tmp_path):
     made = run("model", design, "-o", tmp_path / "kit", "--no-pictures", "--no-step", "--no-parts")
     (row,) = (line for line in made.stdout.splitlines() if line.startswith("K "))
     assert row.startswith("K x 2       376.6 mm long")
+    (part,) = json.loads((tmp_path / "kit" / "kit.json").read_text())["parts"]
+    used = 100 * part["largest_strain"] / ec.Sheet.named(part["sheet"]).max_strain
+    assert f"; strain {used:.0f} % of the limit, stable; " in row
     assert "accurate to about" in row
 
 
