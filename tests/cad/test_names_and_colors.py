@@ -108,5 +108,5 @@ def test_color_is_an_option_of_both_libraries():
     assert tuple(rib.fixture(color="blue").color) == (0, 0, 1, 1)
     assert tuple(bd_strips.FlatStrip(rib, color="blue").color) == (0, 0, 1, 1)
     for wrong in ("rad", (1, 2), (0, 0, 7), 3):
-        with pytest.raises(ValueError, match=r"color is .* Pass a Color"):
+        with pytest.raises(ValueError, match=r"color is .* Pass a CAD library's Color"):
             bent(CURVE, "pom-0.5", color=wrong, **OPTIONS)

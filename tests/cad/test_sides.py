@@ -72,7 +72,7 @@ class TestBuild123d:
         assert pytest.approx(-there.center().Z, abs=1e-6) == body.center().Z
         with pytest.raises(InputError, match="away from the plane that was given"):
             bd_strips.BentStrip(arch, SHEET, plane=bd.Plane.XY.offset(3), **OPTIONS)
-        with pytest.raises(InputError, match="Pass a Plane"):
+        with pytest.raises(InputError, match="Pass a CAD library's Plane"):
             bd_strips.BentStrip(arch, SHEET, plane="XY", **OPTIONS)
 
     def test_polar_array(self, arch):

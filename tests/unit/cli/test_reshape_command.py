@@ -84,7 +84,7 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
         (("--handle", 0, 0, 1, 1), "--handle moves 4 places at once, but is given 1 times"),
         (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "cannot be combined"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "are on one line, through"),
-        (("--top-right", 60, 40), "to infinity, near ("),
+        (("--top-right", 60, 40), "moves the curve near ("),
         (("--top-right", "nan", 40), "--top-right is not finite"),
         (("--handle", 0, 0, 1, "inf"), "--handle is not finite"),
     ],

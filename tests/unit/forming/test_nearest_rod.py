@@ -437,7 +437,7 @@ def test_a_straight_wish():
         (lambda: nearest_rod(ARCH, coefficients=2), "coefficients"),
         (lambda: nearest_rod(ARCH, measure="best"), "measure"),
         (lambda: nearest_rod(ARCH, weights=-1.0), "weights"),
-        (lambda: nearest_rod(ARCH, start=optimal_rod(ARCH)), "record of nearest_rod"),
+        (lambda: nearest_rod(ARCH, start=optimal_rod(ARCH)), "result of nearest_rod"),
         (lambda: nearest_rod(ARCH, Limits(length=(10, 100))), "apart"),
         (
             lambda: nearest_rod(ARCH, Limits(length=(300, 400)), Keep(length=True)),

@@ -61,5 +61,5 @@ def test_a_curve_sent_through_infinity_is_refused_with_the_place():
     """Handles pushed into an arrow's shape send the line from (18, 0) to (0, 18) to infinity."""
     curve = PlaneCurve.spline([(2, 2), (60, 20), (90, 60), (90, 90), (80, 95)])
     arrow = [(0, 0), (100, 0), (45, 45), (0, 100)]
-    with pytest.raises(InputError, match=r"to infinity, near \(1.*\) mm: move the handles less"):
+    with pytest.raises(InputError, match=r"the curve near \(1.*\) mm to infinity: move the handles less"):
         curve.transformed(four_point_map(SQUARE, arrow))
