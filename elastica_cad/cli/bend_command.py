@@ -416,7 +416,13 @@ def _print_shapes(
             "stability": states,
         }
     )
-    say_row(Row("Size", f"{rod.length:.1f} mm long", [f"The stiffness ratio is {rod.ratio:.4g}."]))
+    say_row(
+        Row(
+            "Size",
+            f"{rod.length:.1f} mm long",
+            [f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."],
+        )
+    )
     width, height = np.ptp(shapes[-1].position, axis=0)
     last = "last shape " if shapes[1:] else ""
     radius = _smallest_radius(shapes[-1])
@@ -425,7 +431,7 @@ def _print_shapes(
     (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
     say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
     if moved is not None and (shapes[-1].acting or change):
-        for row in _load_rows(change.get("loads", ())):
+        for row in _load_rows(change.get("loads", ()), weight=shapes[-1].gravity is not None):
             say_row(row)
         say_row(_displacement_row(moved, released=change.get("between") == ()))
         for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
@@ -492,7 +498,7 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
         )  # fmt: skip
 
 
-def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
+def _load_rows(loads: Sequence[PointMass | PointForce], *, weight: bool) -> Iterator[Row]:
     texts = []
     for load in loads:
         at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
@@ -503,7 +509,7 @@ def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
             x, y = load.force
             texts.append(f"({x:g}, {y:g}) N at {at}")
     if texts:
-        yield Row("Load", "; ".join(texts))
+        yield Row("Load", "; ".join([*texts, *(["the weight of the strip"] if weight else [])]))
 
 
 def _displacement_row(moved: Travel, *, released: bool) -> Row:

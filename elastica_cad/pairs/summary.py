@@ -46,7 +46,7 @@ def _size(part: Flexure) -> Row:
             thickness=Span.of(*part.thickness_range),
             depth=Length(part.sheet.thickness),
         ),
-        (note("The stiffness ratio is {ratio:.4g}.", ratio=part.pair.ratio),),
+        (note("The largest stiffness of the strip is {ratio:.4g} times the least.", ratio=part.pair.ratio),),
     )
 
 

@@ -95,7 +95,7 @@ def size_row(strip: Strip) -> Row:
     """Return the row on length, width and mass of a strip."""
     tabs = sum(tab.length for tab in strip.ends)
     length = strip.rod.length
-    ratio = note("The stiffness ratio is {ratio:.4g}.", ratio=strip.rod.ratio)
+    ratio = note("The largest stiffness of the strip is {ratio:.4g} times the least.", ratio=strip.rod.ratio)
     backing = [strip.backing_side] if strip.backing_side else []
     return Row(
         note("Size"),
