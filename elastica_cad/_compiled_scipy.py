@@ -1,6 +1,6 @@
 """Access to compiled functions of scipy (LAPACK, Brent's method) without importing their packages.
 
-`scipy.linalg` and `scipy.optimize` import some hundred modules, in 0.2 and 0.3 seconds. Each function used
+`scipy.linalg` and `scipy.optimize` import more than 200 modules each, in 0.2 and 0.3 seconds. Each function used
 here is in one compiled file that loads in milliseconds.
 """
 

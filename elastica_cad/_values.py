@@ -34,7 +34,7 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def is_whole(value: object) -> TypeGuard[int]:
-    """Return True if the value is an integer. Fractions, strings and booleans are not integers.
+    """Return True if the value is an integer. Floats such as 3.0, strings and booleans are not integers.
 
     Examples
     --------
@@ -194,7 +194,7 @@ def several(
 
 
 _CACHED_KEY = "_value_key"
-# values of these frequent types are their own keys
+# values of these frequent types are keys without conversion
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 

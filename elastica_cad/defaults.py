@@ -7,7 +7,7 @@ MAX_WIDTH = 30.0
 """Largest width of a new strip in FreeCAD and in the notebook."""
 
 UNKNOWN_WIDTH = 40.0
-"""Largest width that the check of a curve assumes if the width of the strip is unknown."""
+"""Largest width that is assumed for a strip of unknown width."""
 
 RATIO = 3.5
 """Largest stiffness ratio (largest over least stiffness of the strip) if the curve may be changed."""

@@ -143,10 +143,10 @@ def written(kind: Kind) -> Kind:
 
 
 def fields_of(record: Record) -> tuple[Field, ...]:
-    """Return the fields of a table: the fields of its class, and of a second record that the class may name.
+    """Return the fields of a table: the fields of its class, and of a second class that the class may name.
 
-    `BESIDE` of the class is the second record, and `WITHOUT` are the names of its fields that are excluded. If
-    keys and fields have different names, the function `FIELDS` of the class returns the fields by key.
+    `BESIDE` is the second class, and `WITHOUT` are the names of those of its fields that are excluded. If keys
+    and fields have different names, the function `FIELDS` of the first class returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())

@@ -223,10 +223,10 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Return the runs that are joined one after another to an end of a run.
+    """Follow the joints from one end of the run `first`, and return the runs in order.
 
-    `side` is 0 for the start and 1 for the end. Each entry has the index of a run, and the end at which the
-    chain leaves this run.
+    `side` is this end: 0 for the start, 1 for the end. Each entry has the index of a run, and the end at which
+    the chain leaves this run.
     """
     used[first] = True
     path: list[tuple[int, int]] = []

@@ -10,7 +10,7 @@ from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.tangent_healing import SURE
+from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
@@ -182,7 +182,7 @@ class Smoothing:
             notes.append(note(
                 "Corners of at most {angle:.0f} degrees, at which pieces of the curve met, were rounded. This "
                 "moved the curve by at most {far:.2g}.",
-                angle=np.degrees(SURE), far=Length(self.healed),
+                angle=np.degrees(LARGEST_REMOVED_RAD), far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:

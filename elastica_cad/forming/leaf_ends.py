@@ -243,8 +243,10 @@ class _Search:
         return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
 
     def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the means of 1 / (E I) (n,) and of the weight per length (n,), N/mm, in the interval of each
-        node."""
+        """Return means (n,) around each node of 1 / (E I), 1/(N mm2), and of the weight per length, N/mm.
+
+        `places` are the positions of the ply ends as fractions of the length.
+        """
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
         values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)

@@ -37,7 +37,7 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import BareLength, Length
 
-# derivative of an angle by an unknown, rad, above which squares could overflow
+# largest derivative of an angle with respect to an unknown, rad; with larger ones, products could overflow
 _TOO_SENSITIVE = 1e50
 
 

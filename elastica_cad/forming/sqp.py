@@ -344,7 +344,7 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def violation(self) -> float:
-        """Largest violation of a constraint in equilibrium, to first order."""
+        """Largest violation of a constraint that the linearisation predicts after the change to equilibrium."""
         return float(self._broken_closed.max(initial=0.0))
 
     @cached_property

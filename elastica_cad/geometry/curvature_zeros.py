@@ -73,7 +73,7 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
     bezier : (p, degree + 1, 3) array
         Homogeneous control points of the pieces.
     edges : (p + 1,) array
-        Parameters at which the pieces meet.
+        Parameters of the ends of the p pieces.
     smooth : (p - 1,) bool array
         True for inner edges at which the curvature is continuous.
     """

@@ -23,7 +23,7 @@ from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCur
 from elastica_cad.geometry.plane_points import left_of, lengths_along
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, fit_spline, smoothest_spline
-from elastica_cad.geometry.tangent_healing import SURE, Healing, heal_tangents
+from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
 from elastica_cad.refusals import Length
 
 POLYLINE_DEGREE = 4
@@ -350,7 +350,7 @@ def _largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
 PER_ROUNDING = 2 * np.sqrt(2.0)
 """Largest error of the vector between two points, as a multiple of the rounding error of a coordinate."""
 
-SMOOTHING_SHARE = 0.5
+CORNER_SHARE = 0.5
 """Fraction of the allowed distance for removing corners. The rest is for smoothing the curvature."""
 
 POLYLINE_SHARE = 0.1
@@ -385,7 +385,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     if provenance is not None and provenance.vertices is not None:
         fitted, moved = fit_polyline(provenance.vertices, FIT_TOLERANCE)
         return (fitted.drawn_as(provenance.of_part()), moved) if moved <= smooth else (curve, 0.0)
-    healing = _healed(curve, SMOOTHING_SHARE * smooth)
+    healing = _healed(curve, CORNER_SHARE * smooth)
     if not healing.healed:
         return curve, 0.0
     rounded = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights)
@@ -415,14 +415,14 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     corners = [corner.angle for corner in curve.tangent_breaks]
     if abs(curve.seam_turn) > CORNER_RAD:
         corners.append(curve.seam_turn)
-    if not corners or curve.degree < 2 or max(map(abs, corners)) > SURE:
+    if not corners or curve.degree < 2 or max(map(abs, corners)) > LARGEST_REMOVED_RAD:
         return None
     most = WORTH_SHARE * curve.length
-    healing = _healed(curve, SMOOTHING_SHARE * most)
+    healing = _healed(curve, CORNER_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
     # add 5 %, because `moved` is estimated with the sine of an angle, which is smaller than the angle
-    needed = 1.05 * healing.moved / SMOOTHING_SHARE
+    needed = 1.05 * healing.moved / CORNER_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
 

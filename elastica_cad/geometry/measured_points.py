@@ -220,7 +220,10 @@ def _off_nearest(points: FloatArray) -> FloatArray:
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Return normal components (m,) of divided differences, and the weights (m, order + 1) of their points."""
+    """Return divided differences (m,) across the chord of their points, and the weights (m, order + 1).
+
+    The chord of a difference is from the first to the last of its points.
+    """
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)

@@ -192,7 +192,7 @@ class RationalPieces:
 
     @property
     def edges(self) -> FloatArray:
-        """Parameters (p + 1,) at which the pieces meet."""
+        """Parameters (p + 1,) of the ends of the p pieces."""
         return self.spans.edges
 
     @property

@@ -43,7 +43,7 @@ def find_self_intersections(
     Parameters
     ----------
     edges : (p + 1,) array
-        Parameters at which the pieces meet.
+        Parameters of the ends of the p pieces.
     motion : callable
         Function of parameters (n,) that returns positions and velocities d/dt, (n, 2) each.
     """

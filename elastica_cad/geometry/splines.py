@@ -760,7 +760,7 @@ def _check_options(degree: int, tolerance: float, smoothing: float | None) -> No
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the spline through all points with the least third derivative."""
+    """Return knots and control points of the interpolating spline with the least integral of (d3/dt3)^2."""
     t = _chord_parameters(data)
     knots = _knots_for(t, degree)
     spans = bezier_spans(knots, degree)

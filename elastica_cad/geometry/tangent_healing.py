@@ -16,7 +16,7 @@ from elastica_cad.geometry.splines import elevate_degree, knot_runs
 ANYWAY = 1e-9
 """Smallest angle of a corner that is removed, rad."""
 
-SURE = np.radians(5.0)
+LARGEST_REMOVED_RAD = np.radians(5.0)
 """Largest angle of a corner, rad, that is removed by default if rounding explains it."""
 
 # a control point closer to a chord than this fraction of the chord is on the chord
@@ -68,7 +68,7 @@ class Healing:
     healed : tuple of Turn
         Nodes whose corners were removed.
     undecided : tuple of Turn
-        Nodes with corners above `SURE` that may be caused by rounding or may be real.
+        Nodes with corners above `LARGEST_REMOVED_RAD` that rounding can explain, but that may be real.
     """
 
     knots: FloatArray
@@ -114,8 +114,8 @@ def heal_tangents(
     explained = [turn for turn in turns if turn.angle > ANYWAY and turn.is_explained]
     if not explained:
         return unchanged
-    undecided = tuple(turn for turn in explained if turn.angle > SURE)
-    removable = {turn.t for turn in explained if turn.angle <= SURE}
+    undecided = tuple(turn for turn in explained if turn.angle > LARGEST_REMOVED_RAD)
+    removable = {turn.t for turn in explained if turn.angle <= LARGEST_REMOVED_RAD}
     if not removable:
         return Healing(knots, control_points, degree, weights, 0.0, (), undecided)
     if degree == 2:

@@ -235,7 +235,7 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
 
 
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the arguments `loads` and `between` of `bend` after the fraction `part` of a step of a path.
+    """Return the arguments `loads` and `between` of `bend` at the fraction `part` of a step of `bend_path`.
 
     The present loads of `rod` decrease to zero, and the loads of the step grow from zero. Points of rails and
     pins, and lengths of ties, are interpolated linearly. If a rail, pin or tie is replaced by another kind, the

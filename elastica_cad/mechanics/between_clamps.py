@@ -116,7 +116,7 @@ def elastica_between(
     gravity : Gravity, optional
         Weight of the strip.
     force : (2,) array_like, optional
-        Force at a free end over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
+        Force F (N) at a free end, divided by the least bending stiffness B (N mm2): F / B, 1/mm2.
     side : {+1, -1}
         Side of the first bulge, left (+1) or right (-1) of the line from start to end. If a force pushes a free
         end straight towards its clamp, `side` is the side to which the end moves.

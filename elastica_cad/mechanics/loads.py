@@ -40,7 +40,7 @@ class Gravity:
 
     Examples
     --------
-    >>> Gravity(96.0, (3, -4)).e.round(9).tolist()
+    >>> Gravity(96.0, (3, -4)).e.round(9).tolist()  # opposite to gravity, 1/mm3
     [-6.78e-07, 9.04e-07]
     """
 
@@ -604,7 +604,7 @@ class ExcessCurvature:
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return the slope, 1/mm2, of curvature minus natural curvature along the curve, at parameters t."""
+        """Return the derivative of curvature minus natural curvature by arc length, 1/mm2, at parameters t."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:

@@ -168,7 +168,8 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # rows @ (x, R) >= limits: -METHOD.box <= x <= METHOD.box and R >= 0; the first vertex has the least x and R
+        # rows @ (x, R) >= limits: first -METHOD.box <= x <= METHOD.box and R >= 0; the solver starts at the vertex
+        # x = -METHOD.box, R = 0
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)

@@ -213,7 +213,7 @@ class PlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 0),)
 
     def require_design(self, largest_curvature: float) -> None:
-        """Allow every curvature, as in the paper; see `MaterialLaw.require_design`."""
+        """Accept every curvature, as in the paper: the injective limit is not checked."""
 
 
 @dataclass(frozen=True)

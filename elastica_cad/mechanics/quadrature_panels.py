@@ -59,7 +59,7 @@ _LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
 @dataclass(frozen=True, eq=False)
 class Panels:
-    """N panels with p Gauss nodes each; no node is on a knot or a zero of the curvature.
+    """N panels with p Gauss nodes each; no node is on a knot or a zero of the excess curvature.
 
     Attributes
     ----------
@@ -73,8 +73,8 @@ class Panels:
         True on the straight tails of a strip, which carry no moment.
     t, s, curvature : (N, p) arrays
         Parameters, arc lengths (mm) and excess curvature (1/mm) at the nodes. The excess curvature is the curvature
-        minus the natural curvature. In a panel with a zero it is integrated from the zero, so that its relative
-        error is small.
+        minus the natural curvature. In a panel with a zero, it is the integral of its slope from the zero, so that
+        its relative error is small.
     stretch : (N, p) array
         Derivative of arc length with respect to the panel coordinate x in [-1, 1], mm.
     from_left, from_right : (N, p, 2) arrays

@@ -242,8 +242,8 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference between edges of a discrete rod and arc lengths; for samples of a curve, the
-# difference is about (curvature * edge length)^2 / 24
+# largest relative difference between edge lengths of a discrete rod and the arc lengths between its nodes; for
+# nodes on a curve, the difference is about (curvature * edge length)^2 / 24
 EVEN_EDGES = 1e-7
 # exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
 TURN_POWER = 8

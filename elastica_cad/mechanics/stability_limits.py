@@ -236,9 +236,9 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
-    """Return the last stable state, and True if its margin is 0.
+    """Return the last stable state, and True if its stability margin is 0.
 
-    The margin is not 0 if it jumps below 0 at a fold, where a step may reach the unstable branch.
+    At a fold, the margin can jump from above to below 0, because a step may reach the unstable branch.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:

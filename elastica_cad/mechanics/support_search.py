@@ -41,8 +41,8 @@ def suggest_support(
     """Return the rail, pin or tie with which a stable rod without weight can have the shape of a curve.
 
     Rails and pins are tried at 11 points, and ties between these points, so at most 77 linear programs are
-    solved. The result has the least stiffness ratio. A pin or a tie is returned only if its ratio is less than half
-    of the ratio of a rail, or if no rail is suitable.
+    solved. Rails are preferred: a pin is returned only if it at least halves the least stiffness ratio with a rail,
+    and a tie only if it at least halves the least ratio with a rail or pin.
 
     Parameters
     ----------

@@ -657,7 +657,7 @@ GENTLE_SHARE = 1e-5
 """Largest slope of the curvature at an inflection that counts as 0.
 
 The slope is relative to the largest curvature divided by the length. With this slope, the stiffness at the
-inflection would be some ten thousand times the stiffness at other points.
+inflection would be about ten thousand times the stiffness at other points.
 """
 
 FAINT_SHARE = 1e-7

@@ -74,7 +74,7 @@ class FreeTail:
     straight : float or None
         Arc length, mm, to which the curve is straight from the free end; None if it is not straight there.
     t, length : float
-        Parameter of the curve at the joint of tail and bent part, and length of the tail, mm.
+        Parameter of the curve at the inner end of the tail, at or near `station`, and length of the tail, mm.
     """
 
     end: int

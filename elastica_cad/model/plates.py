@@ -83,8 +83,8 @@ Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the outline around all slots. "ring" is round if the slots are around a middle. A round plate has a
-    round opening, unless the opening would be smaller than 20 mm.
+    `shape` is the outline around all slots. "ring" is round if the slots surround a common centre. A round plate
+    has a round opening, unless the opening would be smaller than 20 mm.
     `shop` contains the limits of the workshop, such as the width of bridges between slots and the largest
     sheet. With `ignore_limits`, a plate beyond these limits is made with warnings.
     """
@@ -743,9 +743,9 @@ def _rim_text(
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:
     """Return the least distance, mm, of a slot in a ring from the axis of the ring.
 
-    The slot is for a tab, `tab` mm thick, that starts at `radius` and is at an angle (rad) to the outward
-    radial direction. For a tab flat on the ring, the result is the radius. `thickness` is the thickness of
-    the ring, mm.
+    The slot is for a tab, `tab` mm thick, that starts at `radius`, in a ring `thickness` mm thick. `angle`, rad,
+    is the inclination of the tab to the plane of the ring: 0 for a tab that points outwards in this plane, pi / 2
+    for a perpendicular tab. A tab less inclined than `FLATTEST_RAD` needs no slot, and the result is `radius`.
     """
     if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
         return radius

@@ -34,7 +34,7 @@ from elastica_cad.strip.uncuttable_parts import (
     find_strip_faults,
 )
 
-WIDTH_MM = 1e-5
+WIDTH_ERROR_MM = 1e-5
 """Largest error of a width, mm."""
 
 SLOPE_TOLERANCE = 1e-12
@@ -147,7 +147,7 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
         return np.asarray(np.min([bound(points) for bound in bounds], axis=0))
 
     width = Profile.fit(
-        lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=WIDTH_MM
+        lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=WIDTH_ERROR_MM
     )
     least, _ = width.extremes
     if least <= 0:

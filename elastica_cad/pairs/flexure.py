@@ -87,8 +87,8 @@ OFF_MM = 0.1
 MOST_CORRECTIONS = 3
 # largest number of tried enlargement factors, of which usually the second is sufficient
 MOST_ENLARGEMENTS = 4
-# spare factor on the thickness of an enlarged part, which changes by up to 2 % if fillets begin at another
-# node
+# factor on the required thickness of an enlarged part, whose thickness changes by up to 2 % if fillets begin
+# at another node
 FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 

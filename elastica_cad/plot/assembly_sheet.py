@@ -100,7 +100,7 @@ class Table(NamedTuple):
 
 
 class Line(NamedTuple):
-    """Printed line. A cell is a text and its distance, in letters, from the left margin."""
+    """Printed line. A cell is its distance from the left margin, in widths of a letter, and its text."""
 
     cells: Sequence[tuple[int, str]] = ()
     weight: str = "normal"

@@ -401,7 +401,7 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
 
 
 def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
-    """Paint the teeth of a curvature comb, at most some hundred, and the line through all tips."""
+    """Paint at most 199 teeth of a curvature comb, and the line through all tips."""
     step = max(1, len(position) // 100)
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)

@@ -210,7 +210,7 @@ class CurveChanges:
 
 # penalty of a violated bound, relative to half the mean square distance
 _PENALTY = 0.1
-# penalty of a violated linear condition of a step; it exceeds the penalties of all bounds
+# penalty of a violated linear condition of a step; larger than those of violated bounds
 _ROW_PENALTY = 10.0
 # accuracy of the quadratic program of a step, relative to the penalties
 _ACCURACY = 1e-12

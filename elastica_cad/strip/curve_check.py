@@ -28,7 +28,7 @@ TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 WIDTHS_MM = (8.0, 120.0)
 """Least and largest width, mm, that is assumed if no width is given."""
 
-THIN_SHARE = 12
+LENGTH_PER_WIDTH = 12
 """Ratio of length to width that is assumed if no width is given."""
 
 
@@ -40,7 +40,7 @@ def common_request(
 
     curvature = float(np.abs(curve.survey.curvature).max())
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
-    width = float(np.clip(round(curve.length / THIN_SHARE), *WIDTHS_MM))
+    width = float(np.clip(round(curve.length / LENGTH_PER_WIDTH), *WIDTHS_MM))
     return StripSpec(
         curve,
         next(thin, TRIED_SHEETS[-1]),
@@ -60,7 +60,7 @@ class CurveCheck(EquilibriumCheck):
         The drawn curve.
     supports : Supports
     natural_curvature : float or RestCurvature
-        Curvature of the unbent strip, 1/mm.
+        Curvature of the unloaded strip, 1/mm.
     """
 
     drawn: PlaneCurve = field(kw_only=True, repr=False)
@@ -110,7 +110,7 @@ def check_equilibrium(
     supports : Supports
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        Curvature of the unbent strip kappa_0, 1/mm.
+        Curvature kappa_0 of the unloaded strip, 1/mm.
     tolerance : float
         Largest distance of the inflections from a line, as a fraction of the length. Inflections within this
         distance are moved onto the line (`moved`, `curve`). At an end that is free to turn, the curvature is

@@ -224,7 +224,7 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
 
 @dataclass(frozen=True, eq=False)
 class BentSolid:
-    """A strip bent into the curve of its rod, with half of its thickness on either side of the curve.
+    """A strip bent into the curve of its rod.
 
     The x axis of the flat pattern is along the curve, and its y axis is the z axis of `frame`. The upper face of
     the flat pattern is on the right of the curve. Tabs continue straight along the end tangents.
@@ -236,7 +236,7 @@ class BentSolid:
     maps : tuple
         Map of each interval of the pattern into space: a `BentMap`, or the plane of a tab as a `Frame`.
     heights : (lower, upper)
-        Heights of the two faces above the curve, mm.
+        Heights of the two faces, mm, positive to the right of the curve.
     frame : Frame
         Plane in which the curve is drawn.
     places : mapping of str to (x, y, way)
@@ -383,12 +383,12 @@ class BentSolid:
             Positions of the joints in the flat pattern, mm. `way` is 1 if the x axis of the joint is along the
             strip, else -1.
         between : float
-            Thickness of the strip, mm, to add joints on both faces at every hole; 0 for none.
+            Thickness of the strip, mm, if every hole gets joints on both faces, else 0.
 
         Raises
         ------
         InputError, NotConvergedError
-            See `of`.
+            See `BentSolid.of`.
         """
         frame = frame_or_plain(frame)
         require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")

@@ -326,7 +326,7 @@ class StripSpec(EqualByValue):
     supports : Supports
         Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature
-        Curvature of the unbent strip, 1/mm. A `RestCurvature` varies along the strip.
+        Curvature of the unloaded strip, 1/mm. A `RestCurvature` varies along the strip.
     samples : int, optional
         Number of nodes of the rod; chosen automatically by default.
     ends : pair of Tab
@@ -335,9 +335,9 @@ class StripSpec(EqualByValue):
     seam_position : float, optional
         Arc length on the drawn curve, mm, at which a closed strip begins and ends. All positions along the strip
         are measured from there. The default is the point of least curvature or, with `limits` or `keep`, the start
-        of the drawn curve. None for an open curve.
+        of the drawn curve. An open curve has no seam.
     straight_ends : bool
-        If True, a straight first or last piece of the curve becomes a tab if the direction of its end is fixed.
+        If True, a straight first or last piece of the curve becomes a tab if its end cannot turn.
         Only the part between the tabs is bent, and positions along the strip are measured from its start. The tabs
         are at least as long as drawn, and circles drawn on them become holes. If False, the whole curve is bent.
     slots : sequence of Slot

@@ -34,7 +34,7 @@ from elastica_cad.strip.slots import Slot
 Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """Width of an outline, mm: a number, a profile, or a function of the arc length, mm."""
 
-WIDTH_MM = 1e-6
+WIDTH_ERROR_MM = 1e-6
 """Largest error, mm, of the profile that approximates a width given as a function."""
 
 
@@ -381,7 +381,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
             )
         profile = width
     elif callable(width):
-        profile = Profile.fit(width, length, tolerance=WIDTH_MM)
+        profile = Profile.fit(width, length, tolerance=WIDTH_ERROR_MM)
     else:
         require_positive(width, name)
         value = float(width)

@@ -571,7 +571,7 @@ class Lean:
     @cached_property
     def resting(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Slopes (k,) of the pieces of the resting tab, and `into` and `left` (k + 1,), mm, of their ends."""
-        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a single straight piece
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a piece of slope 0
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
 

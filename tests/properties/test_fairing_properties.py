@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from elastica_cad import InputError, PlaneCurve
 from elastica_cad.geometry.fairing import fair_curve, two_sided_distance
-from elastica_cad.geometry.tangent_healing import SURE, heal_tangents
+from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, heal_tangents
 
 pytestmark = pytest.mark.core
 
@@ -76,7 +76,7 @@ def test_rounding_is_healed_wherever_it_is_small(drawn, decimals, scale):
     rounding = scale * 0.5 * 10.0**-decimals
     healing = heal_tangents(knots, rounded, 3, rounding=rounding)
     curve = PlaneCurve(healing.knots, healing.control_points, 3)
-    assert not curve.tangent_breaks or all(turn.angle > SURE for turn in healing.undecided)
+    assert not curve.tangent_breaks or all(turn.angle > LARGEST_REMOVED_RAD for turn in healing.undecided)
     assert len(curve.tangent_breaks) <= len(healing.undecided)
     assert healing.moved <= 4 * np.sqrt(2) * rounding
     assert healing.control_points[::3] == pytest.approx(rounded[::3], abs=0)

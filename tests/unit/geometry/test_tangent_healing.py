@@ -5,7 +5,7 @@ import pytest
 
 from elastica_cad import PlaneCurve
 from elastica_cad.geometry.splines import elevate_degree
-from elastica_cad.geometry.tangent_healing import SURE, heal_tangents
+from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, heal_tangents
 
 pytestmark = pytest.mark.core
 
@@ -38,7 +38,7 @@ def test_rounded_handles_come_back_to_one_line(decimals, handle_in, handle_out):
     healing = heal_tangents(KNOTS, rounded, 3, rounding=rounding)
     curve = PlaneCurve(healing.knots, healing.control_points, healing.degree)
     explained = healing.undecided[0].angle if healing.undecided else 0.0
-    assert explained == 0 or explained > SURE
+    assert explained == 0 or explained > LARGEST_REMOVED_RAD
     if not healing.undecided:
         assert not curve.tangent_breaks
         assert healing.moved <= 2 * np.sqrt(2) * rounding

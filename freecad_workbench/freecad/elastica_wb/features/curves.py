@@ -169,7 +169,7 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj = _add_curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
-        # FreeCAD's boxes of curved bodies are some hundredths of a mm too large
+        # FreeCAD's boxes of curved bodies are a few hundredths of a mm too large
         setattr(obj, f"Through{axis}", round(value, 1))
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]

@@ -137,7 +137,7 @@ def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
 def find_nearest_now(spec: RodSpec) -> NearestRod:
     """Do the work of `find_nearest_to_draw` in this thread, without a progress bar.
 
-    The curvature of the spline differs from the rod's curvature by some thousandths. Therefore the limits of
+    The curvature of the spline differs from the rod's curvature by a few thousandths. Therefore the limits of
     the rod are tightened.
     """
     limits = spec.limits
