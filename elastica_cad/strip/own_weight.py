@@ -75,7 +75,7 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     if moved <= MOVES_FRACTION * rod.length:
         return None
     return note(
-        "The weight of the strip is not considered, but it moves the strip by {far} if the curve stands "
+        "The weight of the strip, which the accuracy leaves out, moves the strip by {far} if the curve stands "
         "upright. In this case set {gravity}.",
         far=about(moved), gravity=FieldName("gravity"), severity="warning",
     )  # fmt: skip

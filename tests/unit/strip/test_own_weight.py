@@ -54,7 +54,7 @@ def test_the_strip_command_states_how_far_the_weight_moves_a_long_arch(tmp_path)
     options = "--sheet birch-plywood-0.8 --max-width 60"
     printed = run(f"strip arch.svg {options} -o out", cwd=tmp_path).output
     strip = ec.make_strip(ec.PlaneCurve.spline(ARCH, degree=3), "birch-plywood-0.8", max_width=60)
-    far = float(re.search(r"it moves the strip by ([\d.]+) mm .* set --gravity", printed).group(1))
+    far = float(re.search(r"moves the strip by ([\d.]+) mm .* set --gravity", printed).group(1))
     assert far == pytest.approx(sagged(strip), rel=0.05)
     assert STANDS not in run(f"strip arch.svg {options} --gravity -o heavy", cwd=tmp_path).output
 
