@@ -163,13 +163,19 @@ def require_executor(executor: object, method: str) -> None:
         raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
 
 
+def with_article(kind: type) -> str:
+    """Return the name of a class with its article, such as "an int"."""
+    name = kind.__name__
+    return f"{'an' if name[0] in 'aeioAEIO' else 'a'} {name}"
+
+
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
     """Raise InputError for a value of another class than `record`.
 
     The message tells the user to pass `cure`.
     """
     if not isinstance(value, record):
-        raise InputError(f"{what} is a {type(value).__name__}. Pass {cure}.")
+        raise InputError(f"{what} is {with_article(type(value))}. Pass {cure}.")
 
 
 def require_path(path: object) -> Path:

@@ -116,7 +116,7 @@ def batten(**chosen: Any) -> None:
         say_row(
             Row(
                 "Weight",
-                f"lying level with its bulge {side}, the batten has a camber of {camber} under "
+                f"with its ends level and its bulge {side}, the batten has a camber of {camber} under "
                 "its own weight",
             )
         )

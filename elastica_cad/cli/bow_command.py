@@ -172,7 +172,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     if chosen["hole"]:
         raise InputError("--hole applies to strips only. Leave out --hole.")
     if least is not None:
-        raise InputError("--min-width applies to strips only. Use --rod LEAST:LARGEST.")
+        raise InputError("--min-width applies to strips only. Use --rod LEAST:LARGEST instead.")
     sheet = (
         Sheet("a rod", rod[1], MPA_PER_GPA, density=1.0, max_strain=1.0)
         if chosen["sheet"] is None

@@ -158,7 +158,7 @@ class CurveOfFormulae(_Curve):
         start, end = self.t
         if not start < end:
             raise InputError(
-                "{place} is [{start:g}, {end:g}], which is not a range. Write the smaller number first.",
+                "{place} is [{start:g}, {end:g}], which is not a range. Write two numbers, the smaller first.",
                 place=f"{where}: t",
                 start=start,
                 end=end,

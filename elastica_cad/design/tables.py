@@ -422,7 +422,7 @@ class Table:
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(
-                "{key} is {given:g}. Use a whole number, 1 or more.", key=self.place(key), given=value
+                "{key} is {given:.15g}. Use a whole number, 1 or more.", key=self.place(key), given=value
             )
         if value > most:
             raise InputError(

@@ -5,7 +5,7 @@ from concurrent.futures import Executor, Future
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
-from elastica_cad._values import is_series, require_executor
+from elastica_cad._values import is_series, require_executor, with_article
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
@@ -61,7 +61,7 @@ def nearest_rods(
     [True, True]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"nearest_rods was called with a {type(curves).__name__}: give a list of curves")
+        raise InputError(f"nearest_rods was called with {with_article(type(curves))}: give a list of curves")
     require_executor(executor, "submit")
     if not (progress is None or callable(progress)):
         raise InputError(
@@ -127,7 +127,7 @@ def stream_nearest_rods(
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(
-            f"stream_nearest_rods was called with a {type(curves).__name__}: give an iterable of curves"
+            f"stream_nearest_rods was called with {with_article(type(curves))}: give an iterable of curves"
         )
     require_executor(executor, "submit")
     _require_options("stream_nearest_rods", options)

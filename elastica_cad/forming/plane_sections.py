@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, with_article
 from elastica_cad.errors import InputError
 from elastica_cad.forming.section_lines import IN_PLANE, PlaneSection, collect_section, place_in_words
 from elastica_cad.geometry.frame import Frame
@@ -99,7 +99,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
             f"the mesh has arrays of shape {points.shape} and {rows.shape}: give vertices (n, 3) and "
             "triangles (m, 3), and divide larger faces into triangles"
         )
-    if not rows.size:
+    if not (points.size and rows.size):
         raise InputError("the mesh has no triangles to cut: export the mesh again")
     if not np.issubdtype(rows.dtype, np.integer):
         raise InputError(
@@ -255,7 +255,7 @@ def refuse_odd_planes(planes: object) -> None:
     """Raise InputError if the planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
-            f"planes are a {type(planes).__name__}: give a sequence of Frames, with a single plane in a list"
+            f"planes are {with_article(type(planes))}: give a sequence of Frames, with a single plane in a list"
         )
 
 

@@ -77,8 +77,8 @@ class SectionLine:
         places = np.atleast_2d(np.asarray(points, dtype=float))
         if places.shape[1] != 2 or not np.all(np.isfinite(places)):
             raise InputError(
-                f"the points to split {self.name} cannot be read: give finite rows (k, 2), in mm, in the "
-                "plane of the section"
+                f"the points to split {self.name} cannot be read: give an array (k, 2) of finite numbers, "
+                "in mm, in the plane of the section"
             )
         return self._split(np.sort([_nearest(self.points, p) for p in places]))
 
@@ -570,8 +570,8 @@ def smooth_polyline(
     vertices = numbers(points, "points to smooth")
     if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
         raise InputError(
-            f"the points to smooth have the shape {vertices.shape} or are not finite: give finite rows "
-            "(n, 2), in mm"
+            f"the points to smooth have the shape {vertices.shape} or are not finite: give an array "
+            "(n, 2) of finite numbers, in mm"
         )
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: give 4 to {MOST_SMOOTHED}, the number of smoothed points")

@@ -206,7 +206,9 @@ class RationalPieces:
         inside = np.minimum(np.maximum(t, a), b)
         off = np.abs(t - inside)
         if not off.max(initial=0.0) <= 1e-9 * (b - a):
-            raise InputError(f"parameter {t.flat[off.argmax()]:g} is outside the curve: use {a:g} to {b:g}")
+            raise InputError(
+                f"parameter {t.flat[off.argmax()]:.12g} is outside the curve: use {a:g} to {b:g}"
+            )
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:

@@ -197,7 +197,9 @@ class Path:
         """
         p = numbers(points, "the points of a polyline")
         if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
-            raise InputError("the points of a polyline cannot be read: give finite rows (n, 2), in mm")
+            raise InputError(
+                "the points of a polyline cannot be read: give an array (n, 2) of finite numbers, in mm"
+            )
         b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
         if b.shape != (len(p),) or not np.all(np.isfinite(b)):
             raise InputError(

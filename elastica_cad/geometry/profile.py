@@ -67,7 +67,8 @@ class Profile:
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
             raise InputError(
-                "the knots of a profile are not clamped: give increasing knots, repeated at both ends"
+                "the knots of a profile are not clamped: give knots that never decrease, with "
+                f"{self.degree + 1} equal knots at each end"
             )
 
     def __repr__(self) -> str:

@@ -265,7 +265,9 @@ class Travel:
             If True, an existing file is overwritten.
         """
         if FilePath(path).suffix.lower() != ".glb":
-            raise InputError(f"{FilePath(path).name} is not a binary glTF file. Use a name ending in .glb.")
+            raise InputError(
+                f"{FilePath(path).name} is not a name of a binary glTF file. Use a name ending in .glb."
+            )
         if not (is_number(seconds) and seconds > 0):
             raise InputError(f"`seconds` is {seconds!r}. Use a positive number of seconds.")
         rods = self.rods(frames)

@@ -8,7 +8,15 @@ from typing import Any, Literal, TypeGuard
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_one_of, pair, require_flag, require_record, several
+from elastica_cad._values import (
+    as_floats,
+    is_one_of,
+    pair,
+    require_flag,
+    require_record,
+    several,
+    with_article,
+)
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.elements import (
     Element,
@@ -159,7 +167,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"bend was called with a {type(rod).__name__}: give a Rod from optimal_rod or Rod.straight"
+            f"bend was called with {with_article(type(rod))}: give a Rod from optimal_rod or Rod.straight"
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import is_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.elements import require_free_between
@@ -155,7 +155,9 @@ def creep(rod: Rod, factor: float) -> Creep:
     (True, 0.556)
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"creep was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend")
+        raise InputError(
+            f"creep was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
+        )
     phi = require_creep(factor)
     require_free_between(rod, "A creep study")
     first = later = rod

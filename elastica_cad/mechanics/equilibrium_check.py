@@ -346,7 +346,7 @@ def _with_line(
     )
     reason = note(
         "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line at "
-        "these places, or support the strip between each of them and the next inflection of the curve.",
+        "these places, or support the strip between each of these places and the next inflection.",
         line=note(_LINES[_kind_of(normal)][1]),
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip

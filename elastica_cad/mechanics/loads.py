@@ -17,6 +17,7 @@ from elastica_cad._values import (
     require_number,
     require_positive,
     several,
+    with_article,
 )
 from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
@@ -361,7 +362,7 @@ def require_curve(curve: object) -> None:
     """Refuse objects that are not a `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
-            f"the curve is a {type(curve).__name__}: give a PlaneCurve, such as PlaneCurve.fit(points)"
+            f"the curve is {with_article(type(curve))}: give a PlaneCurve, such as PlaneCurve.fit(points)"
         )
 
 

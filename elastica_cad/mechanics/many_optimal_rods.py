@@ -5,7 +5,7 @@ from concurrent.futures import Executor
 from functools import partial
 from typing import Any
 
-from elastica_cad._values import is_series, require_executor
+from elastica_cad._values import is_series, require_executor, with_article
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
@@ -44,7 +44,7 @@ def optimal_rods(
     ['Rod', 'NotRealizable']
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"optimal_rods was called with a {type(curves).__name__}: give a list of curves")
+        raise InputError(f"optimal_rods was called with {with_article(type(curves))}: give a list of curves")
     require_executor(executor, "map")
     attempt = partial(_attempted, options=options)
     curves = list(curves)

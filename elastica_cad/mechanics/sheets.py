@@ -18,7 +18,7 @@ import numpy as np
 from elastica_cad._notebook import html_table
 from elastica_cad._toml import parse_toml
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path
+from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path, with_article
 from elastica_cad.declared import Field, Option, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -627,7 +627,7 @@ class Sheet:
             return cls.named(given)
         if not isinstance(given, Sheet):
             raise InputError(
-                f"the sheet is a {type(given).__name__}: give a Sheet, or a name such as 'birch-plywood-0.8'; "
+                f"the sheet is {with_article(type(given))}: give a Sheet, or a name such as 'birch-plywood-0.8'; "
                 "`sheet_names()` lists the names"
             )
         return given
@@ -645,7 +645,7 @@ class Sheet:
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
-                f"the name of a sheet is a {type(name).__name__}: give a text such as 'birch-plywood-0.8'; "
+                f"the name of a sheet is {with_article(type(name))}: give a text such as 'birch-plywood-0.8'; "
                 "`sheet_names()` lists the names"
             )
         figures = built_in_figures()
@@ -894,7 +894,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         else note("there are {count} sheets", count=len(sheets))
     )
     choices = " or ".join(f"{path.name}:{key}" for key in sheets)
-    raise InputError(f"{path}: {several}; use {choices} as the name")
+    raise InputError(f"{path}: {several}; use the name {choices}")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:

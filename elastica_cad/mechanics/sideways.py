@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import crossing, lapack
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number
+from elastica_cad._values import numbers, require_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
@@ -370,7 +370,7 @@ def sideways_stability(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"sideways_stability was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend"
+            f"sideways_stability was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
         )
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(

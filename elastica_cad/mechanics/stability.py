@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
-from elastica_cad._values import numbers, require_record
+from elastica_cad._values import numbers, require_record, with_article
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import (
@@ -374,7 +374,7 @@ def stability(rod: Rod) -> Stability:
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"stability was called with a {type(rod).__name__}: give a Rod from optimal_rod or bend"
+            f"stability was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
         )
     if rod.residual > OUT_OF_BALANCE:
         raise InputError(

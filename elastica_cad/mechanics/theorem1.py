@@ -383,7 +383,7 @@ class PairCheck:
 
     def _verdict(self) -> str:
         if not self.realizable:
-            return note("No strip can rest in both curves, each {length} long.", length=Length(self.length))
+            return note("No strip {length} long can rest in both curves.", length=Length(self.length))
         if self.any_stiffness:
             return note(
                 "Both curves have the same shape: a strip of that shape rests in them without being bent."
@@ -925,9 +925,9 @@ def _faulty_joints(
         if abs(kappa) > PINNED_SHARE * largest:
             bent.append(
                 note(
-                    "The strip carries no moment {s} from its start, where its straight free end begins, "
-                    "so the curvature must decrease to 0 there, but it jumps to {curvature:.3g} 1/mm. Draw "
-                    "the curve with less and less bend towards {s}.",
+                    "The straight free end of the strip carries no moment, so the curvature must decrease to 0 "
+                    "where this end meets the bent part, {s} from the start of the strip. There it jumps to "
+                    "{curvature:.3g} 1/mm. Draw the curve with less and less bend towards {s}.",
                     s=Length(round(joint.s, 6)), curvature=kappa,
                 )
             )  # fmt: skip

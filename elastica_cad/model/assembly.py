@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias, TypeVar
 
-from elastica_cad._values import several
+from elastica_cad._values import several, with_article
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import sheet_color
@@ -76,7 +76,7 @@ def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
 def require_model(model: object) -> None:
     """Raise InputError if the object is not a `Model`."""
     if not isinstance(model, Model):
-        raise InputError(f"a {type(model).__name__} is not a model: give ec.Model([rib.placed, ...])")
+        raise InputError(f"{with_article(type(model))} is not a model: give ec.Model([rib.placed, ...])")
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
@@ -122,7 +122,7 @@ def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
             yield holder
         else:
             raise InputError(
-                f"a {type(holder).__name__} is not a holder: give base plates, slotted frames and end fixtures"
+                f"{with_article(type(holder))} is not a holder: give base plates, slotted frames and end fixtures"
             )
 
 

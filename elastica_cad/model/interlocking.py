@@ -150,7 +150,7 @@ def slot_width(
         require_number(size, f"slot {what}", "mm")
     if not np.all(np.sin(angle) > 0):
         raise InputError(
-            "the angle of a slot is not between 0 and pi rad: leave out slots of parallel strips"
+            "the angle between strips at a slot is not between 0 and pi rad: leave out slots of parallel strips"
         )
     width = other / np.sin(angle) + clearance
     return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
@@ -393,7 +393,7 @@ class _Cutter:
 
     def _touch(self, names: list[str], s: float) -> str:
         return note(
-            "{a} and {b} touch along a line {s} from the start of {a} instead of crossing: move the strips "
+            "{a} and {b} do not cross {s} from the start of {a}, but touch along a line: move the strips "
             "apart, or turn one of them",
             a=names[0], b=names[1], s=Length(s),
         )  # fmt: skip

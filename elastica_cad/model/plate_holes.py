@@ -1,7 +1,7 @@
 """Holes in the middle of plates and rings, for lamp holders and screws, and the bridge with these holes."""
 
-from dataclasses import dataclass
-from typing import Annotated, Literal
+from dataclasses import dataclass, replace
+from typing import Annotated, Literal, TypeAlias, get_args
 
 import numpy as np
 
@@ -11,7 +11,10 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Line, Segment
-from elastica_cad.refusals import FieldName, Length, Point, note
+from elastica_cad.refusals import Either, FieldName, Length, Point, note
+
+Side: TypeAlias = Literal["bottom", "top", "start", "end"]
+SIDES: tuple[Side, ...] = get_args(Side)
 
 PAIR_SUFFIXES = ("-outer", "-lower")
 """Endings of the name of the second plate of a pair."""
@@ -53,7 +56,7 @@ class PlateHoles:
         ),
     ] = None
     side: Annotated[
-        Literal["bottom", "top", "start", "end"] | None,
+        Side | None,
         Option("The only side of the model whose plates have the holes; by default both."),
     ] = None
 
@@ -149,8 +152,9 @@ def refuse_other_ends(holes: PlateHoles | None, names: list[str]) -> None:
         return
     require_record(holes, PlateHoles, "the record of holes", "a PlateHoles")
     if not any(holes.is_in(name) for name in names):
+        sides = [side for side in SIDES if any(replace(holes, side=side).is_in(name) for name in names)]
         raise InputError(
-            "{field} is {side}, but the plates are {names}. Use the last word of one of these names, or "
-            "leave out {field}.",
-            field=FieldName("holes.side"), side=holes.side, names=", ".join(names),
+            "{field} is {side}, but the plates are {names}. Use {sides}, or leave out {field}." if sides else
+            "{field} is {side}, but the plates are {names}. Leave out {field}.",
+            field=FieldName("holes.side"), side=holes.side, names=", ".join(names), sides=Either(sides),
         )  # fmt: skip

@@ -242,8 +242,8 @@ class BasePlate:
             return ()
         return (
             note(
-                "{name} has no opening, because less than {least:g} is free inside its slots, spacers and border "
-                "of {border:g}. For an opening, reduce the border, or move the ends of the strips outwards.",
+                "{name} has no opening, because its slots, spacers and border of {border:g} leave less than "
+                "{least:g} free. For an opening, reduce the border, or move the ends of the strips outwards.",
                 name=self.name, least=Mm(LEAST_OPENING_MM), border=Mm(options.border),
             ),
         )  # fmt: skip

@@ -906,8 +906,9 @@ class Flexure:
             if (gap := self._least_gap_on_path(travel)) < LEAST_GAP_MM:
                 messages.append(note(
                     "between the states, two places of the part come within {gap} of each other. Draw "
-                    "these places farther apart",
-                                  severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
+                    "these places farther apart" if gap > 0 else
+                    "between the states, two places of the part overlap. Draw these places farther apart",
+                    severity="warning", gap=Length(gap)))  # fmt: skip
             if not travel.reached and self.bistable == self.pair.bistable:
                 messages.append(note("the pushed part does not end in the second state: push it at another "
                                      "place, or guide it by hand", severity="warning"))  # fmt: skip

@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._text import MADE_BY
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, require_path
+from elastica_cad._values import is_number, require_path, with_article
 from elastica_cad.errors import InputError, missing_library
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.plane_points import box_about
@@ -82,7 +82,7 @@ def save_figure(
     if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
         raise InputError(f"resolution is {resolution!r}. Use 1 to {MOST_RESOLUTION:g} dots per inch.")
     if not hasattr(figure, "savefig"):
-        raise InputError(f"The figure is a {type(figure).__name__}. Pass a figure of elastica_cad.plot.")
+        raise InputError(f"The figure is {with_article(type(figure))}. Pass a figure of elastica_cad.plot.")
     kind = require_path(path).suffix.lower().removeprefix(".")
     if kind not in PICTURES:
         raise InputError(f"{path} does not have the suffix of a picture. Use .png, .svg or .pdf.")

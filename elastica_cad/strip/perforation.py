@@ -114,9 +114,8 @@ class DiamondPattern:
     def __post_init__(self) -> None:
         if self.side_length <= self.bridge:
             raise InputError(
-                f"each of {self.rows} rows of holes is {Mm(self.row_length)} long, but bridges of "
-                f"{Mm(self.bridge):g} between the holes need more than {Mm(4 * self.bridge):g}: use "
-                "fewer rows"
+                f"rows of holes are {Mm(self.row_length):.3g} apart if the strip has {self.rows}, but bridges of "
+                f"{Mm(self.bridge):g} between the holes need more than {Mm(4 * self.bridge):g}: use fewer rows"
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
@@ -556,10 +555,8 @@ class _Fit:
             ways.append(note("use {columns}", columns=counted(fewer[0], "column")))
         ratio = self.rod.ratio * self.highest / self.lowest
         if ratio > 1:
-            ways.append(note(
-                "lower the stiffness ratio from {now:.3g} to {most:g}",
-                now=self.rod.ratio, most=rounded_down(ratio, 3),
-            ))  # fmt: skip
+            now, most = distinct_digits(self.rod.ratio, rounded_down(ratio, 3), ".3g")
+            ways.append(note("lower the stiffness ratio from {now:g} to {most:g}", now=now, most=most))
         return note(
             "The outline is too narrow {s} from the start. If holes must fit there, {too_little}: {ways}",
             too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),

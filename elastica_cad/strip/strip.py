@@ -20,6 +20,7 @@ from elastica_cad._values import (
     several,
     three,
     value_key,
+    with_article,
 )
 from elastica_cad.errors import InputError, NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.frame import Frame
@@ -445,7 +446,7 @@ class Strip:
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
             raise InputError(
-                f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
+                f"the rod is {with_article(type(self.rod))}: give a Rod, such as the result of optimal_rod"
             )
         if self.rod.follows_bend:
             object.__setattr__(self, "rod", as_bent(self.rod))

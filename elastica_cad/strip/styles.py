@@ -370,14 +370,15 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
     """Return a width as a profile over [0, length]."""
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
+            covered, strip_length = distinct_digits(width.length, length, ".6g")
             raise InputError(
                 (
-                    "{name} covers a length of {length:.6g}, but the strip is {length_2:.6g} long: give a width "
-                    "along the whole strip"
+                    "{name} covers a length of {covered:.12g}, but the strip is {strip_length:.12g} long: give a "
+                    "width along the whole strip"
                 ),
                 name=name,
-                length=Length(width.length),
-                length_2=Length(length),
+                covered=Length(covered),
+                strip_length=Length(strip_length),
             )
         profile = width
     elif callable(width):

@@ -22,7 +22,7 @@ ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
     told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
     assert "Camber      233.9 mm (10 % of the chord) at 935.5 mm (40 %) along the chord" in told.output
-    assert "Weight      lying level with its bulge down, the batten has a camber of" in told.output
+    assert "Weight      with its ends level and its bulge down, the batten has a camber of" in told.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
     assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])

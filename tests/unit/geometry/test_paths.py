@@ -238,7 +238,7 @@ def test_a_path_is_cut_where_two_of_its_curves_meet():
         (lambda: Path([Line((0, 0), (1, 0))]).area, "open path has no area"),
         (lambda: Path.circle((0, 0), 1).points(0), "tolerance is 0"),
         (lambda: Path.circle((0, 0), 1).transformed(np.ones((3, 3))), "last row"),
-        (lambda: Path.polyline([(0, 0), (1, np.inf)]), "finite rows"),
+        (lambda: Path.polyline([(0, 0), (1, np.inf)]), "finite numbers"),
         (lambda: Path.polyline([(0, 0), (1, 1)], [1]), "one finite bulge"),
         (lambda: trim_segment(Line((0, 0), (1, 0)), 0.5, 0.5), "0 <= u0 < u1 <= 1"),
     ],

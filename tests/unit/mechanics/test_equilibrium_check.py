@@ -157,7 +157,7 @@ class TestNotRealizable:
         start, end = curve.domain
         assert check.crossings[0] > check.inflections[-1]
         assert not check_equilibrium(curve.trimmed(start, float(where))).realizable
-        assert "support the strip between each of them and the next inflection" in str(check)
+        assert "support the strip between each of these places and the next inflection" in str(check)
         between = (float(where) + first) / 2
         for piece in ((start, between), (between, end)):
             assert check_equilibrium(curve.trimmed(*piece)).realizable

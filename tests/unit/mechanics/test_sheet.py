@@ -330,7 +330,7 @@ def test_a_sheet_of_a_file(tmp_path):
     written(tmp_path, f"[sheets.mine]\n{ENTRY}[sheets.other]\n{ENTRY}")
     assert Sheet.named(f"{path}:other").name == "other"
     with pytest.raises(
-        InputError, match=r"there are 2 sheets; use sheets.toml:mine or sheets.toml:other as the name"
+        InputError, match=r"there are 2 sheets; use the name sheets.toml:mine or sheets.toml:other"
     ):
         Sheet.named(str(path))
     with pytest.raises(InputError, match="there is no sheet 'third'"):

@@ -318,7 +318,8 @@ def test_arches_that_lie_on_each_other_at_the_top_touch():
         for name, x in (("A", (1, 0, 0)), ("B", (0, 1, 0)))
     ]
     with pytest.raises(
-        InputError, match=r"A and B touch along a line .*: move the strips apart, or turn one"
+        InputError,
+        match=r"A and B do not cross .* but touch along a line: move the strips apart, or turn one",
     ):
         Model(arches).interlock()
 
@@ -366,8 +367,12 @@ def test_shallow_angles_are_told():
 @pytest.mark.parametrize(
     ("placed", "options", "message"),
     [
-        ([flat(label="A"), flat(label="B")], {}, "A and B touch along a line 0 mm from the start of A"),
-        ([flat(label="A"), turned(np.radians(0.5), label="B")], {}, "A and B touch along a line"),
+        (
+            [flat(label="A"), flat(label="B")],
+            {},
+            "A and B do not cross 0 mm from the start of A, but touch along a line",
+        ),
+        ([flat(label="A"), turned(np.radians(0.5), label="B")], {}, "but touch along a line"),
         (
             [flat(label="A"), turned(1.0, label="B")],
             {"clearance": 25.0},

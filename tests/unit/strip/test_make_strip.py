@@ -30,7 +30,7 @@ def test_gravity_is_the_sheets_own_or_any():
 
 test_bad_input = refusal_test(
     [
-        (lambda: make_strip(ARCH, 3, max_width=20), "the sheet is a int"),
+        (lambda: make_strip(ARCH, 3, max_width=20), "the sheet is an int"),
         (lambda: make_strip(ARCH, "paper", max_width=20), "unknown sheet"),
     ]
 )

@@ -164,7 +164,7 @@ class TestLoads:
     ("fields", "match"),
     [
         ({"curve": POLES}, "give a PlaneCurve"),
-        ({"sheet": 3}, "the sheet is a int"),
+        ({"sheet": 3}, "the sheet is an int"),
         ({"sheet": "paper"}, "unknown sheet"),
         ({"frame": (0, 0, 0)}, "Pass a Frame"),
         ({"max_width": 0}, "max_width is 0: give a number above 0"),
