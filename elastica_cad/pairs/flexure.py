@@ -854,9 +854,10 @@ class Flexure:
             )  # fmt: skip
         for name, gap in self.contacts.items():
             yield InputError(
-                ("two places of the part are only {gap} apart ({name}), so the part may touch itself. Draw "
-                 "the curves farther apart there"),
-                name=name, gap=Length(max(gap, 0.0)),
+                "two places of the part are only {gap} apart ({name}), so the part may touch itself. Draw "
+                "the curves farther apart there" if gap > 0 else
+                "two places of the part overlap ({name}). Draw the curves farther apart there",
+                name=name, gap=Length(gap),
             )  # fmt: skip
 
     def _enlargement(self, least: float) -> float:

@@ -114,8 +114,8 @@ class DiamondPattern:
     def __post_init__(self) -> None:
         if self.side_length <= self.bridge:
             raise InputError(
-                f"rows of holes are {Mm(self.row_length):.3g} apart if the strip has {self.rows}, but bridges of "
-                f"{Mm(self.bridge):g} between the holes need more than {Mm(4 * self.bridge):g}: use fewer rows"
+                f"{self.rows} rows of holes leave a length of {Mm(self.row_length):.3g} for each row, but bridges "
+                f"of {Mm(self.bridge):g} between the holes need more than {Mm(4 * self.bridge):g}: use fewer rows"
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:

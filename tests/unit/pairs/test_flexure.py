@@ -252,7 +252,7 @@ def test_a_part_that_breaks_is_refused():
 def test_a_part_that_touches_itself_is_refused():
     loop = PlaneCurve.arc((0, 40), 40, -np.pi / 2, -np.pi / 2 + 2 * np.pi - 0.15)
     wide = PlaneCurve.arc((0, 60), 60, -np.pi / 2, -np.pi / 2 + loop.length / 60)
-    with pytest.raises(InputError, match="may touch itself"):
+    with pytest.raises(InputError, match="two places of the part overlap"):
         FlexureSpec(wide, loop, "polypropylene-3", match="shape", least_thickness=1.0).make()
 
 
