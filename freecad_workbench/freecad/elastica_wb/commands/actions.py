@@ -46,7 +46,7 @@ def answers(question: Callable[..., Any], **options: Any) -> bool:
 
 
 def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
-    """Close the open sketch, then open a panel."""
+    """Close the open sketch, then open the panel that `make(*arguments)` returns."""
     _close_sketch()
     Gui.Control.showDialog(make(*arguments))
 

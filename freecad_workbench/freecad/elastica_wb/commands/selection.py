@@ -88,9 +88,10 @@ def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any
 
 
 def _only_sketch_in(body: Any) -> Any:
-    """Return the sketch of a body that no feature uses.
+    """Return the only sketch in a body that no object except the body uses.
 
-    If there is none, return a sketch that only strips use.
+    If there is none, return the only sketch that no object uses except the body and features of this
+    workbench.
     """
     sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
@@ -164,9 +165,10 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates, two-state parts and copies, or those of the whole document.
+    """Return the selected strips, models, plates, two-state parts and copies.
 
-    A selected container selects its contents. A selected flat part with slots selects its model.
+    If none of these is selected, return those of the whole document. A selected container
+    selects its contents. A selected flat part with slots selects its model.
     """
     sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
     return sources or _all_sources() or chosen_strips()

@@ -17,7 +17,7 @@ MEET_MM = 1e-4
 MEANT_MM = 0.5
 # a turn larger than this, rad, is a corner
 SMOOTH_RAD = radians(5.0)
-# largest distance, mm, between an edge and the drawn geometry
+# an edge of a sketch belongs to a drawn curve if it is closer than this, mm, to the middle of the curve
 DRAWN_MM = 1e-5
 
 Edges = Sequence[tuple[str, Any]]

@@ -37,7 +37,8 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-# number of points along a wire of a section, at least a quarter of them on each edge
+# number of points along a wire of a section, divided equally among its edges; each edge has at least a quarter
+# of this number
 SECTION_POINTS = 240
 # number of points along a path, so that planes are perpendicular within a fraction of a degree
 PATH_POINTS = 400
@@ -197,7 +198,12 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """Return a smooth curve for every open section line, and a message for every other line."""
+    """Return smooth curves along section lines, and messages on lines without a curve.
+
+    `closed`, a value of `CLOSED`, selects whether closed lines are left out or cut by a plane through their
+    middle. Waves shorter than `waves` mm are smoothed. A curve is at most `tolerance` mm from the smoothed
+    points.
+    """
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
@@ -256,7 +262,11 @@ def _fingerprint(source: Any) -> tuple[float, ...]:
 
 @lru_cache(maxsize=4)
 def _arrays(document: str, name: str, *_fingerprint: float) -> tuple[FloatArray, Any]:
-    """Cache vertices and triangles, because FreeCAD takes a second for a million points."""
+    """Return the vertices and triangles of a mesh object.
+
+    They are cached until the fingerprint of the mesh changes, because FreeCAD takes a second for a million
+    points.
+    """
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)

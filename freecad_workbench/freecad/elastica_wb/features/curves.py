@@ -177,9 +177,9 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """Return a rod with displaced (mm) and rotated (degrees) ends.
+    """Return the rod `rest` after its ends were displaced (mm) and rotated (degrees).
 
-    The keys of `change` are the names in `MOVES`.
+    The keys of `change` are the names in `MOVES`. The solver starts from the rod `guess`, by default `rest`.
     """
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])

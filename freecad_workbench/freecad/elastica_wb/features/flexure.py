@@ -160,7 +160,7 @@ def flexure_of(obj: Any) -> Flexure:
 @remembered
 def _flexure(spec: FlexureSpec) -> Flexure:
     part = spec.make()
-    # computed here, in the background, because they are slow
+    # warnings and forces are slow, so the part computes and caches them here, in the background
     _ = part.warnings, part.force_text
     return part
 

@@ -216,7 +216,10 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """Cache placed strips, so that equal arguments share the cached joints."""
+    """Return a strip placed in a frame. `numbers` are the origin and the x and y axes of the frame.
+
+    Placed strips are cached, so that models with the same strip in the same place share its cached joints.
+    """
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 

@@ -34,12 +34,13 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Properties with the changed objects, for each operation of the Part workbench."""
+"""Names of the properties that contain the objects which an operation of the Part workbench changes."""
 
 BODY = "PartDesign::Body"
 
 SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
-"""Types that display another shape unchanged. A later feature may change the displayed shape."""
+"""Types that display the shape of another object unchanged. A later feature may change such an object
+instead of the original."""
 
 
 @dataclass(frozen=True)

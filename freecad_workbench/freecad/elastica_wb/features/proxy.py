@@ -80,7 +80,7 @@ class Feature(Unsaved):
     """Names of the properties with sheet data, by the properties with sheet names."""
     choices: ClassVar[frozenset[str]] = frozenset()
     chosen: str | None = None
-    """Choice before the current change, or None after an invalid choice."""
+    """Value of an enumeration property before its current change, or None if that value was invalid."""
 
     def __init_subclass__(cls) -> None:
         groups = {entry.name: entry.group for entry in cls.properties}
@@ -112,12 +112,15 @@ class Feature(Unsaved):
             _show_title(obj, name)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Store the current choice. If a formula sets an invalid choice, the stored choice is restored."""
+        """Store a valid choice before it changes. If a formula sets an invalid choice, the old one is restored."""
         if name in self.choices:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Set thickness, sheet data and colour after the choice of another sheet."""
+        """Replace an invalid choice, and update the property Containers after a change of the sources.
+
+        After the choice of another sheet, set thickness, sheet data and colour.
+        """
         # FreeCAD calls this method for every written result, so slow checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
@@ -363,7 +366,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return the features whose messages contain a name: the object, or features that depend on it."""
+    """Return an object and the features that depend on it, but only those whose messages contain `name`."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 

@@ -51,7 +51,9 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields of the sketch that suggestions may change. `CHANGEABLE` has the fields of the strip."""
+"""Suggested changes of the drawing: "point" moves a control point, and "size" scales the curve.
+
+`CHANGEABLE` has the fields of the strip that suggestions may change."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -76,8 +78,11 @@ class StripFeature(Feature):
             obj.Anyway = obj.StrainUse >= 100
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Set PlacesLength to 0 after a change of ties or loads, because the new positions fit the current
-        curve."""
+        """Set PlacesLength to 0 after a change of ties or loads.
+
+        PlacesLength is the length of the curve for which the positions of ties and loads were set. With 0, the
+        positions refer to the current curve and are not scaled.
+        """
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")
@@ -222,7 +227,7 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 def changeable(obj: Any) -> tuple[str, ...]:
     """Return the fields that suggestions may change.
 
-    If the strip follows all edges of a sketch, fields of the sketch are included.
+    If the strip follows all edges of a sketch, changes of the drawing (`DRAWN`) are included.
     """
     source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
@@ -250,7 +255,11 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a change makes the strip possible. Switches are not tested."""
+    """Return True if the strip can be made after a change.
+
+    A change to True or False is not tested and counts as possible, except the nearest curve for a strip with
+    rails, pins, ties or point forces.
+    """
     if change.field == "nearest" and (spec.between or spec.rod_spec.point_forces):
         return False  # `nearest_rod` ignores rails, pins, ties and point forces
     if isinstance(change.value, bool):

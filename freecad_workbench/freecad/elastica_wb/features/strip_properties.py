@@ -111,7 +111,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # a missing option is False, so that files of earlier versions keep their widths
+        # no default: files of earlier versions get the value False and keep their widths
     ),
     Property(
         "Length",
@@ -537,4 +537,6 @@ READ_ROD: dict[str, Callable[[Any], Any]] = {
     "natural_curvature": _natural_curvature,
 }
 READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
-"""Functions that read keys which do not correspond to a single property."""
+"""Functions that compute the values of keys of a design file from the properties of a strip.
+
+No single property corresponds to these keys. `READ_STRIP` and `READ_ROD` have functions for more such keys."""

@@ -15,7 +15,8 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
-"""Function of the number of finished parts. The function returns False if the user stops the work."""
+"""Function that receives the number of finished parts of the work, and returns False if the user stops
+the work."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
@@ -34,9 +35,10 @@ def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """Show a progress bar for work of `count` parts. The yielded `Step` returns False after the Escape key.
+    """Show a progress bar for work of `count` parts, or of unknown length if `count` is 0.
 
-    FreeCAD blocks mouse and keyboard meanwhile. The bar replaces the progress bar of a recompute.
+    The yielded `Step` returns False after the Escape key. FreeCAD blocks mouse and keyboard
+    meanwhile. The bar replaces the progress bar of a recompute.
     """
     if not App.GuiUp:
         yield lambda _done: True

@@ -104,7 +104,10 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Raise InputError if the value of a formula is not a choice. FreeCAD would set the first choice."""
+    """Raise InputError if a formula gives a value that is not one of the choices of its property.
+
+    FreeCAD would set the first choice.
+    """
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
         if name in formulas:

@@ -94,7 +94,7 @@ class InputLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().installEventFilter(self)
 
     def leave(self) -> None:
-        """Stop watching."""
+        """Remove the filter."""
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:

@@ -81,7 +81,8 @@ class Words(Translated):
     def format_field(self, value: Any, spec: str) -> str:
         """Return the text of a value in a message.
 
-        A `MaterialWidth` becomes the name of the property MaterialWidth.
+        A value of the class `MaterialWidth` is shown as the property MaterialWidth, which limits the width of
+        ligaments or a backing. In design files, this limit is the field `max_width`.
         """
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 

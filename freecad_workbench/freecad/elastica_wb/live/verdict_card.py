@@ -36,8 +36,9 @@ FOLDED = "CardFolded"
 class VerdictCard(QtCore.QObject):
     """Card over a view: a frame that ignores the mouse, and three buttons.
 
-    The lowest button calls `use_nearest`, and `keep` is a switch. The card is in the corner where it hides
-    the fewest points that should stay visible.
+    `button` calls `use_nearest`, `fold` folds the card, and `keep` switches on that a dragged pole returns to
+    the last position where the strip can be made. The card is in the corner where it hides the fewest points
+    that should stay visible.
     """
 
     def __init__(self, view: Any, use_nearest: Callable[[], None]) -> None:
@@ -99,7 +100,7 @@ class VerdictCard(QtCore.QObject):
         self.frame.show()
 
     def offer(self, words: str, *, usable: bool = True) -> None:
-        """Set the text of the button and show the button."""
+        """Set the text of the button that calls `use_nearest`. An empty text hides the button."""
         with suppress(RuntimeError):
             if words != self.button.text():
                 self.button.setText(words)

@@ -158,7 +158,8 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
 
 # factors by which limits are tightened, because a curve with few poles differs from its rod
 TIGHTER = (1.1, 1.25, 1.5)
-# allowed deviation with few poles: multiple of the deviation with all poles, or fraction of the length
+# largest deviation with few poles: this multiple of the deviation with all poles, or this fraction of the
+# length, whichever is larger
 FARTHER, NEAR_FRACTION = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
