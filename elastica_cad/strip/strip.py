@@ -163,8 +163,10 @@ class Shoulder:
         return replace(judged, state=min(judged.state, StrainState.WARNED))
 
     @property
-    def least_tab(self) -> float:
-        """Least width of the tab, mm, that keeps its strain within the limit; at most the width of the strip."""
+    def least_tab(self) -> float | None:
+        """Least width of the tab, mm, that keeps its strain within the limit; None if no tab is wide enough."""
+        if not judge_strain(self.sheet, self.strain * self.tab / self.width, self.at).allowed:
+            return None
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
         tried = (
             replace(self, tab=float(width), strain=self.strain * self.tab / float(width)) for width in wider
@@ -173,22 +175,33 @@ class Shoulder:
             (rounded_up(shoulder.tab, 3) for shoulder in tried if shoulder.verdict.allowed), self.width
         )
 
+    @property
+    def _advice(self) -> str:
+        least = self.least_tab
+        if least is None:
+            return note("Make the curve gentler there, and the tab wider.")
+        wider = f"{{ width = {least:g}, ... }}"
+        tabs = ("{ ... }", wider) if self.at else (wider, "{ ... }")
+        return note(
+            "Make the tab at the {end} at least {least} wide (in a design file: {written}), or the curve "
+            "gentler there.",
+            end=note("end" if self.at else "start"),
+            least=Length(least),
+            written=f"ends = [{', '.join(tabs)}]",
+        )
+
     def __str__(self) -> str:
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
         strain, limit = distinct_digits(100 * peak, 100 * bears, ".2g")
-        wider = f"{{ width = {self.least_tab:g}, ... }}"
-        tabs = ("{ ... }", wider) if self.at else (wider, "{ ... }")
         place = note(
             "in the corners beside the tab" if peak > self.strain * (1 + STRAIN_SLACK) else "across the tab"
         )
         return note(
             "At {at} from the start, the strip is {width} wide and its tab is {tab} wide. The strain "
-            "{place} is {strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at the {end} at least "
-            "{least} wide (in a design file: {written}), or the curve gentler there.",
+            "{place} is {strain:g} %; {sheet} allows {limit:g} %: {outcome}. {advice}",
             at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
-            limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
-            end=note("end" if self.at else "start"), written=f"ends = [{', '.join(tabs)}]",
+            limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), advice=self._advice,
             severity="warning",
         )  # fmt: skip
 
@@ -207,7 +220,6 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 

@@ -263,6 +263,17 @@ def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
     assert "its tab is 6 mm wide" in told
 
 
+def test_a_tab_is_judged_beside_an_end_that_is_too_strained_itself():
+    """6 M / (E b h^2) decides, and no width of the tab suffices."""
+    metal = replace(PLYWOOD, kind="metal", max_strain=0.0005, max_strain_range=None)
+    made = tabbed(6, metal, ignore_limits=True)
+    strain = 6 * abs(made.reactions().start_moment) / (metal.youngs_modulus * 6 * metal.thickness**2)
+    assert made.strain_verdict.used == pytest.approx(strain / metal.max_strain, rel=1e-3)
+    ends, tab = made.strain_warnings
+    assert "its tab" not in ends
+    assert "Make the curve gentler there, and the tab wider." in tab
+
+
 def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest():
     slots = [Path.rectangle(0.2, 2, corner=(5 + 0.5 * i, 2)) for i in range(40)]
     places = find_thin_places([Path.rectangle(30, 8)], slots, 0.6)
