@@ -203,7 +203,10 @@ class RevolutionTable:
 
 
 def _is_fault(refusal: Refusal) -> bool:
-    """Return True for a fault of a part or of its tabs, without a tested remedy."""
+    """Return True if a message, or a message in its values, has the kind "fault".
+
+    Such a message reports a part or a tab that cannot be made, and suggests no tested remedy.
+    """
     inside = (value for value in refusal.values.values() if isinstance(value, Refusal))
     return refusal.kind == "fault" or any(map(_is_fault, inside))
 

@@ -35,7 +35,8 @@ _ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1
 # points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13
-# least angle of a corner, degrees: in a curve through points, and in a polyline that no smooth curve follows
+# largest turn, degrees, at a point that is not a corner: in a curve through points, and in a polyline that no
+# smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 # ends are tangent if their directions differ by less than 1 degree
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
@@ -68,14 +69,14 @@ class JoinedRuns:
     ----------
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
-        A shape, an overlapping shape that is not shorter, and the result. A coinciding shape is "left out" if
+        A shape, a shape at least as long that overlaps it, and the result. A coinciding shape is "left out" if
         layer and name are equal, and "kept" if they differ. Shapes that overlap in part are "joined" to their
         union. If layers or names differ, or if a third shape meets the joint, these shapes are unchanged
         ("in part").
     closed : tuple of float
         Widths, mm, of the gaps that were closed because rounding of coordinates in the file explains them.
     widest : float
-        Largest width, mm, of a closed gap: the tolerance, or more if the coordinates are rounded coarsely.
+        Largest gap, mm, that may be closed: the tolerance, or more if the coordinates are rounded coarsely.
     """
 
     chains: list[Run]

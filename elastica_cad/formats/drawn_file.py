@@ -417,7 +417,7 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 
 # largest number of points of the drawing that are compared with the curve
 _MOST_POINTS = 200
-# least slope of a plane that counts as inclined
+# a curve counts as turned if flattening moves a control point by more than this fraction of the curve's size
 _LEAST_SLOPE = 1e-3
 
 

@@ -165,7 +165,8 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 # programs that write a fixed number of significant digits write at least this many digits
 _LEAST_DIGITS = 6
-# least number of large coordinates, without multiples of 10, from which the decimals are determined
+# if at least this many of the numbers with most digits before the point are no multiples of 10, the decimals of
+# these numbers count
 _LEAST_LARGE_NUMBERS = 2
 
 

@@ -186,7 +186,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        # elements that follow a sibling
+        # elements that have a next sibling
         self.after = set(self.before.values())
 
     def matches(self, element: Element, steps: _Steps) -> bool:
@@ -325,9 +325,9 @@ def _fit_views(root: ElementTree.Element) -> None:
 
 
 def _resolve(element: ElementTree.Element, around: Extent) -> None:
-    """Convert the percentages of an element to user units.
+    """Convert percentages in an element to user units, and its transform origin to translations.
 
-    A radius is a percentage of the diagonal / sqrt(2).
+    100 % of a radius is the diagonal of `around`, the width and height of the viewport, divided by sqrt(2).
     """
     for name in (*_ALONG, "r"):
         share = _SHARE.fullmatch(element.get(name, ""))

@@ -27,7 +27,10 @@ from elastica_cad.strip.travel import Travel, bend_strip
 from elastica_cad.strip.uncuttable_parts import find_strip_faults, limits_or_default
 
 ENDS = Supports("pinned", "pinned")
-"""Pinned supports. They act like a cord, and also fix the direction of the line between the ends."""
+"""Supports of a computed bow. Like a cord, pinned ends carry no moment and keep their distance.
+
+They also fix the direction of the line between the ends, which a cord does not.
+"""
 
 FINE_NODES = 2401
 """Number of nodes of a bow of constant section. The relative error of the force in the cord is then 2e-7."""

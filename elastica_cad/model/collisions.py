@@ -127,7 +127,10 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and nearest stations (n,)."""
+        """Return the indices (k,) of the points (n, 2) that may be within `reach` mm of the curve.
+
+        Also return the arc lengths (k,) of the stations nearest to these points.
+        """
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))

@@ -145,7 +145,7 @@ def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
 
 
 ZERO = 1e-11
-"""Largest absolute value of a function that counts as zero. It is the rounding error, mm, in a model of 10 m."""
+"""A function is zero if its absolute value is at most this: the rounding error, mm, in a model of 10 m."""
 
 ZERO_STEPS = 80
 """Largest number of steps of the false position method. Usually, a few steps suffice."""
@@ -184,18 +184,20 @@ PARALLEL_RAD = 2e-8
 """Largest angle, rad, at which rulings count as parallel. Over 1 m, their distance then changes by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
-"""Largest difference of the heights after Newton's method, as a fraction of the length of the longer strip."""
+"""Newton's method stops if both curves' heights differ by at most this fraction of the longer strip's length."""
 
 MOST_NEWTON_STEPS = 30
 
 SAME_HEIGHT = 1e-9
-"""Difference of heights below which nodes are merged, as a fraction of the length of the longer strip."""
+"""Nodes of a branch are merged if their heights differ by at most this fraction of the longer strip's length."""
 
 LEVEL_SLOPE = 1e-12
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Least divisor of a Newton step. The divisor limits the step where surfaces touch, because both heights have
-slope 0 there."""
+"""Least divisor of a Newton step, which is the sum of the squared slopes of both heights.
+
+It limits the step where surfaces touch, because both slopes are 0 there.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -310,7 +312,7 @@ class _Heights:
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Curve of equal height on both strips, given by nodes: pairs of arc lengths (s_a, s_b).
+    """Curve along which both strips have equal heights, given by nodes: pairs of arc lengths (s_a, s_b).
 
     The parameter q has the value k at node k.
     """
@@ -464,7 +466,7 @@ def _joined(
 
 
 NODE_PARTS = 4
-"""Number of intervals between two nodes in which crossings of edges are searched."""
+"""Number of intervals between two nodes of an intersection curve. Each is searched for a strip edge."""
 
 ON_EDGE_MM = 1e-8
 """Distance, mm, from an edge below which the end of a crossing counts as on the edge."""

@@ -158,7 +158,7 @@ LABEL_MM = 4.0
 """Height of the part number, mm, if the surface is large enough."""
 
 LEVEL = 1e-6
-"""Tolerance for heights (mm), and for components of unit vectors."""
+"""Largest depth, mm, of a block below its floor, and largest component of a unit vector, that count as 0."""
 
 CUT_EXTENSION_MM = 1.0
 """Distance, mm, by which bodies that cut holes and pockets extend beyond the faces of the block."""

@@ -102,7 +102,10 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""A slot opens to the less preferred side if it is shorter there by this fraction of the crossing."""
+"""The earlier strip's slot opens away from `above` only if both slots together are then clearly shorter.
+
+The difference must exceed this fraction of the length of the crossing.
+"""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
@@ -181,9 +184,9 @@ def interlock(
 
     The crossings of the strips are computed exactly, as intersections of ruled surfaces. The width of a slot
     follows the angle between the strips along the crossing. Each strip is cut from the edge that the crossing
-    reaches. If both edges are possible, the slot of the earlier strip opens towards `above`, and the later
-    strip is pushed on from there. Both slots end in the middle of the crossing, where the strips rest on each
-    other. Tabs are not checked, so keep other strips away from tabs. A crossing that reaches the end of a
+    reaches. If both edges are about equally near, the slot of the earlier strip opens towards `above`, and the
+    later strip is pushed on from there. Both slots end in the middle of the crossing, where the strips rest on
+    each other. Tabs are not checked, so keep other strips away from tabs. A crossing that reaches the end of a
     strip instead of an edge is an error.
 
     Parameters
@@ -345,7 +348,7 @@ class _Cutter:
         """Return the end (0 or 1) of the crossing from which each strip is cut.
 
         If both ends are possible, the slot of the earlier strip opens towards `above` or, by default, along its
-        rulings.
+        rulings, unless both slots together are much shorter otherwise (`OTHER_SIDE_FRACTION`).
         """
         costs = []
         for ends in ((0, 1), (1, 0)):

@@ -37,7 +37,10 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 LEAST_SPREAD = 0.2
-"""Least spread of the slots of a plate, as a fraction of their largest spread, so that the plate does not tip."""
+"""Least ratio of a plate's smallest spread of slots to its largest spread, which is in a perpendicular direction.
+
+With a smaller ratio, the slots are in a row and the plate would tip.
+"""
 
 
 @dataclass(frozen=True, eq=False)

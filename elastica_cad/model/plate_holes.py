@@ -104,7 +104,10 @@ class PlateHoles:
         return None, (*holes, *windows)
 
     def bulb_and_border(self, border: float) -> float:
-        """Return the default diameter, mm, of the circle on which the screw holes are."""
+        """Return the default diameter, mm, of the circle through the centres of the screw holes.
+
+        The edges of the screw holes are then `border` mm from the edge of the hole for the lamp holder.
+        """
         return (self.bulb or 0.0) + self.screw + 2 * border
 
 

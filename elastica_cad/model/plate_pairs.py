@@ -51,7 +51,7 @@ MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Least relative decrease of the distances to a neighbour's ends, for which a strip is reversed."""
+"""A strip is reversed if its ends are then nearer to the ends of its neighbour by more than this fraction."""
 
 PRESSED_MM = 0.01
 """Largest gap, mm, between a tab and a wall against which the load presses the tab."""

@@ -454,7 +454,7 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
 
 
 STANDS_MM = 0.2
-"""Depth, mm, of a tab's tip below the lowest plate of a base, above which the tip is reported."""
+"""The tip of a tab is reported if it is farther than this, mm, below the lowest plate of a base."""
 
 
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
@@ -525,7 +525,7 @@ def _opening(center: FloatArray, radius: float) -> Path | None:
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii of the circles about `center` that are `border` mm inside and outside all slots.
+    """Return the radii, mm, of two circles about `center`: `border` mm inside, and `border` mm outside, all slots.
 
     `loops` are the corners of the slots, (4, 2) each.
     """
@@ -689,7 +689,8 @@ class Ring(BasePlate):
     Attributes
     ----------
     seats : tuple of Path
-        Engraved outlines of the tabs that are glued or bolted to the face. The first `holes` are for the bolts.
+        Engraved outlines of the tabs that are glued or bolted to the face. The first loops in `holes` are for the
+        bolts.
     seated : tuple of str
         Names of the tabs in `seats`.
     """

@@ -38,7 +38,7 @@ WIDTH_ERROR_MM = 1e-5
 """Largest error of a width, mm."""
 
 SLOPE_TOLERANCE = 1e-12
-"""Difference between the slopes of two bounds below which both bounds are the same plane and do not cross."""
+"""Two bounds on half a width are the same plane, and do not cross, if their slopes differ by at most this."""
 
 END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""

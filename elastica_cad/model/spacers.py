@@ -63,10 +63,10 @@ DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
 """Angles, rad, of the directions in which a plate may tilt over its spacers."""
 
 LEAST_SPREAD = 0.25
-"""Least extent of the spacers around the middle of the tabs, relative to the extent of the slots.
+"""Least distance that spacers reach from the middle of the tabs in every direction, divided by that of the slots.
 
-If a spacer is wider than the extent of the slots, its width is the reference. For two spacers, only the width
-counts. Three spacers at equal angles have about 0.5.
+If a spacer is wider than the distance that the slots reach, or if there are two spacers, the divisor is the width
+of a spacer. Three spacers at equal angles have about 0.5.
 """
 
 LABEL_MM = 4.0
@@ -358,7 +358,10 @@ def _tried_places(plate: BasePlate) -> FloatArray:
 def _obstacles(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float
 ) -> tuple[list[FloatArray], FloatArray, FloatArray]:
-    """Return loops that exclude spacers, points (n, 2) on cuts, and points (m, 2) of strips and tabs in the gap."""
+    """Return loops in which no spacer may be, points (n, 2) on cuts, and points (m, 2) of strips and tabs.
+
+    The strips and tabs are those in the gap between the plates.
+    """
     first, second = plates
     loops = [loop.points(PITCH_MM / 10) for plate in plates for loop in plate._inner_loops]
     tabs = []

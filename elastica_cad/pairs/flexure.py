@@ -47,7 +47,7 @@ LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
 nozzle)."""
 
 SIDE_MM = 1e-3
-"""Largest error of the drawn sides, mm."""
+"""Largest distance, mm, between the sides of the part and the splines that replace them in its outline."""
 
 LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""

@@ -26,7 +26,7 @@ NEWTON_STEPS = 20
 MET = 1e-13  # tolerance of Newton's method: fraction of the length, or rad
 
 TANGENT_ERROR = 1e-9
-"""Largest error of the ends of the changed curve, as a fraction of the length."""
+"""Largest error of a changed curve's unit tangents. Its end is off by at most this fraction of its length."""
 
 LARGEST_TURN = 0.5
 """Largest change of the tangent direction, rad, at any point of the curve."""

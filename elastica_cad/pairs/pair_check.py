@@ -105,9 +105,10 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
 def examine_pair(
     first: PlaneCurve, second: PlaneCurve
 ) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
-    """Return the check, the panels, and the parameters of the least stiffness ratio.
+    """Return the check, the panels, and the parameters that select the stiffness with the least ratio.
 
-    The panels and the parameters are None if no strip is possible, or if every stiffness is possible.
+    The ratio is the largest stiffness divided by the least. The parameters are those of `PairedPanels.family`. The
+    panels and the parameters are None if no strip is possible, or if every stiffness is possible.
     """
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
@@ -400,8 +401,10 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Last zeros of the curvature difference. A moment difference can have only the zeros before
-        these."""
+        """Last zeros of the curvature difference, from the first that no moment difference can share.
+
+        A moment difference can have all zeros before this zero, but not this zero too.
+        """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
@@ -414,7 +417,10 @@ class PairedPanels:
         return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
-        """Return the parameters of the least stiffness ratio, or None if no stiffness is positive everywhere."""
+        """Return the parameters of the stiffness with the least ratio of largest to least value.
+
+        Return None if no stiffness in the family is positive everywhere. The default is `self.family`.
+        """
         family = family or self.family
         sizes = np.abs(family.dense[0]).sum(axis=1)
         if not sizes.max() < WIDEST_RATIO * sizes.min():

@@ -106,7 +106,10 @@ class PushPath:
 
     @property
     def largest_force(self) -> float:
-        """Largest `force` up to the snap, or over the whole travel if the rod does not snap, 1/mm2."""
+        """Largest value of `force` up to the snap, or over the whole travel if the rod does not snap.
+
+        It is a force divided by the least bending stiffness, 1/mm2.
+        """
         return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
     @property
