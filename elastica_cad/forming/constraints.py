@@ -54,10 +54,10 @@ class Constraint(ABC):
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
-    """Return at most MOST_ROWS of the `indices`.
+    """Return at most MOST_ROWS of the `indices` into `urgency` (n,), such as violations of a limit at n nodes.
 
-    Up to half of the result are local maxima of `urgency` (n,), and the others are evenly spaced. If a step
-    violates an omitted row, the row is a local maximum in the next call.
+    Up to half of the result are local maxima of `urgency`, and the others are evenly spaced. If a step violates
+    the limit at an omitted index, the index is a local maximum in the next call.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -472,7 +472,10 @@ class BendLimit(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class CurvatureLimit(BendLimit):
-    """Condition that the change of curvature at every node is at most the constant `limit`."""
+    """Condition that the change of curvature at every node is at most the constant `limit`.
+
+    The limit is multiplied by the length of the target.
+    """
 
     limit: float
     name: str = "curvature"
@@ -492,7 +495,10 @@ class StrainLimit(BendLimit):
     name: str = "strain"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the strain for a change of curvature of 1, divided by the strain limit, (n+1,)."""
+        """Return the strain, divided by the strain limit, for a curvature changed by 1 / length of the target.
+
+        The result (n+1,) is for nodes of this `stiffness` (n+1,).
+        """
         return self.section.strain(stiffness, self.strain) / self.size
 
 

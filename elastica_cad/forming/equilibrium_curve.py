@@ -104,7 +104,7 @@ class EquilibriumCurve:
 
     @cached_property
     def line(self) -> tuple[float, FloatArray]:
-        """Coefficients a, 1/mm, and b (2,), 1/mm2, of the moment a + <b, position> (paper, Eq. 3)."""
+        """Coefficients a, 1/mm, and b (2,), 1/mm2: moment / least stiffness = a + <b, position> (paper, Eq. 3)."""
         first, left = np.array([0]), np.array([-1.0])
         b = self.balance.force.at(first, left)[0] / self.scale
         moment = float(self.balance.moment.at(first, left)[0]) / self.scale

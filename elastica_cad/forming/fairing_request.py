@@ -49,7 +49,10 @@ MOST_WORSE = 1.05
 """Largest factor by which automatic smoothing may increase the stiffness ratio."""
 
 PLACES, SEEN_SHARE = 401, 0.1
-"""Number of stations at which curvatures are compared, and relative change above which noise is reported."""
+"""Number of stations at which curvatures with and without noise are compared, and limit of their difference.
+
+The noise is reported if the difference exceeds this fraction of the largest curvature.
+"""
 
 
 @dataclass(frozen=True, eq=False)

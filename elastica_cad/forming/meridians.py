@@ -27,7 +27,10 @@ SEARCH_NODES = 96
 
 FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
-"""Number of initial guesses of the parameters a and b: one guess by regression, the others random."""
+"""Number of initial guesses of a and b: one guess by regression, the others random.
+
+A meridian satisfies distance from the axis * curvature = a + <b, point>.
+"""
 
 STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
@@ -176,7 +179,10 @@ class _Equations:
         self.count = self.pieces * self.width + 3
 
     def parts(self, unknown: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the angles (pieces, nodes + 1), the lengths (pieces,), and a and b as an array (3,)."""
+        """Split the vector of unknowns into angles (pieces, nodes + 1), lengths (pieces,) and constants (3,).
+
+        The constants are a and the two components of b in the equation of the meridian, a + <b, point>.
+        """
         pieces = unknown[:-3].reshape(self.pieces, self.width)
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
@@ -371,7 +377,10 @@ NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = ". So near to the axis, end the points on it (x = 0), or on a ring farther away"
 
 NARROW_SHARE = 1e-3
-"""Default distance of the end from the axis, divided by the sum of length and distance of the start."""
+"""Default distance of the end of a meridian from the axis, as a fraction of the size of the meridian.
+
+The size is the sum of the length and the distance of the start from the axis.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -410,7 +419,7 @@ class Meridian:
         return Profile.fit(lambda s: self.curve.at(s).position[:, 0], self.curve.length, tolerance=1e-7)
 
     def width(self, strips: int) -> Profile:
-        """Return the width of a strip, mm, if the surface has `strips` strips.
+        """Return the width of one of `strips` equal strips, mm, as a function of the arc length.
 
         The width is 2 tan(pi / strips) times the distance from the axis.
         """

@@ -152,7 +152,7 @@ class NearestTask:
 
     @property
     def even_stiffness(self) -> float:
-        """Constant stiffness K of an initial guess, in the middle of the allowed range."""
+        """Constant stiffness K of an initial guess: the geometric mean of 1 and the largest K, at most 4."""
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:

@@ -142,7 +142,8 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # u (2, n + m) are the distances of z = (x, y) from its bounds, and v the multipliers or slacks: u v = mu
+    # u (2, n + m) are the distances of z = (x, y) from its bounds, and v the multipliers or slacks;
+    # the products u v are kept near the barrier parameter mu, which decreases to 0
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u

@@ -211,7 +211,10 @@ class SectionScale:
         return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
-        """Return the surface strain at a curvature of 1/mm, as a fraction of the allowed strain, for K (n,)."""
+        """Return the surface strain per change of curvature, mm, as a fraction of the allowed strain.
+
+        The result (n,) is for sections with the relative stiffness K = `stiffness` (n,).
+        """
         layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
         shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))

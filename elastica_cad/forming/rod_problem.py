@@ -105,11 +105,11 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return self.grid.shoot(self._clipped(z))
 
     def apart(self, first: MappedRod, other: MappedRod) -> float:
-        """Return the mean of the squared distances between the nodes of two rods."""
+        """Return half the mean of the squared distances between the nodes of two rods."""
         return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
-        """Return the problem without the constraints that have a meaning only near equilibrium."""
+        """Return the problem for rods far from equilibrium, without its `near_balance_only` constraints."""
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
@@ -146,7 +146,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-# fraction by which rounding errors reduce the length tolerance of a pre-bent strip
+# reserve for rounding errors in the length tolerance of a pre-bent strip, as a fraction of the tolerance
 _SAME_LENGTH = 1e-6
 # tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
 _SAME_CURVATURE = 1e-6

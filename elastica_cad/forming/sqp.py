@@ -19,9 +19,9 @@ from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSo
 Point = TypeVar("Point")
 
 KEY_STRIDE = 1_000_000
-"""Factor in the key of a row: key = constraint * KEY_STRIDE + index.
+"""Factor in the key of a row of `ConstraintRows`: key = constraint * KEY_STRIDE + index.
 
-No constraint has so many values.
+The key is unique, because no constraint has so many values.
 """
 
 
@@ -197,7 +197,7 @@ class Linearization(Generic[Point]):
     model : LocalModel
         Model of the objective as a function of the same steps.
     state_jacobian : (k, p + 1) array
-        Derivatives, by a change, of the part of the state that limits the linear model, rad.
+        Derivatives by a change, rad, of k state variables that must change little for the linear model to hold.
     moved : callable
         Function that returns the point after a change, to first order, with the unknowns within their bounds.
     """
@@ -242,7 +242,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def apart(self, first: Point, other: Point) -> float:
-        """Return the mean squared distance between the nodes of two points, in the unit of the objective."""
+        """Return half the mean squared distance of the nodes of two rods (points), in the unit of the objective."""
 
     @abstractmethod
     def values(self, point: Point) -> Sequence[FloatArray]:
@@ -273,12 +273,15 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
-        """Return the program without the constraints that have a meaning only near equilibrium."""
+        """Return the program for points far from equilibrium, without constraints that are meaningless there."""
 
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Keys (k,) of the active constraint rows. In equilibrium, these rows have the values `aim` (k,)."""
+    """Keys (k,) of the active constraint rows, and values `aim` (k,) that the rows must have in equilibrium.
+
+    A key identifies a row: see `KEY_STRIDE`.
+    """
 
     keys: IntArray
     aim: FloatArray

@@ -175,7 +175,7 @@ _ROUNDING_SHARE = 1e-12
 """A chord shorter than this fraction of its coordinates may have a wrong direction due to rounding."""
 
 _SHORTEST_SHARE = 1e-6
-"""Length of the shortest piece of a spline, as a fraction of its parameter range."""
+"""Shortest parameter interval that a biarc replaces, as a fraction of the parameter range of the spline."""
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 """Fractions of a spline piece at which a biarc is compared with it."""

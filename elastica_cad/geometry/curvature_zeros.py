@@ -23,7 +23,7 @@ _EPS = float(np.finfo(float).eps)
 _DEGREE = 11
 
 _FOLLOWED = 1e-13
-"""A polynomial represents a function if its last coefficients are below this fraction of the function's size."""
+"""A polynomial represents a function if its last two Chebyshev coefficients are below this fraction of `size`."""
 
 _FOLLOWED_NOISE = 1e-12
 """Coefficients below this fraction of the size of the function are rounding errors."""
@@ -105,6 +105,8 @@ def function_zero_places(
     ----------
     function : callable
         Function of parameters (k,) that returns values (k,); it is not evaluated at edges.
+    edges : (p + 1,) array
+        Parameters of the ends of the p spans on which the function is smooth.
     smooth : (p - 1,) bool array
         True where the function is continuous across an inner edge.
     size : float

@@ -88,7 +88,10 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
 DEGREE = 4  # with simple knots, the curvature and its slope are continuous
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""Default for the largest movement by smoothing: `USUAL` in mm, `USUAL_SHARE` as a fraction of the length."""
+"""Default limits of the movement of a curve by smoothing, in mm and as a fraction of the curve's length.
+
+The smaller limit applies.
+"""
 
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
@@ -257,7 +260,7 @@ class _Problem:
         """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # the first three control points of a straight line with constant speed are 0, 1 and 3 steps from its end
+        # on a straight line with constant speed, the first control points are 0, 1 and 3 times `step` from the end
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -276,7 +279,11 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) that converts control points to derivatives along `direction`."""
+        """Return the sparse matrix (n, 2 m) of one component of a derivative of the curve at its n samples.
+
+        The matrix converts m control points to the scalar products of `direction` (n, 2) and the derivatives of
+        order `derivative`.
+        """
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]

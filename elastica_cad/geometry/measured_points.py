@@ -1,4 +1,4 @@
-"""Origin of the coordinates of a curve, and noise of measured points."""
+"""Source of a curve in a file, and the points to which a curve was fitted, with their noise."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -22,7 +22,7 @@ SETTLED = 0.7
 """Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise."""
 
 CROWDED_SHARE = 0.1
-"""Least noise, as a fraction of the point spacing, at which every other point is omitted.
+"""Noise above which its estimate omits every other point, as a fraction of the point spacing.
 
 With all points, noise could change the order of neighbouring points along the curve.
 """
@@ -43,7 +43,10 @@ For fewer points, the largest distance is smaller.
 """
 
 OUTLIER_TIMES = 4.0
-"""Smallest distance of an outlier, as a multiple of the distance of other points and of rounding errors."""
+"""A point is an outlier if the largest divided difference exceeds this multiple of the largest one without it.
+
+It must also exceed this multiple of the rounding errors.
+"""
 
 
 @dataclass(frozen=True, eq=False)

@@ -44,7 +44,7 @@ _STANDSTILL_SHARE = 1e-9
 _STILL_SPAN = 1e-14
 # a tangent cone contains a velocity if the component along its axis exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9
-# largest number of halvings of a knot span, after which a part without tangent cone has a cusp
+# largest number of halvings of a knot span; if the velocities are then not in one half plane, there is a cusp
 _MOST_HALVINGS = 27
 
 
@@ -242,7 +242,8 @@ class RationalPieces:
     def extremes(self) -> FloatArray:
         """Return the parameters (k,) at which x or y may have an extreme value.
 
-        These are the knots, and the stationary points of x or y on pieces that may leave the box around the knots.
+        These are the knots, and the stationary points of x or y on pieces that may leave the bounding box of the
+        curve points at the knots.
         """
         points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
@@ -457,7 +458,10 @@ Without this rule, a knot span could be as short as rounding errors.
 """
 
 FAR_SIZES = 1e6
-"""Coordinates above this multiple of the size of a transformed curve lose digits, so the curve is checked."""
+"""A transformed curve is validated again if a coordinate exceeds this multiple of its size.
+
+Such large coordinates lose digits.
+"""
 
 _AHEAD_SHARE = 1e-6
 """The speed is never zero if all sides of the control polygon advance by more than this fraction of the

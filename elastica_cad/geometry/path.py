@@ -28,7 +28,7 @@ _BLOCK = 4096
 """Number of points whose distances from all chords of a spline are computed at a time."""
 
 _NEWTON_STEPS = 6
-_ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a length
+_ROUNDING_SHARE = 1e-12  # rounding error of a distance from a curve, as a fraction of its length
 # Newton's method stops at a step below this fraction of the domain
 _SETTLED = 1e-12
 _UNSETTLED = 1e-7  # Newton's method failed if its last step exceeds this fraction of the domain

@@ -337,7 +337,8 @@ Each step reduces the error to about its third power.
 """
 
 _REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
-# an extreme is computed if it is within this fraction of the range from the largest or smallest sample
+# an extreme is computed if it differs from the largest or smallest sample by less than this fraction of the
+# difference between these two samples
 _NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -372,7 +373,7 @@ def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, F
 
 @dataclass(frozen=True, eq=False)
 class PanelFunction:
-    """Function that is a polynomial on each of N panels, with Legendre coefficients (N, p, ...)."""
+    """Function that is a polynomial on each of N panels, with p Legendre coefficients each: (N, p, ...)."""
 
     coefficients: FloatArray
 

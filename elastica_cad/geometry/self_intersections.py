@@ -28,7 +28,10 @@ _MOST_HALVINGS = 40
 
 _NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
-"""Above this number of pairs of pieces, parts of the curve overlap, and a tenth of the number is examined."""
+"""Largest number of pairs of pieces that may meet.
+
+If there are more, parts of the curve overlap, and only evenly selected pairs, a tenth of this number, are used.
+"""
 
 
 def find_self_intersections(
@@ -38,7 +41,7 @@ def find_self_intersections(
 
     The curve consists of homogeneous Bezier pieces (p, degree + 1, 3). Pieces are halved while their boxes overlap.
     If all velocities of two neighbouring pieces are in a common half plane, the pieces meet only at their joint.
-    Such pairs are excluded, so that joints are not reported.
+    Such neighbours are not compared, so joints are not reported as self-intersections.
 
     Parameters
     ----------

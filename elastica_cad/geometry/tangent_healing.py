@@ -21,7 +21,7 @@ LARGEST_REMOVED_RAD = np.radians(5.0)
 
 # a control point closer to a chord than this fraction of the chord is on the chord
 _STRAIGHT = 1e-12
-_CLOSED = 1e-9  # ends closer than this fraction of the size coincide
+_CLOSED = 1e-9  # ends of a spline closer than this fraction of its size coincide
 _SHORT = 1e-12  # control points closer than this fraction of the extent of both pieces coincide
 
 
