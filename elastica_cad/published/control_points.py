@@ -29,9 +29,10 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 _ALONG = 0.1
 # in the norm of a move, a curvature change 1 / length counts like a move by this fraction of the length
 _BEND = 0.005
-# in this norm, a doubled parametric speed counts like a move by this fraction of the length
+# in the norm of a move, a doubled parametric speed counts like a move by this fraction of the length
 _STRETCH = 0.05
-# in this norm, a change by the largest moment counts like a move by this fraction of the length
+# in the norm of a move, a change of the moment by its largest value counts like a move by this fraction of the
+# length
 _LINE_STEP = 0.02
 # relative size of singular values below which conditions count as dependent
 _RANK = 1e-11
@@ -208,7 +209,7 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# penalty of a violated bound, relative to half the mean square distance
+# penalty of a violated bound, relative to half the mean square distance from the drawn curve
 _PENALTY = 0.1
 # penalty of a violated linear condition of a step; larger than those of violated bounds
 _ROW_PENALTY = 10.0
@@ -216,13 +217,13 @@ _ROW_PENALTY = 10.0
 _ACCURACY = 1e-12
 # a missing stability margin is divided by this value to obtain its violation
 _MARGIN_UNIT = 50.0
-# largest ratio after a step, as a multiple of the present ratio or of its bound
+# largest stiffness ratio after a step, as a multiple of the present ratio or of its bound, whichever is larger
 _COARSE = 3.0
-# aims of a step: factor on the present ratio, and addition to the present margin
+# aims of a step: factor on the present stiffness ratio, and addition to the present stability margin
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-# least predicted gain of a step, as a fraction of half the mean square distance
+# a search ends at a smaller predicted gain of a step, as a fraction of half the mean square distance
 _SETTLED = 1e-3
 # gain of a step, relative to the squared length, that is only a rounding error
 _RESOLUTION = 1e-12
@@ -392,7 +393,10 @@ def _state_after(
 
 
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
-    """Return the best step to first order.
+    """Return the step within `radius` that has the least objective to first order.
+
+    The objective is half the mean square distance from the drawn curve, divided by the squared length, plus
+    penalties for violations of the bounds `aim`. `offsets` (2 g,) are `CurveChanges.offsets` divided by the length.
 
     The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min
     K, and the slacks of the two bounds.

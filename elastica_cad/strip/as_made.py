@@ -121,16 +121,17 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet.
+"""Constants of the unstressed corners beside a slot, which act like an added length of the strip.
 
-For a sheet with grain, this factor is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its
-isotropic value. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+In a sheet without grain, the added length is `CUT` times `crack_energy` times depth^2 / width. In a sheet with
+grain, it is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its isotropic value.
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Constants of the unstressed corners beside a step of the width (`STEP`) or a tab (`TAB`, `TAB_REACH`).
 
 The corners act like an added length of the strip: `STEP` or `TAB` times `crack_energy` times `idle_length`.
-`TAB` is for the Poisson ratio 0, because a tab prevents curling across the strip.
+Beside a tab, `crack_energy` is that of the Poisson ratio 0, because a tab prevents curling across the strip.
 
 The length is added at a distance from the tab of `TAB_REACH` times the difference in width between strip and
 tab. In a sheet with grain, the distance is multiplied by sqrt(E / G) divided by its isotropic value.
@@ -181,11 +182,12 @@ def stiffness_factors(
     - "steps of width": unstressed corners on the wider side of a jump of the width, for solid strips.
     - "leaning ligaments": the stiffness of a ligament at the angle theta to the strip is multiplied by
       cos(theta), because its mirror image prevents twisting. This factor is for a Poisson ratio near 0.3. At 25
-      degrees, ligaments are up to 7 % stiffer for the Poisson ratio 0, and up to 4 % stiffer for 0.1.
+      degrees, real ligaments are up to 7 % stiffer than this for the Poisson ratio 0, and up to 4 % for 0.1.
     - "anticlastic bending": a strip or ligament is stiffer if it cannot curl across its width.
     - "borders that curl": change of the stiffness of a laminate, because its borders curl.
 
-    Each of the first three causes adds a bend at one position. Causes without effect are left out.
+    Each slot, narrow tab and step of the width lets the strip bend further at its position. Causes without
+    effect are left out.
 
     Parameters
     ----------
@@ -210,7 +212,7 @@ def stiffness_factors(
     factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # mean compliance of each cell, because deflections are proportional to it
+    if leaning is not None:  # mean compliance near each node, because deflections are proportional to it
         factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -496,7 +498,7 @@ class StripAsMade:
     def loaded(self) -> Rod:
         """Rest shape with both ends held as designed, or the design if no rest shape was found.
 
-        The rod has the stiffness of the unbent strip.
+        If the stiffness depends on the curvature, `stiffness` of this rod is that in the designed shape.
         """
         try:
             return self.rest()

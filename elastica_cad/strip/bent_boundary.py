@@ -298,7 +298,8 @@ class BentMap:
     ) -> tuple[FloatArray, int]:
         """Return knots and degree of a basis for a segment and its bent image.
 
-        `even` is (offset, speed): on the segment, x = offset + speed * parameter.
+        `even` is (offset, speed): on the segment, x = offset + speed * parameter. `limits` are the first and the
+        last parameter of the bent part of the segment.
         """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness

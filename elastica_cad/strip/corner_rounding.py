@@ -123,7 +123,11 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Return True if the arc is inside the sides with indices `gap`, which it replaces, or if `gap` is empty."""
+    """Return True if the arc does not cross the omitted sides, whose indices are `gap`.
+
+    The omitted sides are then outside the circle of the arc, and on the same side of its chord as the arc. The
+    result is also True if no side was omitted.
+    """
     if not gap:
         return True
     if arc is None:

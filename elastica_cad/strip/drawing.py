@@ -186,7 +186,8 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Least and largest tolerance, mm, for splines offset by half a kerf."""
+"""Least and largest value, mm, of the argument `tolerance` of `compensate_kerf`; the kerf may be any size up to
+`WIDEST_KERF_MM`."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""

@@ -380,7 +380,8 @@ class _Cutter:
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
         """Return the corners on the station line through `corner`, and a direction: 1 (up) or -1 (down).
 
-        The corners are in the order of y. `interval` is on the left of the direction.
+        `on_seam` has the corners on each station line, in the order of y. The direction is that in which the
+        boundary of the part with the index `interval` follows the line: the part is on its left.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:

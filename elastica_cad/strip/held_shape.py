@@ -214,9 +214,10 @@ def shape_responses(
     ----------
     rod : Rod
     moments : (n, m) array
-        Changes of the moments at the nodes, 1/mm, while the edge angles are fixed.
+        Changes of the moments at the nodes while the edge angles are fixed, divided by the bending stiffness B
+        of the rod, 1/mm.
     loads : (n, m, 2) array, optional
-        Changes of the weights of the nodes, 1/mm2.
+        Changes of the weights of the nodes, divided by B, 1/mm2.
     apart : (m, 2) array, optional
         Displacement of the end relative to the start, mm.
     """
@@ -284,8 +285,9 @@ def open_deviation(
 ) -> float:
     """Return the uncertainty of the model, mm, apart from errors of sheet and workmanship.
 
-    It is the root of the sum of the squares of four errors: the sum of the errors due to the causes in `parts`,
-    and the errors of every strip, of curling and of wide sections.
+    It is the root of the sum of the squares of four errors. One is the sum of the errors due to the causes in
+    `parts` and, if `approximated`, due to holes or a backing. The others have the factors `OPEN_PLAIN`,
+    `OPEN_CURLED` and `OPEN_WIDE`.
 
     Parameters
     ----------

@@ -31,11 +31,11 @@ ARROW_MM, HEAD_MM = 20.0, 3.0
 """Length of the arrow of a load and size of the arrowhead, mm."""
 
 MARKS = (0.25, 0.5, 0.75)
-"""Positions at which heights are measured, as fractions of the length."""
+"""Positions along the strip, as fractions of its length, at which its heights above the chord are measured."""
 
 S_SHAPED = 0.01
-"""Ratio of heights on opposite sides of the chord above which a strip is S-shaped. Rounding errors are
-smaller."""
+"""Least ratio of the smaller to the larger height of an S-shaped strip, on opposite sides of its chord. In other
+strips, rounding errors give smaller ratios."""
 
 ELEMENT_LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 

@@ -278,7 +278,8 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance from the ends, mm, at which the net width is measured, because a bare end has no width."""
+"""Distance from the ends, mm, at which the net width of the ends is measured. At the end itself, a strip without
+a tab has no width."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
 """Lengths along which a glued plate does not stiffen the strip, as multiples of the plate's thickness.

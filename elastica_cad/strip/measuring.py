@@ -90,7 +90,8 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""For each mistake that exchanges readings: the name under which a reading was written, by its right name."""
+"""Mistakes that exchange readings. For each mistake, a mapping from the right name of a reading to the name under
+which it was written."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""

@@ -15,8 +15,8 @@ LIGHT_CLAMPED, LIGHT = 1.0, 0.008
 """Largest weight, as a multiple of E I / length^2, whose effect is not computed.
 
 The weight is that of the whole strip. `LIGHT_CLAMPED` is for strips with both ends clamped, `LIGHT` for others.
-The end of a straight cantilever moves by 1 / 8 of this number times the length. The middle of a straight
-strip with clamped ends moves by 1 / 384."""
+If the weight is W times E I / length^2, the end of a straight cantilever moves by W / 8 times the length. The
+middle of a straight strip with clamped ends moves by W / 384 times the length."""
 
 MOVES_FRACTION = 1e-3
 """Movement by the weight, as a fraction of the length, above which the user is warned.

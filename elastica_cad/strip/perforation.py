@@ -46,7 +46,9 @@ INSET_FRACTION = 1e-9
 """Distance of the ends of a fitted spline from a jump of the width, as a fraction of the spline's length."""
 
 CLEAR_OF_SLOTS_MM = 0.02
-"""Chord error, mm, of the polylines with which distances between holes and slots are measured."""
+"""Chord error, mm, of the polylines with which distances between holes and slots are measured.
+
+The least distance itself is `DiamondPattern.clearance`."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -166,7 +166,8 @@ class FlatShape:
             return True
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
-        ways = FLIPS if self.bent is None else FLIPS[:1]  # turning a pre-bent strip changes its curvature
+        # turning a pre-bent strip reverses its curvature or the order of its ends
+        ways = FLIPS if self.bent is None else FLIPS[:1]
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property

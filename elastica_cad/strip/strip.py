@@ -103,8 +103,9 @@ DEEPEST, GRAIN = 20.0, 0.7
 """Constants of `corner_factor`, where t is the depth of the shoulder and r is the radius of the fillet.
 
 `DEEPEST` is the largest ratio t / r in the chart. In `FILLETS`, row i is multiplied by (2 t / width)^i and
-column j by (t / r)^(j / 2). `GRAIN` is the exponent of sqrt(E / G) divided by its isotropic value. This exponent
-is fitted to finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
+column j by (t / r)^(j / 2). In a sheet with grain, the excess of the factor over 1 is multiplied by g ** `GRAIN`,
+where g is sqrt(E / G) divided by its isotropic value. The exponent is fitted to finite elements
+(`tests/campaign/finite_elements/shoulders.py`)."""
 
 
 def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
@@ -228,7 +229,7 @@ LINEAR_CREEP_FRACTION = 0.5
 """Fraction of the strain limit above which creep grows faster than the stress."""
 
 STRAIGHT_FRACTION = 1e-6
-"""Curvature, as a fraction of the largest curvature, below which the strip counts as straight."""
+"""Curvature at a point, as a fraction of the largest curvature, up to which the strip counts as straight there."""
 
 UNEVEN_JOINT_MM = 0.05
 """Difference between the widths at both ends of a closed strip, mm, above which a warning is added."""

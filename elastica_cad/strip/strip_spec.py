@@ -292,7 +292,7 @@ def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator
 
 
 SAME_LENGTH = 1e-9
-"""Relative difference below which two elasto-gravity lengths count as equal."""
+"""Relative difference of two elasto-gravity lengths (see `Gravity`), or of two weights, that counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,7 +313,7 @@ class StripSpec(EqualByValue):
         Style of the strip: solid, with holes, or with a glued backing.
     limits, keep : Limits, Keep, optional
         Limits of the strip, and properties of the curve to keep. With `limits` or `keep`, `nearest_rod` may change
-        the curve. Otherwise the strip takes the curve exactly.
+        the curve. Otherwise the strip takes the drawn curve, apart from smoothing (see `smooth`).
     gravity : Gravity, bool or sequence of float, optional
         True for the weight of the sheet along -y of the drawing. Two numbers are a direction in the drawing. Three
         numbers are a direction in space; only its component in the plane of `frame` acts. A `Gravity` is used
@@ -334,13 +334,15 @@ class StripSpec(EqualByValue):
         lap, which is glued to the inside of the start.
     seam_position : float, optional
         Arc length on the drawn curve, mm, at which a closed strip begins and ends. All positions along the strip
-        are measured from there. The default is the point of least curvature or, with `limits` or `keep`, the start
-        of the drawn curve. An open curve has no seam.
+        are measured from there. The default is the point of least curvature. With `limits`, `keep` or a
+        `RestCurvature`, the default is the start of the drawn curve. An open curve has no seam.
     straight_ends : bool
-        If True, a straight first or last piece of the curve becomes a tab if its end cannot turn.
-        Only the part between the tabs is bent, and positions along the strip are measured from its start. The tabs
-        are at least as long as drawn, and circles drawn on them become holes. If False, the whole curve is bent.
+        If True, a straight piece at the start or the end of the curve becomes a tab, but not where the support
+        lets this end turn. Only the part between the tabs is bent, and positions along the strip are measured
+        from its start. The tabs are at least as long as drawn, and circles drawn on them become holes. If False,
+        the whole curve is bent.
     slots : sequence of Slot
+        Slots for other strips, which become part of the outline.
     label : str
         Name in messages, files and assemblies; empty for none.
     engrave : str, optional
@@ -726,7 +728,8 @@ class StripSpec(EqualByValue):
     def _curve_from_seam(self) -> PlaneCurve:
         """Curve to which the strip is bent. A closed curve starts at the seam.
 
-        By default, the seam of a curve that must not change is at the point of least curvature.
+        By default, the seam is at the point of least curvature. If the curve may change, or the request has a
+        `RestCurvature`, the seam is at the start of the drawn curve.
         """
         curve = self.run_ins.bent
         # a curve with corners is refused later, when the rod is computed

@@ -256,7 +256,8 @@ def hold_row(strip: Strip) -> Row:
 
 
 ALONG = 0.9
-"""Least fraction of a force, along the line between the ends, that is reported as a push or pull."""
+"""Fraction of the force on an end. If its component along the line between the ends is larger, the force is
+reported as a push or pull."""
 
 
 def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:

@@ -316,7 +316,8 @@ def _constrained_step(
 MOST_STEPS = 60
 # step, as a fraction of the length, after which the stiffness of the ends is recomputed
 RENEWED_SHARE = 0.003
-SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the step limit after a reversed step, and after other steps
+# limit of the next step: after a reversed step, `SHORTER_STEP` times this step; else `LONGER_STEP` times the limit
+SHORTER_STEP, LONGER_STEP = 0.5, 2.0
 DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_FRACTION = 1e-9  # iterations stop at a shorter step, as a fraction of the length of the strip
 # least eigenvalue of a stiffness matrix, relative to the largest; smaller eigenvalues are raised to this
@@ -518,10 +519,12 @@ def _made_definite(stiffness: FloatArray) -> FloatArray:
 
 
 SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
-"""Spring stiffness in the first iterations, as a multiple of load / length. Stiff springs limit the steps."""
+"""Stiffness of the springs of `lean_against` in the first iterations, as a multiple of load / length.
+
+Stiff springs limit the steps."""
 
 SOFTEST_SPRING = 1e-4
-"""Spring stiffness in later iterations, as a multiple of load / length.
+"""Stiffness of the springs of `lean_against` in later iterations, as a multiple of load / length.
 
 Each iteration multiplies the error by about this value."""
 
