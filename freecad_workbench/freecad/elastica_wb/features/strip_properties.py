@@ -445,7 +445,7 @@ def _shop(obj: Any) -> dict[str, Any] | None:
 
 
 def _compensate(obj: Any) -> bool | None:
-    """Return the option `compensate`: True for all effects, False for no effect, None for the default."""
+    """Return the option `compensate`: True for all effects, False for none, None for anticlastic bending only."""
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 

@@ -28,7 +28,7 @@ FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
 """Exceptions that `execute` turns into messages. Any other exception is a bug."""
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
-"""FreeCAD's message on a link whose file is missing or whose document was closed."""
+"""Pattern of FreeCAD's message on a link whose file is missing or whose document was closed."""
 
 
 FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)

@@ -141,7 +141,7 @@ def switch(sketch: Any, *, on: bool) -> None:
 
 
 def start_if_wanted(sketch: Any) -> None:
-    """Start the overlay of an open sketch if the sketch stores that the overlay is on."""
+    """Start the overlay of a sketch if the sketch is still open and `wants_overlay` returns True."""
     if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
         from freecad.elastica_wb.live import session
 

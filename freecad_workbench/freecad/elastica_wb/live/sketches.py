@@ -52,7 +52,11 @@ def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """Return True if the overlay of a sketch is on. By default it is on if a strip follows the sketch."""
+    """Return True if the overlay of a sketch starts when the sketch is opened.
+
+    This is stored in the sketch. By default, it is True if a strip follows the sketch. If the preference
+    LiveMode is off, no overlay starts.
+    """
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Task panels. The .ui file of a panel has the name of its module."""
+"""Task panels. If a panel has a .ui file, the file has the name of the panel's module."""

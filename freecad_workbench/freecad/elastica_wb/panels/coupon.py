@@ -55,7 +55,7 @@ class CouponPanel(Panel):
         self.changed()
 
     def changed(self) -> None:
-        """Show the overhang to use, and the result of the readings."""
+        """Show the longest overhang of the coupon, and the stiffness that follows from the readings."""
         sheet = sheet_called(self.value("sheet"))
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]

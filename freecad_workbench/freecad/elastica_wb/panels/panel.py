@@ -135,7 +135,7 @@ class Panel:
         """Release all references to the document before it is closed."""
 
     def show_message(self, sentence: str) -> None:
-        """Show a message in the panel, with lengths in mm."""
+        """Show a message in the panel, with lengths in the unit that FreeCAD displays."""
         self.form.message.setText(printable(worded(sentence)))
 
     @contextmanager

@@ -19,7 +19,7 @@ NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "pois
 
 
 class SheetsPanel(Panel):
-    """Panel that shows a sheet. Save stores a changed sheet under a new name."""
+    """Panel that shows a sheet. Save stores a changed sheet under the typed name, as one of the user's sheets."""
 
     file = "sheets"
     icon_name = "Elastica_Sheets"

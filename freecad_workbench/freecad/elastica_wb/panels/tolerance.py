@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, note
 
 
 class TolerancePanel(Panel):
-    """Panel that runs the study. The user can stop it and see the results so far."""
+    """Panel that runs the study of one strip. The Escape key stops the study without a result."""
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
@@ -71,7 +71,7 @@ class TolerancePanel(Panel):
 
 
 class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the user
-    """The user pressed Cancel."""
+    """The user pressed the Escape key."""
 
 
 class Watched:
@@ -86,7 +86,7 @@ class Watched:
         Raises
         ------
         Stopped
-            The user pressed Cancel.
+            The user pressed the Escape key.
         """
         tasks = list(zip(*arguments, strict=True))
         with progress(self._title, len(tasks)) as step:
@@ -101,7 +101,10 @@ ROW, WIDTH = 24, 300
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw a chart of rows (name, usual value, worst value), mm. Bars of usual values are dark."""
+    """Draw two bars for each row (name, 95th percentile, worst case) of deviations, mm.
+
+    The dark bar is the 95th percentile.
+    """
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))

@@ -168,7 +168,7 @@ def refusal_answer(error: ElasticaError) -> Answer:
 
 
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
-    """Return the result of a check, a strip or an error as a sentence for the status bar."""
+    """Return a sentence on the result of a check, on a strip that can be made, or on an error."""
     if isinstance(answer, Strip):
         return note(
             "A pre-bent strip can be bent into this curve: {width} wide, stiffness ratio {ratio:.3g}, "
