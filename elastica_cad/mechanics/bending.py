@@ -206,7 +206,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state and None, or after a snap the new rest state and the fraction reached before it."""
+    """Return the rest state, and the fraction of the path at which the rod snapped into it (None: no snap)."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -349,7 +349,7 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
-    # distances, mm, by which slack rails will still move, and slack ties will still shorten
+    # distances, mm, by which slack rails move and slack ties shorten on the rest of the path
     ahead = np.zeros(len(elements))
     before = system if guess is not None else _under_present_loads(present, system)
 
@@ -415,7 +415,10 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Return `taut` with the flag changed that contradicts the forces or gaps most, or None if no flag does."""
+    """Find the flag in `taut` that contradicts the forces or gaps most. Return `taut` with this flag changed.
+
+    Return None if no flag contradicts them.
+    """
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))

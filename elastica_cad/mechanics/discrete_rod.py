@@ -17,10 +17,10 @@ from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports, whole_number
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance below which a constraint counts as linearly dependent on other constraints."""
+"""A constraint is linearly dependent if less than this fraction of its norm is independent of the others."""
 
 _FEW = 40
-"""Least number of edges for an iterative search of the lowest mode; shorter rods use dense matrices."""
+"""Least number of edges for an iterative search of the lowest mode; with fewer edges, matrices are dense."""
 
 _SMOOTH = 10
 """Number of smooth trial modes with which compiled code starts the search for the lowest mode."""
@@ -132,7 +132,7 @@ class Terms(NamedTuple):
     corner : (r, r) array
         Symmetric matrix D.
     below : int
-        Number of negative eigenvalues of the larger matrix if the sum of both matrices is positive definite.
+        Number of negative eigenvalues of the larger matrix if A - G^t D^-1 G is positive definite.
     """
 
     rows: FloatArray
@@ -656,8 +656,11 @@ class DiscreteRod:
     def hessian(self) -> tuple[FloatArray, FloatArray]:
         """Tridiagonal Hessian H of the energy by the edge angles: diagonal (n,) and off-diagonal (n-1,), 1/mm.
 
-        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2. An edge has the length l_i,
-        tangent T_i, force lambda_i and change of angle h_i. A node has the stiffness K_i and Voronoi length w_i.
+        An edge has the length l_i, tangent T_i, force lambda_i and change of angle h_i. A node has the stiffness
+        K_i and Voronoi length w_i. The matrix H is defined by
+
+            h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2.
+
         At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the term of the end node is
         omitted. An axially elastic edge of compliance c adds -c l_i <lambda_i, R T_i>^2 h_i^2, where R turns a
         vector by 90 degrees.
@@ -742,7 +745,7 @@ class DiscreteRod:
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
         """Return the constraints on changes of the edge angles, and the terms that are added to the Hessian.
 
-        An axially elastic rod has only terms.
+        For an axially elastic rod, terms replace the constraints.
         """
         bracing = self.bracing
         if self.compression is not None:
@@ -753,7 +756,7 @@ class DiscreteRod:
         return np.concatenate([rows, bracing.rows]), terms
 
     def _elastic_terms(self, rows: FloatArray) -> Terms | None:
-        """Return the constraints and terms of an axially elastic rod after the strains are eliminated.
+        """Return the terms for the constraints and bracing of an axially elastic rod; the strains are eliminated.
 
         Changes h of the edge angles and e of the strains change the energy by h^t H h + 2 h^t X e + e^t Y e. H is
         the Hessian at constant strains. X = l <lambda, R T> and Y = l / c are diagonal, with edge length l, force

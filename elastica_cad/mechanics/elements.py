@@ -212,8 +212,9 @@ class PlacedElement:
     s : (k,) array
         Arc lengths of the points at which the element acts, mm.
     units : (u, k, 2) array
-        Forces on the strip at the k points for a value 1 of each of the u unknowns. For a `PointForce`: the known
-        force, N.
+        Forces on the strip at the k points if one of the u unknowns is 1 and the others are 0. The unknowns are
+        the push of a rail, the x and y components of the force of a pin, or the pull of a tie. For a
+        `PointForce`: the known force, N.
     """
 
     element: Element | PointForce

@@ -587,7 +587,7 @@ def _line_constraints(
 
 
 def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return three lists of constraints on the ends, from strict to loose. An end with an inflection is free."""
+    """Return three lists of constraints on the ends, from strict to loose. An end at an inflection has none."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

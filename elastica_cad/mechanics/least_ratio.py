@@ -83,7 +83,7 @@ The error is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
 """
 
 SPARE = 0.07
-"""Fraction of the tolerance that the first knots should need, so that a second fit is rarely necessary."""
+"""Fraction of the tolerance for which the first knots are chosen, so that a second fit is rarely necessary."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
@@ -152,7 +152,10 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the rounding error of the stiffness: the largest jump between panels away from `steps`."""
+        """Return the rounding error of the stiffness: its largest jump between panels.
+
+        Jumps at the arc lengths `steps`, mm, are ignored, because the stiffness itself may jump there.
+        """
         before, after = self.series.where_panels_meet
         jumps = np.abs(after - before)
         if len(steps):

@@ -16,7 +16,7 @@ class Exchange(NamedTuple):
     Attributes
     ----------
     most_rounds : int
-        Largest number of solutions of a program to which rows are added after each solution.
+        Largest number of times that a program is solved. Rows are added after each solution.
     first_rows : int
         Approximate number of samples of a long curve, at equal spacing, in the first program.
     first_step : int
@@ -33,7 +33,8 @@ class Exchange(NamedTuple):
     most_steps : int
         Largest number of steps along edges in `least_variation`, several times the largest number seen.
     tilt : float
-        Size of small shifts of planes, after which at most as many planes as unknowns meet in a point.
+        Size of random shifts of the planes that `least_variation` describes. After the shifts, at most as many
+        planes as unknowns meet in a point.
     """
 
     first_rows: int = 500

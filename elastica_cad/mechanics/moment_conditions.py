@@ -69,6 +69,9 @@ from elastica_cad.refusals import Length, Listed, Span, note
 class LineLoad:
     """Weight and known forces along a curve that is cut into N panels with p nodes each.
 
+    Only `own` is divided by the least bending stiffness. In the equations, `dead` and `points` are multiplied by
+    the unknown tau of `MomentRows`, which is the inverse of the least bending stiffness.
+
     Attributes
     ----------
     up : (2,) array
@@ -444,7 +447,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # the stiffness must not be less than that for `start`
+        # at these places, the stiffness must be at least that for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -525,7 +528,10 @@ WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations, far above the ratio of any strip."""
 
 LARGEST_LOAD = 1e3
-"""The linear program is rescaled if the load requires more than this multiple of the largest stiffness."""
+"""Ratio of the stiffness that the load requires to the largest allowed stiffness.
+
+Above this ratio, the linear program is rescaled.
+"""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -650,7 +656,10 @@ class RodRequest(EqualByValue):
         return place_elements(elements, self.drawn or self.curve, self.check.curve, self.supports, joints)
 
     def units_on(self, panels: Panels) -> FloatArray:
-        """Return the forces (N + 1, 2, u) at the ends of panels for a value 1 of each of the u unknowns."""
+        """Return the forces (N + 1, 2, u) of rails, pins and ties on the strip at the ends of panels.
+
+        The last index selects the unknown that is 1 while the other unknowns are 0.
+        """
         units = np.zeros((panels.count + 1, 2, sum(element.unknowns for element in self.elements)))
         first = 0
         for element in self.elements:
@@ -730,7 +739,7 @@ class ConditionedRows:
 
     @cached_property
     def pushed(self) -> IntArray:
-        """Indices (k,) of the unknowns that must be 0 or more: the tensions of ties."""
+        """Indices (k,) of the unknowns that must be 0 or more: the pulls of ties, because a cord cannot push."""
         kinds = [
             isinstance(placed.element, Tie)
             for placed in self.request.elements

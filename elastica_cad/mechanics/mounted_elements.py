@@ -345,7 +345,7 @@ def _point(place: FloatArray) -> tuple[float, float]:
 
 
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the force, 1/mm2, that a tie or one-sided rail cannot exert; 0 if its force is possible."""
+    """Return the force, 1/mm2, with which a tie would have to push, or a one-sided rail to pull, or else 0."""
     if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
@@ -376,7 +376,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return the rail, pin or tie without force. A rail is moved to the nearest point of the strip."""
+    """Return the rail, pin or tie with force 0. The arc length of a rail is that of the nearest strip point."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -238,7 +238,7 @@ class CurlingLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """Injective limit, 1/mm, of the law of the material."""
+        """Largest curvature, 1/mm, up to which the material law `below` is injective; inf if `below` is None."""
         return float("inf") if self.below is None else self.below.injective_limit
 
 

@@ -26,7 +26,7 @@ SECANTS = 12
 """Largest number of secant steps in the search for the width of a given bending stiffness."""
 
 SETTLED = 1e-12
-"""Relative error below which one more step reaches rounding accuracy."""
+"""Relative error of the stiffness below which the search for a width ends after one more step."""
 
 SLOPES = (0.4, 3.0)
 """Bounds of the slope of log(stiffness) as a function of log(width).
@@ -313,7 +313,7 @@ class PlainSection:
         Parameters
         ----------
         bending_stiffness : float
-            E I where K = 1, N mm2.
+            E I where the relative stiffness is 1, N mm2.
         """
         return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
 

@@ -917,7 +917,11 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Return messages about tails with a jump of curvature at the joint, and arc lengths, mm, of small slopes."""
+    """Check the joints between straight tails and the bent part.
+
+    Return messages about joints at which the curvature jumps, and the arc lengths, mm, of joints at which the slope
+    of the curvature is almost 0.
+    """
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0
