@@ -53,7 +53,7 @@ def _standard_input(ctx: click.Context) -> Path:
     if len(data) > LARGEST_FILE:
         raise InputError(
             "Standard input has more than {largest_file} MB, the limit. Leave out everything except the curves.",
-            largest_file=LARGEST_FILE // 2**20,
+            largest_file=LARGEST_FILE // 10**6,
         )
     folder = TemporaryDirectory(prefix="elastica-")
     ctx.call_on_close(folder.cleanup)

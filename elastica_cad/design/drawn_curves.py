@@ -274,10 +274,10 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
         raise InputError(
             (
                 "{place} has {given}, but needs exactly one of the keys 'file', 'x' (with 'y' and 't'), "
-                "'ellipse' and 'spline'. Leave out the other keys."
+                "'ellipse' and 'spline'. Use one of these keys."
             ),
             place=curve.where,
-            given=", ".join(curve.data) or "nothing",
+            given=", ".join(curve.data) or "no keys",
         )
     request = reader.record(CURVES[kinds[0]], curve)
     with curve.naming():

@@ -128,8 +128,9 @@ class Cutting:
         """Return the options of `save` for pieces of this sheet."""
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
-                "The width of the cut is not known for {name}. Write a number in mm instead of 'sheet'.",
+                "The width of the cut is not known for {name}. Set {kerf} to a number in mm instead of 'sheet'.",
                 name=sheet.name,
+                kerf=FieldName("kerf"),
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf
         return {

@@ -257,10 +257,12 @@ class Reader:
             table.tables(key)
         if not isinstance(rows, list) or kind.size not in (None, len(rows)):
             raise InputError(
-                "{place} is {given}, which is not a list. Write a list{of_size}.",
+                "{place} is {given}, which is not a list. Write a list."
+                if kind.size is None
+                else "{place} is {given}. Write a list of {size} values.",
                 place=table.place(key),
                 given=quoted(rows),
-                of_size="" if kind.size is None else f" of {kind.size}",
+                size=kind.size,
             )
         numbered = Table(
             {f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, table.where, table.scope

@@ -85,12 +85,16 @@ def _refuse_many_inserts(document: "Drawing") -> None:
     )
 
 
-def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
+def _check_depth(depth: int) -> None:
     if depth > DEEPEST_BLOCK:
         raise InputError(
             "blocks are nested more than {deepest_block} deep: explode them before export",
             deepest_block=DEEPEST_BLOCK,
         )
+
+
+def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
+    _check_depth(depth)
     from ezdxf.lldxf.const import DXFError
 
     total = 0
@@ -357,7 +361,8 @@ def _entities(
         elif entity.dxftype() != "INSERT":
             if not (depth and entity.dxftype() == "ATTDEF"):
                 yield entity, placement, layer
-        elif depth < DEEPEST_BLOCK:
+        else:
+            _check_depth(depth + 1)
             try:
                 block = entity.block()
                 if block is None:
@@ -370,11 +375,6 @@ def _entities(
                 continue
             for inner in placements:
                 yield from _entities(block, depth + 1, skipped, hidden, placement @ inner, layer)
-        else:
-            raise InputError(
-                "blocks are nested more than {deepest_block} deep: explode them before export",
-                deepest_block=DEEPEST_BLOCK,
-            )
 
 
 def _run(entity: Any) -> Run | None:

@@ -25,11 +25,11 @@ _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", de
 UNIT = FieldName("unit")
 """Name, in messages, of the option or key that sets the unit of a file."""
 
-LARGEST_FILE = 64 * 2**20
+LARGEST_FILE = 64 * 10**6
 """Largest size of a file of curves, bytes."""
 
-LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
-    (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
+LARGEST_OF_KIND = {".toml": 2 * 10**6} | dict.fromkeys(
+    (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 10**6
 )
 """Largest sizes, bytes, of other kinds of files: designs are parsed slowly, and meshes and bodies are large."""
 
@@ -62,8 +62,8 @@ def require_file(path: str | Path) -> Path:
             "{path} has {size:.0f} MB, more than the limit of {most} MB: remove unneeded parts, or "
             "simplify the file",
             path=path,
-            size=size / 2**20,
-            most=most // 2**20,
+            size=size / 10**6,
+            most=most // 10**6,
         )
     return path
 
@@ -176,10 +176,11 @@ def check_places(points: FloatArray) -> FloatArray:
     if bad.any():
         value = points[bad].flat[0]
         raise InputError(
-            "a coordinate is {given}, not finite or above the limit of {farthest:g}: check the "
-            "unit, or export the file again",
+            "a coordinate is {given}, not between {low:g} and {high:g}: check the unit, or export the "
+            "file again",
             given=Length(value),
-            farthest=Length(FARTHEST),
+            low=BareLength(-FARTHEST),
+            high=Length(FARTHEST),
         )
     return points
 

@@ -19,7 +19,7 @@ from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_cou
 from elastica_cad.formats.svg_path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_tree import CLIPPED, CLONE, MARK, PHYSICAL, Box, SvgTree, read_length, svg_tree
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.refusals import BareLength, Length, Listed, note
+from elastica_cad.refusals import Length, Listed, note
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
@@ -55,10 +55,10 @@ def read_svg_drawing(
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
-            "has drawing units of {scale:.3g} by {scale_2}, an unlikely size: check width, height and "
+            "a drawing unit is {wide} wide and {high} high, which is unlikely: check width, height and "
             "viewBox of the SVG element",
-            scale=BareLength(scale[0]),
-            scale_2=Length(scale[1]),
+            wide=Length(scale[0]),
+            high=Length(scale[1]),
         )
     to_mm = np.diag(scale * (1.0, -1.0))
     place = np.diag([1 / scale[0], -1 / scale[1], 1.0])

@@ -458,7 +458,7 @@ _DEEPEST = 200
 # largest number of elements, including groups, texts and elements of clones
 _MOST_ELEMENTS = 5 * MOST_SHAPES
 # largest number of characters including those of clones
-_MOST_TEXT = 64 * 2**20
+_MOST_TEXT = 64 * 10**6
 MARK = "data-shape"
 """Attribute that numbers the shapes, so that copies in clones are recognized."""
 
@@ -589,7 +589,7 @@ def _open_svg(path: Path) -> BinaryIO:
         raise InputError(
             "has more than {largest_file} MB when unpacked: remove everything except curves, or simplify "
             "the file",
-            largest_file=LARGEST_FILE // 2**20,
+            largest_file=LARGEST_FILE // 10**6,
         )
     return BytesIO(data)
 

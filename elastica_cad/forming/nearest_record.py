@@ -285,7 +285,7 @@ def _step(binding: Binding) -> tuple[str | Length, float]:
 
 _NAMES = {
     "margin": "the stability margin",
-    "strain": "the sheet's strain limit (with a thinner sheet)",
+    "strain": "the strain limit of the sheet (use a thinner sheet)",
     "keep-out": "the keep-out regions",
     "stiffness bounds": "the stiffness bounds",
     "points": "the kept points",
@@ -310,7 +310,7 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
         return note(
             "the curvature limit"
             if limits.curvature == limits.largest_curvature
-            else "the sheet's strain limit (with a thinner sheet)"
+            else "the strain limit of the sheet (use a thinner sheet)"
         )
     if kind == "length":
         return note("the length" if near.keep.length else "the range of lengths")
@@ -339,11 +339,13 @@ def _violation_sentence(near: NearestRod, binding: Binding) -> str:
     missed = note(binding.name)
     if binding.name in _IN_LENGTHS:
         by = Length(binding.broken * near.target.length)
-        return note("The strip misses a limit by {by}: {missed}.", missed=missed, by=by)
+        return note("The strip violates a limit by {by}: {missed}.", missed=missed, by=by)
     if binding.name == "end tangent":
         angle = np.degrees(binding.broken)
-        return note("The strip misses a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle)
-    return note("The strip misses a limit: {missed}.", missed=missed)
+        return note(
+            "The strip violates a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle
+        )
+    return note("The strip violates a limit: {missed}.", missed=missed)
 
 
 def _end_name(near: NearestRod, index: int) -> str:

@@ -568,11 +568,10 @@ def smooth_polyline(
     True
     """
     vertices = numbers(points, "points to smooth")
-    if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
-        raise InputError(
-            f"the points to smooth have the shape {vertices.shape} or are not finite: give an array "
-            "(n, 2) of finite numbers, in mm"
-        )
+    if vertices.ndim != 2 or not len(vertices):
+        raise InputError(f"the points to smooth have the shape {vertices.shape}: give an array (n, 2), in mm")
+    if not np.isfinite(vertices).all():
+        raise InputError("the points to smooth are not finite everywhere: give finite numbers, in mm")
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: give 4 to {MOST_SMOOTHED}, the number of smoothed points")
     if not (is_number(wavelength) and wavelength > 0):

@@ -111,8 +111,8 @@ def warn_of_strip(strip: Strip) -> None:
         low, high = meeting
         warn(note(
             "The bent strip intersects itself: its places {low} and {high} from the start of the bend are "
-            "at one point (the tabs are below 0 and above {length}). Shorten the tabs, open the curve, or cut a "
-            "slot at this point.",
+            "at one point (places below 0 or above {length} are on the tabs). Shorten the tabs, open the "
+            "curve, or cut a slot at this point.",
             low=Length(low), high=Length(high), length=Length(strip.rod.length),
         ))  # fmt: skip
 

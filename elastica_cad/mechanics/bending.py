@@ -593,11 +593,12 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
             "the path cannot be read: give a sequence of end positions (x, y), or of dictionaries with options "
             "of `bend`"
         )
-    if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
+    if points.ndim != 2 or points.shape[1] != 2:
         raise InputError(
-            f"the path of end positions has the shape {points.shape} or is not finite: give an array "
-            "(k, 2) of finite numbers, in mm"
+            f"the path of end positions has the shape {points.shape}: give an array (k, 2), in mm"
         )
+    if not np.isfinite(points).all():
+        raise InputError("the path of end positions is not finite everywhere: give finite numbers, in mm")
     return [{"end": point} for point in points]
 
 

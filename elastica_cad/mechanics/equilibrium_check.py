@@ -301,11 +301,11 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         return _refuse_extreme_ratio(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
-        "The moment is 0 on a line through the inflection {s} from the start, and this line must not meet the "
-        "curve again. Every such line does (near {places}), or is tangent to the curve at the inflection. Let "
-        "the curve turn less, or support the strip between the inflection and these places."
+        "The moment is 0 on a straight line that may meet the curve only at the inflection, {s} from the start. "
+        "Every line through the inflection is tangent to the curve there, or meets the curve again (near "
+        "{places}). Let the curve turn less, or support the strip between the inflection and these places."
         if near
-        else "The curve passes through its inflection {s} from the start again, where the moment is 0 but the "
+        else "The curve returns to its inflection ({s} from the start). The moment is 0 there, but the returning "
         "curve is bent. Move the curve away from the inflection.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip

@@ -205,8 +205,8 @@ class Weight:
         """
         if self.own:
             raise InputError(
-                "the strip's own weight is unknown before optimal_rod computes it: give the weight per length as "
-                "`beta`, in N/mm"
+                "only optimal_rod can compute the strip's own weight: give the weight per length as `beta`, "
+                "in N/mm, and `own` as False"
             )
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)

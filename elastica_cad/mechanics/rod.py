@@ -451,11 +451,12 @@ class Rod:
             "moment": (n,), "force": (n, 2),
         }.items():  # fmt: skip
             array = numbers(getattr(self, name), f"rod {name}").copy()
-            if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
+            if array.shape != shape:
                 raise InputError(
-                    f"`{name}` of the rod has the shape {array.shape} or is not finite: give finite numbers "
-                    f"of shape {shape}"
+                    f"`{name}` of the rod has the shape {array.shape}: give numbers of shape {shape}"
                 )
+            if not np.isfinite(array).all():
+                raise InputError(f"`{name}` of the rod is not finite everywhere: give finite numbers")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         rest = numbers(self.natural_curvature, "natural curvature")

@@ -184,7 +184,7 @@ _FIGURES = {
 _ESTIMATED = ("shear_modulus_MPa", "break_strain")
 
 
-LARGEST_FILE = 2**20
+LARGEST_FILE = 10**6
 """Largest size of a file of sheets, bytes."""
 
 
@@ -307,7 +307,7 @@ def _read_table(path: str | Path) -> object:
         raise InputError(f"{path} is a device or a pipe, not a file: name a file of sheets")
     try:
         if path.stat().st_size > LARGEST_FILE:
-            raise InputError(f"{path} is larger than {LARGEST_FILE // 2**20} MB: name a file of sheets")
+            raise InputError(f"{path} is larger than {LARGEST_FILE // 10**6} MB: name a file of sheets")
         text = path.read_bytes().decode("utf-8-sig")
         data = parse_toml(text)
     except RecursionError as error:

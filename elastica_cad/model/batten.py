@@ -334,7 +334,7 @@ class Batten:
         """
         stock = self.spec.stock
         if not isinstance(stock, ThicknessLaw):
-            raise InputError("plies need a flat strip: give a ThicknessLaw as stock")
+            raise InputError("a round batten cannot be made of plies: give a ThicknessLaw as stock")
         leaf = stock.sheet.with_thickness(stock.largest / max(leaves, 1))
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 

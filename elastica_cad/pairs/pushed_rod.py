@@ -393,10 +393,10 @@ class _Chain:
                 damping = max(damping * DAMPING_STEP, FIRST_DAMPING)
                 if damping > 1e6:
                     raise NotConvergedError(
-                        "the pushed rod has no shape in equilibrium: push it at another place"
+                        "no equilibrium of the pushed rod was found: push it at another place"
                     )
         raise NotConvergedError(
-            "the pushed rod has no shape in equilibrium: push it less far, or at another place"
+            "no equilibrium of the pushed rod was found: push it less far, or at another place"
         )
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:

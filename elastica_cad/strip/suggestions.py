@@ -144,7 +144,7 @@ class Suggestion:
                 support = note(
                     "build the rail, a bar across the strip, {place} along the curve from its start"
                     if direction is None
-                    else "build the rail, a bar {side} and across it, {place} along the curve from its start",
+                    else "build the rail, a crosswise bar {side}, {place} along the curve from its start",
                     place=Length(at), side="" if direction is None else side_of_bar(direction),
                 )  # fmt: skip
             case Pin(float(at)):

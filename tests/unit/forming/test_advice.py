@@ -46,7 +46,7 @@ def saving(near, start):
         ),
         (ARCH, "curvature limit: a change of 10 %", Limits(4, curvature=0.02), Keep(), Limits(4, curvature=0.0202)),
         (
-            ARCH, "sheet's strain limit (with a thinner sheet): a change of 10 %",
+            ARCH, "strain limit of the sheet (use a thinner sheet): a change of 10 %",
             Limits(4, sheet=PLY, strain=PLY.thickness / 100), Keep(),
             Limits(4, sheet=PLY, strain=PLY.thickness / 99),
         ),
@@ -155,7 +155,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     radius = f"low the limit of {sheet.least_radius:.3g} mm"
     done = run(*asked, code=1)
     assert radius in done.stderr
-    assert "Relax the sheet's strain limit (with a thinner sheet), " in done.stderr
+    assert "Relax the strain limit of the sheet (use a thinner sheet), " in done.stderr
 
 
 @pytest.mark.campaign
@@ -166,7 +166,9 @@ def test_what_is_missed_is_told_in_millimetres_and_degrees():
     assert near.status is Status.NOT_MET
     broken = {binding.name: binding.broken for binding in near.binding}
     told = list(near.advice)
-    assert f"The strip misses a limit by {broken['end position'] * arch.length:.3g} mm: end position." in told
     assert (
-        f"The strip misses a limit by {np.degrees(broken['end tangent']):.3g} degrees: end tangent." in told
+        f"The strip violates a limit by {broken['end position'] * arch.length:.3g} mm: end position." in told
+    )
+    assert (
+        f"The strip violates a limit by {np.degrees(broken['end tangent']):.3g} degrees: end tangent." in told
     )

@@ -63,7 +63,9 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(
-            "{path} cannot be changed: {reason}. Make the file writable.", path=path, reason=reason(error)
+            "{path} cannot be changed: {reason}. Check the folder and its permissions.",
+            path=path,
+            reason=reason(error),
         ) from error
     write_atomically(path, text.encode(), force=True)
 
