@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
+from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import largest_deviation
@@ -21,10 +22,11 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
-from elastica_cad.strip.uncuttable_parts import find_strip_faults, limits_or_default
+from elastica_cad.strip.uncuttable_parts import FabricationLimits, find_strip_faults, limits_or_default
 
 ENDS = Supports("pinned", "pinned")
 """Supports of a computed bow. Like a cord, pinned ends carry no moment and keep their distance.
@@ -132,7 +134,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
         Material, and thickness of a strip.
     hole : float
         Diameter of the hole for the cord at each end of the cord, mm; 0 for none. The tabs of the strip are
-        outside the holes.
+        outside the holes, and by default long enough for them.
     **fields
         Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the
         nearest possible curve. For a constant section, only `max_width`, `min_width`, `law`, `ends` and
@@ -162,6 +164,9 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
         )
     if curve.length - chord < least:
         raise InputError("The curve is straight, so a cord between its ends is slack. Draw an open arch.")
+    if hole:  # the tabs hold the outer half of the hole
+        tab = Tab(max(TAB_LENGTH, hole / 2 + _least_beside(sheet, fields.get("shop"))))
+        fields = {"ends": (tab, tab)} | fields
     if _has_constant_section(**fields):
         strip = _strip_of_constant_section(curve, Sheet.of(sheet), **fields)
     else:
@@ -185,10 +190,14 @@ def room_for_hole(hole: float, sheet: Sheet | str, **fields: Any) -> dict[str, f
 
     The result is empty without a hole, and if the strip may not be so wide.
     """
-    shop, material = limits_or_default(fields.get("shop")), Sheet.of(sheet)
-    least = hole + 2 * min(shop.width_for(material), shop.bridge_for(material))
+    least = hole + 2 * _least_beside(sheet, fields.get("shop"))
     fits = hole and fields.get("max_width", np.inf) > least > (fields.get("min_width") or 0)
     return {"min_width": least} if fits else {}
+
+
+def _least_beside(sheet: Sheet | str, shop: FabricationLimits | None) -> float:
+    limits, material = limits_or_default(shop), Sheet.of(sheet)
+    return min(limits.width_for(material), limits.bridge_for(material))
 
 
 def rise_of(rod: Rod) -> float:

@@ -110,6 +110,12 @@ def test_the_holes_for_the_cord_are_at_the_ends_of_the_computed_cord(arch, more)
     assert float(least[1]) >= 8
 
 
+def test_a_large_hole_for_the_cord_gets_tabs_long_enough_for_it(arch):
+    done = run("bow", "arch.json", *STRIP, "--hole", 22, "--min-width", 30, "-o", "out", cwd=arch)
+    tab = re.search(r"holes of 22 mm at (\S+) and", done.output)
+    assert float(tab[1]) - 11 >= 2
+
+
 def test_a_hole_too_large_for_the_strip_is_refused(arch):
     narrow = ("--sheet", "pom-2", "--max-width", 7, "--min-width", 7, "--hole", 4)
     done = run("bow", "arch.json", *narrow, "-o", "out", cwd=arch, code=2)
