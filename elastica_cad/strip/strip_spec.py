@@ -37,7 +37,7 @@ from elastica_cad.mechanics.loads import (
     require_supports,
 )
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import WidthLaw, WidthRange
+from elastica_cad.mechanics.sections import WidthLaw, WidthRange, anticlastic_factor
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
@@ -793,6 +793,13 @@ class StripSpec(EqualByValue):
             limits = replace(limits, sheet=self.material)
         if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
             ratio = _ratio_of_widths(self.max_width, self.min_width or 0.0, self.material, self.shop)
+            if self.makes_up_for_curl:
+                # anticlastic bending stiffens the narrowest place by at most this factor, which makes it narrower
+                stiffening = anticlastic_factor(
+                    self.max_width / ratio, limits.largest_curvature or 0.0,
+                    thickness=self.material.thickness, poisson_ratio=self.material.poisson_ratio,
+                )  # fmt: skip
+                ratio = max(1.0, ratio / float(stiffening))
             limits = replace(limits, ratio=ratio if limits.ratio is None else min(limits.ratio, ratio))
         return limits
 

@@ -61,6 +61,22 @@ def test_a_limit_width_bounds_both_places(asked):
     )
 
 
+@pytest.mark.parametrize("margin", [None, 5.0])
+@pytest.mark.parametrize(
+    ("poles", "width"),
+    [
+        ("5,-88 33,-18 69,34 99,79 134,80 155,36 187,42 230,0 261,-13", 12),
+        ("3,-29 66,-39 118,78 168,96 214,9 267,30 314,-72 379,13 446,-5", 20),
+        ("4,-7 43,-55 76,-8 117,-26 153,67 195,62 242,-59 296,-118 329,-16", 20),
+    ],
+)
+def test_a_steel_strip_is_not_narrower_than_the_workshop_can_cut(poles, width, margin):
+    """The widths that correct anticlastic bending had been up to 1 % below the 3 mm of the sheet."""
+    curve = PlaneCurve.spline([tuple(map(float, pole.split(","))) for pole in poles.split()], degree=3)
+    strip = make_strip(curve, "spring-steel-0.2", max_width=width, limits=Limits(margin=margin))
+    assert 3 <= strip.width.extremes[0] < 3.1
+
+
 def test_limits_of_another_thickness_are_refused():
     thin = Sheet.named("card-200gsm")
     with pytest.raises(
