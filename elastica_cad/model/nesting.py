@@ -54,7 +54,7 @@ class NestedSheet(Drawing):
     pieces : tuple of str
         Name of each piece.
     used : float
-        Area, mm2, of the rows of the sheet with pieces.
+        Area, mm2, of the part of the sheet that the rows of pieces occupy.
     filled : float
         Area of the pieces' bounding boxes, each with its margin, mm2.
     share : float

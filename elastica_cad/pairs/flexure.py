@@ -474,7 +474,7 @@ class Flexure:
         return Path(chain, closed=True)
 
     def overhang(self, s: float) -> float:
-        """Return the distance from an end of the free length to its pad, mm.
+        """Return the distance, mm, from the end of the free length at `s` (0 or the length, mm) out to the pad.
 
         The fillet is thicker than the part, so it is as compliant as a shorter piece of the part. The fillet
         therefore begins within the free length. The pad is as compliant as a half-plane.
@@ -505,7 +505,10 @@ class Flexure:
         return [position - half, outer - half, outer + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the middle of a pad's inner edge, the outward unit vector, and the unit vector to its left."""
+        """Return the middle of a pad's inner edge, the outward unit vector, and the unit vector to its left.
+
+        The edge is at the arc length `s`. `sign` is -1 for the start pad and 1 for the end pad.
+        """
         position, angle = (value[0] for value in line.at(np.array([s])))
         along = sign * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])

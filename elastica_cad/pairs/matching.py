@@ -23,7 +23,7 @@ ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 
 LONGEST_STEP = 0.02  # Newton's method approaches the new length in steps of at most this relative change
 NEWTON_STEPS = 20
-MET = 1e-13  # tolerance of Newton's method: fraction of the length, or rad
+MET = 1e-13  # largest error of the end after Newton's method: fraction of the length (position), rad (angle)
 
 TANGENT_ERROR = 1e-9
 """Largest error of a changed curve's unit tangents. Its end is off by at most this fraction of its length."""

@@ -67,7 +67,7 @@ BESIDE_SHARE = 1e-4
 """Distance from an end, as a fraction of the length, at which the sign beside a zero at the end is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative size up to which singular values count as zero."""
+"""Functions count as linearly dependent if a singular value of their samples is relatively at most this."""
 
 NUMBERS = 6
 """Number of parameters of the moments M_1 and M_2: a_1 - a_2, the vectors b_1 and b_2 with two numbers each, a_1.
