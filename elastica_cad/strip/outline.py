@@ -39,7 +39,7 @@ class Hole:
     diameter : float
         Diameter of the hole, mm.
     across : float
-        Distance of the centre from the centre line, mm; positive in the direction of y.
+        Distance of the centre from the centre line, mm; positive to the left, seen outward along the tab.
     """
 
     at: Annotated[float, Option("Distance from the inner end of the tab.", "mm")]

@@ -23,9 +23,9 @@ HEAD = """# Strips bent by finite elements
 Does a strip take the curve for which elastica_cad designed it? On this page, strips are bent by an independent
 program. The program gmsh makes a mesh from the cutting file (DXF) of the strip. The program CalculiX bends this
 mesh into the drawn curve, and then releases it except for the tabs at its ends. If the design were exact, the
-strip would keep the drawn curve. Sheets, cuts and clamps have no errors here, except in *Pockets with
-clearance* and for the stiffness of plywood across its grain (*Random strips*). After the result, the page is
-for readers who know mechanics.
+strip would keep the drawn curve. Sheet, cut and clamps are exact, except in *Pockets with clearance*, and in
+*Random strips* for plywood, whose stiffness across the grain elastica_cad does not use. After the result, the
+page is for readers who know mechanics.
 
 {result}
 
@@ -45,10 +45,10 @@ test runs](trust.md) has the date and commit of the last run.
 """
 
 RESULT = """Result: with widths corrected for all effects, the largest distance between strip and drawn curve is
-{corrected} for {count} chosen strips, and {random} for {few} random strips. By default, {changed} of the
-{count} strips are corrected, and for curl across their width only; for all {count}, the distance is then {default}.
-Usual errors of sheet, cut and clamps move a strip by another {least:.1f} to {most:.1f} mm per metre, as computed
-for the random strips."""
+{corrected} for {count} chosen strips, and {random} for {few} random strips. The default corrects only {changed}
+of the {count} strips, and only for curl across their width; the distance for all {count} is then {default}.
+Usual errors of sheet, cut and clamps move a strip by another {least:.1f} to {most:.1f} mm per metre, as
+computed for the random strips."""
 
 ACCURACY = """These strips have a constant width, and their shape, frequency or sag is known in closed form. An
 elastica is the shape of a bent thin strip of constant width. In all rows, nu is 0. Errors of shapes are divided
@@ -72,9 +72,9 @@ DRAWN = """A random generator drew the curves, the widths, the places of slots a
 strips. The stiffness model was not adjusted to them. *Uncertainty* is the largest error that elastica_cad
 expects in its computed deviation, with or without correction. The ten strips that can be corrected are bent
 without and with correction, the other two once: this gives 22 cases. The uncertainties of slots and of
-perforated and laminated plywood were set after these results, so in their 8 cases the agreement is no
-independent proof. No uncertainty is below 1e-4. This floor was also set afterwards, but the other 14 cases
-agree without it too.
+perforated and laminated plywood were set after these results, so in these 8 cases (4 with slots, 4 of such
+plywood) the agreement is no independent proof. No uncertainty is below 1e-4. This floor was also set
+afterwards, but the other 14 cases agree without it too.
 
 Plywood has nu = 0.1, and a Young's modulus of 15 times its shear modulus. CalculiX, but not elastica_cad, uses
 a modulus across the grain of 0.3 of the modulus along the grain. Sheets without grain have nu = 0.3. The two
@@ -93,9 +93,9 @@ strips by {least:.1e} to {most:.1e}."""
 CORRECTED = ", made up for"
 """End of the name of a random strip with corrected widths."""
 
-TABS = """Strips of two more random curves, of the sheets of the random strips, are bent without correction. The
-tabs at both ends have 0.2, 0.35 or 0.5 of the width of the strip. One constant of the model was set after these
-results: the length over which a clamp prevents curling."""
+TABS = """Strips of two more random curves, cut from the same sheets as the random strips, are bent without
+correction. The tabs at both ends have 0.2, 0.35 or 0.5 of the width of the strip. One constant of the model was
+set after these results: the length over which a clamp prevents curling."""
 
 SIDEWAYS = """Does a bent strip stay in the plane of its curve, or does it tip over sideways? CalculiX computes
 the natural frequencies of the bent strip. The column *sideways* is for its slowest motion out of the plane, the
@@ -106,24 +106,24 @@ with the bending stiffness E I, the mass per length m and the length L; a straig
 
 The strips are 300 mm long and of constant width, with nu = 0.3. Strips without a backing are 0.8 mm thick.
 Laminated strips have two layers of 0.5 mm. *Backing 12 mm*: the second layer is 12 mm wide. *10 rows*: ten
-holes, one behind another along the strip. In *ends pushed together*, both clamps are on one line. The elliptic
-modulus k of the elastica says how near they are. The distance of the clamps is 0.84 of the length for k = 0.4,
+holes, one behind another along the strip. In *ends pushed together*, both clamps are on one line. The number
+k (elliptic modulus of the elastica) states how near they are: their distance is 0.84 of the length for k = 0.4,
 0.47 for 0.7, 0.28 for 0.8, 0.16 for 0.85, 0.09 for 0.88, and 0.03 for 0.9."""
 
 TAPERED = """These strips are 400 mm long and 8 mm wide; their thickness varies instead of their width. The
-round rods are as long, and their diameter varies. The mesh is made from the side view (DXF)."""
+round rods are also 400 mm long, and their diameter varies. The mesh is made from the side view (DXF)."""
 
 JOINED = """These strips are 300 mm long, 20 or 30 mm wide, and made of two pieces. A plate of the same sheet,
 as wide as the strip, is glued over the joint. One constant of the model was fitted to these strips: the length
 at each end of the plate that does not stiffen the strip."""
 
 FLEXURES = """These parts are cut in the plane of a sheet and have [two states](explanation/two_states.md). Each
-part is meshed from its DXF file, bent into each of its states, and then released except for its pads, by which
-it is clamped. The columns *first state* and *second state* have the deviation, which must be at most 3e-03.
-Both clips are pushed at their middle from each state to the other (the stand is not pushed). The largest force
-must be within a tenth of the computed force. After the push, the clip is released and moves slowly, as in a
-viscous fluid. It must come to rest within 3e-03 of the curve of the other state: the last column says whether
-it does after the push, and after the push back."""
+part is meshed from its DXF file, bent into each of its states, and then released except for the pads at its
+ends, by which it is clamped. The columns *first state* and *second state* have the deviation, which must be at
+most 3e-03. Both clips are pushed at their middle from each state to the other (the stand is not pushed). The
+largest force must be within a tenth of the computed force. After the push, the clip is released and moves
+slowly, as in a viscous fluid. It must come to rest within 3e-03 of the curve of the other state: the last
+column says whether it does, first after the push, then after the push back."""
 
 BETWEEN = """Forces act between the ends of these strips: a slat and two arches are on a rail, one strip has a
 tie between two of its places, and a bow of constant width has a string. For CalculiX, a tie or string is a
@@ -132,9 +132,9 @@ slides. The force is not prescribed: it follows from the elongation of the sprin
 the force changes by less than 1 % (tie, bow). The limits are 3e-03 for the deviation, and 3 % for the
 difference of the forces.
 
-The computed forces of rails include the compression of the strip along its length. The design neglects it: its
-forces, which are not in the table, are 5 % (0.8 mm thick) and 1 % (0.4 mm thick) larger for the shallow
-arches."""
+The computed forces of rails include the compression of the strip along its length. The forces that elastica_cad
+reports for a strip do not: for the shallow arches they are 5 % (0.8 mm thick) and 1 % (0.4 mm thick) larger
+than in the table."""
 
 POCKETS = """The tabs are in pockets 10 mm deep, with a clearance of 0.15 mm on each face. The walls are rigid
 and without friction. The columns have the largest distance between centre line and drawn curve in mm, by finite
@@ -144,7 +144,7 @@ elements and as computed by `Strip.held`. The strips of the Pavilion are of card
 BANK = """These are the strips of the table *Deviations by kind of strip*. Arch, bow, S, hook and tall ellipse
 are shapes of curves. A strip with *2 x 12* holes has 12 rows along its length, each of 2 holes side by side.
 Beside each deviation is the computed deviation. Where *by default* is blank, the widths are those of *not
-corrected*."""
+corrected*. A correction makes some deviations slightly larger, because some effects are not computed."""
 
 
 @dataclass(frozen=True)
