@@ -255,11 +255,11 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
-                "`keep.length` requires a length of {size:.6g}, but the limit of the length is "
-                "{size_2:.6g} to {size_3:.6g}: leave out `keep.length`, or change the limit",
+                "`keep.length` requires a length of {size:.6g}, but the limits of the length are "
+                "{low:.6g} and {high:.6g}: leave out `keep.length`, or change the limits",
                 size=Length(target.size),
-                size_2=BareLength(low * target.size),
-                size_3=Length(high * target.size),
+                low=BareLength(low * target.size),
+                high=Length(high * target.size),
             )
         low = high = 1.0
     if all(task.keep.both_ends):

@@ -227,11 +227,11 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     runs = _runs_between(path, low, high)
     if not runs:
         raise InputError(
-            "the path has no part between x = {low:g} and {high:g}: give places from {bounds:g} to {bounds_2:g}",
+            "the path has no part between x = {low:g} and {high:g}: give places from {least:g} to {most:g}",
             low=BareLength(low),
             high=Length(high),
-            bounds=BareLength(path.bounds[0, 0]),
-            bounds_2=Length(path.bounds[1, 0]),
+            least=BareLength(path.bounds[0, 0]),
+            most=Length(path.bounds[1, 0]),
         )
     if len(runs) > 1 and meets(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]

@@ -115,7 +115,8 @@ def require_place(at: object, owner: str) -> Place:
         x, y = pair(at, "place").tolist()
     except InputError:
         raise InputError(
-            f"The place of {owner} is {quoted(at)}. Give the arc length in mm, or a point (x, y) on the curve."
+            f"The place of {owner} is {quoted(at)}, neither a finite number nor a point. Give the arc length in "
+            "mm, or a point (x, y) on the curve."
         ) from None
     return x, y
 

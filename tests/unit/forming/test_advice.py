@@ -18,6 +18,7 @@ from elastica_cad import (
     nearest_rod,
     stability,
 )
+from elastica_cad.errors import rounded_up
 from elastica_cad.formats import curves_json
 from tests.command_line import run
 
@@ -152,7 +153,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     asked = ["strip", str(drawn), "--sheet", "mdf-3", "--max-width", "20", "-o", str(tmp_path / "out")]
     asked += ["--nearest", "--ratio", "1.2", "--keep-strain", "--keep-tangents", "--keep-length"]
     sheet = Sheet.named("mdf-3")
-    radius = f"low the limit of {sheet.least_radius:.3g} mm"
+    radius = f"low the limit of {rounded_up(sheet.least_radius, 3):g} mm"
     done = run(*asked, code=1)
     assert radius in done.stderr
     assert "Relax the strain limit of the sheet (use a thinner sheet), " in done.stderr

@@ -15,7 +15,10 @@ WAVE = ec.PlaneCurve.spline(
 @pytest.mark.parametrize(
     ("record", "message"),
     [
-        (lambda: ec.Rail("a"), "The place of a rail is 'a'. Give the arc length in mm"),
+        (
+            lambda: ec.Rail("a"),
+            "The place of a rail is 'a', neither a finite number nor a point. Give",
+        ),
         (lambda: ec.Rail((1, 2, 3)), "The place of a rail"),
         (lambda: ec.Rail(3, one_sided="yes"), "one_sided of a rail is"),
         (lambda: ec.Pin(float("nan")), "The place of a pin"),
