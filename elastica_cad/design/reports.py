@@ -28,6 +28,7 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.summary import instability, instability_in_plane
 
 STATIONS = 201
 """Number of evenly spaced stations at which a varying natural curvature is reported."""
@@ -143,6 +144,7 @@ def report_strip(
         )
     rod, sheet = strip.rod, strip.sheet
     low, high = strip.width.extremes
+    unstable = None if stability is None else instability(strip, stability)
     return {
         "schema": REPORT_SCHEMA,
         "name": name,
@@ -152,7 +154,7 @@ def report_strip(
         "curve": curve_record(rod.curve),
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
-        "stability": None if stability is None else _stability_report(stability),
+        "stability": None if stability is None else _stability_report(strip, stability),
         "sideways": report_sideways(strip.sideways),
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
@@ -181,16 +183,19 @@ def report_strip(
         "layers": _layers(strip),
         "reactions": report_reactions(strip.reactions()),
         "between": _between(strip),
-        "warnings": list(strip.warnings),
+        "warnings": [*strip.warnings, *([] if unstable is None else [unstable])],
     }
 
 
-def _stability_report(stability: Stability) -> dict[str, Any]:
+def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
+    word, meaning = str(stability.word), stability.meaning
+    if word == "ample" and (warning := instability_in_plane(strip, stability)):
+        word, meaning = "low", warning
     return {
         "stable": stability.stable,
         "margin": round_numbers(stability.margin),
-        "word": stability.word,
-        "meaning": stability.meaning,
+        "word": word,
+        "meaning": meaning,
     }
 
 

@@ -170,14 +170,7 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
 
 def instability(strip: Strip, verdict: Stability) -> Refusal | None:
     """Return the warning that a strip snaps in its plane or tips over sideways, or None if it is stable."""
-    if verdict.rating == "unstable":
-        return note("unstable: the strip snaps into another shape", severity="warning")
-    if verdict.rating == "close to snapping":
-        return note(
-            "close to snapping: a push can move the strip into another shape",
-            severity="warning",
-        )
-    if warning := clamp_warning(strip):
+    if warning := instability_in_plane(strip, verdict):
         return warning
     if strip.sideways.word == "unstable":
         return note(
@@ -187,6 +180,18 @@ def instability(strip: Strip, verdict: Stability) -> Refusal | None:
     if strip.sideways.word == "low":
         return note("close to tipping over sideways: guide the strip at the sides", severity="warning")
     return None
+
+
+def instability_in_plane(strip: Strip, verdict: Stability) -> Refusal | None:
+    """Return the warning that a strip snaps, or None if it is stable in its plane under errors of the clamps."""
+    if verdict.rating == "unstable":
+        return note("unstable: the strip snaps into another shape", severity="warning")
+    if verdict.rating == "close to snapping":
+        return note(
+            "close to snapping: a push can move the strip into another shape",
+            severity="warning",
+        )
+    return clamp_warning(strip)
 
 
 COMPRESSED_SHARE = 0.05

@@ -1,5 +1,6 @@
 """Strips that a small error of a clamp lets snap, against the boundary value problem of the rod."""
 
+import json
 import re
 
 import numpy as np
@@ -60,9 +61,13 @@ def test_a_strip_that_snaps_at_an_error_of_a_clamp_is_not_called_stable(tmp_path
     assert changes[0].startswith("Rest the strip on a rail")
     assert "the strip snaps at a small error of a clamp" in changes[-1]
     printed = run(f"strip {options} --nearest --stable -o out", cwd=tmp_path).output
-    (turn,) = re.findall(
-        r"! Stability close to snapping: .* clamp at its end is turned by ([\d.]+) degrees", printed
+    ((said, turn),) = re.findall(
+        r"! Stability (close to snapping: .* clamp at its end is turned by ([\d.]+) degrees.*)", printed
     )
+    report = json.loads((tmp_path / "out/wave.json").read_text())
+    assert report["stability"]["word"] == "low"
+    assert said.startswith(report["stability"]["meaning"])
+    assert report["stability"]["meaning"] in report["warnings"]
     (curve,) = ec.read_curves(tmp_path / "wave.txt")
     spec = ec.StripSpec(curve, SHEET, max_width=WIDTH, limits=ec.Limits(margin=5.0), keep=ec.Keep())
     strip = spec.make()
