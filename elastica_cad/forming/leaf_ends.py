@@ -106,7 +106,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not stacks:
         raise NotConvergedError(
-            f"no stack of {law.leaves} plies bends to a shape near this curve: use more and thinner plies"
+            f"no stack of {law.leaves} plies was found that bends near this curve: use more and thinner plies"
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:

@@ -263,7 +263,7 @@ class BattenSpec:
         if np.abs(solution.fun).max() < CAMBER_TOLERANCE:
             return float(solution.x[0]), float(solution.x[1])
         raise NotConvergedError(
-            f"no taper has a camber of {100 * self.camber:g} % at {100 * self.place:g} % of the "
+            f"no taper was found with a camber of {100 * self.camber:g} % at {100 * self.place:g} % of the "
             "chord: move the camber closer to the middle"
         )
 
