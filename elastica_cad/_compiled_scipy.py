@@ -46,9 +46,9 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
 def crossing(
     function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
 ) -> float:
-    """Return the zero of a function between `low` and `high`, where its signs differ, by Brent's method.
+    """Return a zero of a function whose values at `low` and `high` have opposite signs, by Brent's method.
 
-    The error is at most the larger tolerance.
+    The error is at most `absolute`, plus `relative` times the magnitude of the zero.
 
     Examples
     --------

@@ -9,7 +9,8 @@ from threading import current_thread, main_thread
 from types import FrameType
 
 PACKAGES = Path(__file__).parents[1]
-"""Folder that contains this package. If it is a checkout, a new Python process does not search it."""
+"""Folder that contains this package. `python_command` adds it to `sys.path`, because a new Python process does not
+search the folder of a checkout."""
 
 
 def python_command(module: str, function: str) -> list[str]:

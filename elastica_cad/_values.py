@@ -200,7 +200,7 @@ def several(
 
 
 _CACHED_KEY = "_value_key"
-# values of these frequent types are keys without conversion
+# `value_key` returns values of these frequent types unchanged
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 

@@ -212,7 +212,10 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Return True if a value has the kind, or if the kind occurs only in files."""
+    """Return True if a value has the kind and is within the bounds of the option.
+
+    Values of the kinds "names" and "either" are not checked.
+    """
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)

@@ -37,7 +37,7 @@ PLAY = 0.3
 """Clearance on each side of a tab in its slot. It is small, because tabs may be close to each other."""
 
 BORDER = 8.0
-"""Width of material beside slots and seats of a plate."""
+"""Width of material beside the slots of a plate, and beside the outlines of a ring to which tabs are glued."""
 
 BASE_PLAY, BASE_BORDER = 0.5, 12.0
 """Clearance on each side of a tab in a base plate, and width of material beside its slots."""

@@ -258,7 +258,10 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
 
 
 def near_names(name: str, known: Iterable[str], *, cutoff: float = 0.6) -> list[str]:
-    """Return the known name with the most similar spelling, or an empty list."""
+    """Return a list of the known name with the most similar spelling, or an empty list.
+
+    A name is similar enough if its similarity by `difflib`, 0 to 1, is at least `cutoff`.
+    """
     from difflib import get_close_matches
 
     return get_close_matches(name, list(known), n=1, cutoff=cutoff)

@@ -74,7 +74,9 @@ def sensitivities(
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
     to_equilibrium: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return the derivatives of angles, moments and positions, as in `forming.rod_map.StripGrid.sensitivities`."""
+    """Return the derivatives of angles, moments and positions with respect to the unknowns of
+    `forming.rod_map.StripGrid.sensitivities`.
+    """
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + to_equilibrium
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))

@@ -370,9 +370,10 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
         )
 
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
-        """Return the location of a joint on the end.
+        """Return the location, relative to the strip, of the part whose joint `other` is attached to the end.
 
-        The method of the base class does not define the direction of angle 0.
+        The end is rotated by `angle`, degrees. The method of the base class does not define the direction of
+        angle 0.
         """
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:

@@ -443,7 +443,7 @@ def _print_shapes(
     side_warnings = (
         text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
     )
-    # `Travel.warnings` report a snap with its place
+    # leave out warnings about a snap, because `moved.warnings` below state where it happens
     bent_warnings = (
         text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
     )

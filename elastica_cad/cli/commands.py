@@ -53,7 +53,7 @@ PER_MM = ("natural_curvature",)
 """Options in fixed units, to which `--units` does not apply: keys in mm, and curvatures in 1/mm."""
 
 ALIKE = {"name": "label"}
-"""First and second name of each option that has different names in different commands."""
+"""Options with the same use in different commands: the name in some commands, and the name in the others."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",

@@ -28,8 +28,8 @@ LEAST_DROOP_MM = 10.0
 """Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Largest difference of two readings, in standard deviations and as a fraction. Readings beyond both limits
-contradict each other."""
+"""Two readings contradict each other if their difference exceeds both limits: a number of standard deviations of
+the difference, and a fraction of the smaller reading."""
 
 
 @click.command()

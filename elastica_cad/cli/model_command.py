@@ -263,7 +263,7 @@ def _warnings(contents: KitContents) -> Iterator[Refusal]:
     for part in model.parts:
         for text in part.strip.warnings:
             if text == Status.FAR.value and part in far:
-                continue  # the notes of the kit already name this strip and a remedy
+                continue  # another note already names this strip and a remedy
             if voice().verbose or is_reported(text):
                 warning = text if isinstance(text, Refusal) else note(text, severity="warning")
                 yield warning.at(strip=part.name)

@@ -118,7 +118,7 @@ def _published_radii(sheet: Sheet) -> dict[str, str]:
     along, across = (least_plywood_radius(sheet.thickness, direction) for direction in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}
-    # round to two digits, as in the published table
+    # round to two digits, like the radii in the table of `PLYWOOD_SOURCE`
     along, across = (float(f"{radius:.2g}") for radius in (along, across))
     radii = f"{along:g} mm along the face grain, {across:g} mm across it ({PLYWOOD_SOURCE})"
     return {"published radius": radii}

@@ -45,13 +45,15 @@ from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import size_row, strip_rows
 
 MOST_NAMES = 3
-"""Largest number of cutting files that a row on several strips names."""
+"""Largest number of cutting files whose names are printed, if the command makes several strips."""
 
 BETTER_SHARE = 0.8
-"""Compensated widths are suggested if they reduce the expected deviation to less than this fraction."""
+"""Expected deviation of a strip with compensated widths, as a fraction of the expected deviation without
+compensation, below which --compensate is suggested."""
 
 SUGGESTED_DEVIATION = 3e-4
-"""Deviation of the strip, as a fraction of its length, above which corrected widths are suggested."""
+"""Computed deviation of the strip from its design, as a fraction of its length, above which compensated widths
+are tried."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
@@ -229,8 +231,8 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     with suppress(NotConvergedError):
         if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
-            # check the expected deviation too, because a compensated strip can be more sensitive to other
-            # errors
+            # compensation reduces the computed deviation, but it can increase the expected deviation, which
+            # includes errors of the sheet and of the cut
             if (
                 better.correction is not None
                 and better.held_deviation < strip.held_deviation / 2

@@ -61,7 +61,7 @@ CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split
 
 
 def _arguments_of(change: Change) -> tuple[str, ...]:
-    if change.field == "between":  # the option is named after the record, and its values are positions
+    if change.field == "between":  # the class gives the option (--rail, --pin, --tie)
         record: Any = type(change.value)
         places = [
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED

@@ -30,7 +30,8 @@ TURN_RAD = 2.5
 """Angle, rad, of the circular arc into which a strip is bent for meshing, so that its tabs do not meet."""
 
 CHORD = 5e-5
-"""Largest distance of triangles from the bent strip, by its length: about 80 triangles along a strip."""
+"""Largest distance of triangles from the bent strip, as a fraction of its length. It gives about 80 segments along
+the strip."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,8 @@ POINTS = 120
 """Number of points on each span of an edge of a section, or fewer for an edge with more than four spans."""
 
 MOST = 1000
-"""Number of points above which a line is thinned. Evenly spaced points and points at bends remain."""
+"""Number of points above which a line is thinned. Half as many evenly spaced points remain, and the points that
+`BETWEEN` requires."""
 
 BETWEEN = 1e-3
 """Largest distance, mm, of omitted points from the chords between remaining points."""
@@ -42,8 +43,9 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     Returns
     -------
     tuple of PlaneSection
-        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or as many as
-        its chords need to deviate by at most 0.001 mm. The section has no lines if the plane misses the shape.
+        A section for each plane, in order. Points are on the surface. A line with more than 1000 points is thinned:
+        omitted points are within 0.001 mm of the chords between the remaining points. The section has no lines if
+        the plane misses the shape.
     """
     k, shape = kernel(), bare(shape)
     if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():

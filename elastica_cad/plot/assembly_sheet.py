@@ -357,7 +357,8 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # positions of rings are in the text of the sheet, and positions of spacers follow from their slots
+        # leave out blocks, which have their own table, rings and glued parts, which the text of the page describes,
+        # and spacers, which fit into slots
         if isinstance(holder, EndFixture | Spacer) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):

@@ -31,7 +31,9 @@ PICTURES = (".png", ".pdf")
 
 
 class DrawingProcess:
-    """Second process, started by the constructor and ended by `drawing_process`.
+    """Second process, which imports matplotlib while the command computes, and then draws the command's pictures.
+
+    The constructor starts the process, and `end` kills it.
 
     Raises
     ------

@@ -42,13 +42,14 @@ END_LABEL_INCHES = 0.3
 """Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Range of displacements that are also drawn enlarged, and the enlarged size, as fractions of the length."""
+"""Fractions of the length. If the largest displacement is between the first two, the displacement is also drawn
+enlarged to the third."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Panel for a drawing with numbers on both axes, a title, and a legend below the title."""
 
 STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
-"""Panel for the graph of K along the strip, with a title."""
+"""Panel for the graph of the stiffness along the strip, with a title."""
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Width of the axes, inches."""

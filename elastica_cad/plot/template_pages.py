@@ -23,7 +23,7 @@ PAPERS = {
 
 MARGIN_MM = 10.0  # margin, mm, that home printers cannot print
 OVERLAP_MM = 10.0  # overlap of neighbouring tiles, mm, for glue
-# largest distance, mm, between splines and drawn lines: a fifth of a dot at 600 dpi
+# largest distance, mm, between splines and drawn lines: a quarter of a dot at 600 dpi
 CHORD_MM = 0.01
 CROSS_MM = 4.0  # length of the arms of a registration mark, mm
 RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled the page

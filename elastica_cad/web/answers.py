@@ -94,7 +94,7 @@ STATES = ("first", "second")
 CURVE_KEYS = ("curve", *STATES)
 
 REMOVED = {"nearest": ("limits", "keep"), "elements": ("between", "loads")}
-"""Keys that a change removes from a design, by the field of the change, if settings conflict."""
+"""Keys that the page offers to remove if settings of a design conflict, by the field of the suggested change."""
 
 CHANGED = "{name} was changed since this page read it"
 
@@ -102,7 +102,8 @@ BENT_STEPS, PRESSED_STEPS = 32, 12
 """Number of shapes from the flat strip to the design, and from the design to ends pressed closer together."""
 
 NEARLY_FLAT = 0.9999
-"""Largest distance of the ends, as a fraction of the length. A straighter strip could bend to either side."""
+"""Distance between the ends of the flattest shape that the page shows, as a fraction of the strip's length. A
+straighter strip could bend to either side."""
 
 PRESSED_FRACTION = 0.4
 """Largest reduction of the distance between the ends, as a fraction of this distance."""
