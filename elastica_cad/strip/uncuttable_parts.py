@@ -478,12 +478,16 @@ def find_plate_faults(
     others = len(holes) - len(called) - len(drilled)
     loops = (note("the edge"), *called, *(note("a hole") for _ in range(others)), *drilled)
     at_holes = [place for place in places if max(place.loops) > len(called) + others]
+    between_slots = [place for place in places if 1 <= min(place.loops) <= max(place.loops) <= len(called)]
+    at_edges = [place for place in places if place not in at_holes and place not in between_slots]
     return (
         *_faults_at(
-            name, [place for place in places if place not in at_holes], least, sheet,
-            note("Leave more room between the slots: use a larger ring or plate, fewer or narrower strips, "
-                 "or a wider border"),
+            name, between_slots, least, sheet,
+            note("Leave more room between the slots: use a larger ring or plate, or fewer or narrower strips"),
             loops,
+        ),
+        *_faults_at(
+            name, at_edges, least, sheet, note("Use a wider border, or narrower strips"), loops
         ),
         *_faults_at(
             name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops,
