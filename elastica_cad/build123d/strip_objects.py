@@ -149,7 +149,7 @@ class _StripShape(_Jointed, StripBody):
 
     @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "BentStrip":
-        """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
+        """Return the bent strip on its curve, or with its ends moved: `rib.bent(end=(120, 0))`."""
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
         return BentStrip(self._bent_anew(moved), plane=self.frame, color=self.color, mode=bd.Mode.PRIVATE)

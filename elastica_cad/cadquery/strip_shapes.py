@@ -134,7 +134,7 @@ class _StripShape(StripBody, _Moved):
 
     @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
-        """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
+        """Return the bent strip on its curve, or with its ends moved: `rib.bent(end=(120, 0))`."""
         if not moved:
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame, color=self.color)

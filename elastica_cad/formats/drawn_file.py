@@ -528,7 +528,7 @@ def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
     notes: list[str] = []
     for kind, text in _OVERLAPS.items():
         pairs = dict.fromkeys(
-            note("{one} on {other}", one=_shape(shape), other=_shape(other))
+            note("{one} lies on {other}", one=_shape(shape), other=_shape(other))
             for shape, other, how in joined.overlaps
             if how == kind
         )

@@ -474,7 +474,7 @@ class BendLimit(Constraint):
 class CurvatureLimit(BendLimit):
     """Condition that the change of curvature at every node is at most the constant `limit`.
 
-    The limit is multiplied by the length of the target.
+    `limit` is a curvature times the length of the target.
     """
 
     limit: float

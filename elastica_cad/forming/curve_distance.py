@@ -64,7 +64,7 @@ class TargetCurve:
         return spline(s), spline(s, 1)
 
     def angles(self, s: FloatArray) -> FloatArray:
-        """Return the angles (n,) at arc lengths s (n,) in 0..1."""
+        """Return the tangent angles (n,), rad, at s (n,): arc lengths divided by the length of the target."""
         return np.interp(s, even_steps(self.angle.size), self.angle)
 
     def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:

@@ -92,7 +92,7 @@ class ArcLength:
     def _table(self) -> tuple[FloatArray, FloatArray]:
         """Coordinates at which the arc length is tabulated, and the arc lengths there, which never decrease.
 
-        Panel i has the coordinates 2 i - 1 to 2 i + 1.
+        The coordinate runs through all panels: panel i has the coordinates from 2 i - 1 to 2 i + 1.
         """
         panels = len(self.series)
         inside = self.series @ chebyshev.chebvander(_PLACES[:-1], _DEGREE + 1).T + self.s[:-1, None]

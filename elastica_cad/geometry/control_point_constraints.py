@@ -42,7 +42,11 @@ class EndPositions:
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the x and y distances, mm, of the ends of the curve from the fixed points."""
+        """Return the residuals and the matrix of the constraint.
+
+        The residuals are the distances, mm, in x and y of the fixed ends of the curve from their points. The matrix
+        has their derivatives by the control points.
+        """
         held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
         if not held:
             return np.zeros(0), np.zeros((0, curve.control_points.size))

@@ -42,7 +42,7 @@ from elastica_cad.refusals import Length, note
 _STANDSTILL_SHARE = 1e-9
 # a knot span is a single point if its speed is below this fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-# a tangent cone contains a velocity if the component along its axis exceeds this fraction of the speed
+# a tangent cone contains a velocity if its component along the axis of the cone exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9
 # largest number of halvings of a knot span; if the velocities are then not in one half plane, there is a cusp
 _MOST_HALVINGS = 27

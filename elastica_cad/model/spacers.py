@@ -63,10 +63,11 @@ DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
 """Angles, rad, of the directions in which a plate may tilt over its spacers."""
 
 LEAST_SPREAD = 0.25
-"""Least distance that spacers reach from the middle of the tabs in every direction, divided by that of the slots.
+"""Least spread of spacers: their distance from the middle of the tabs, as a fraction of that of the slots.
 
-If a spacer is wider than the distance that the slots reach, or if there are two spacers, the divisor is the width
-of a spacer. Three spacers at equal angles have about 0.5.
+Both distances are measured in the direction in which they are shortest. Three spacers at equal angles on the
+circle of the slots have about 0.5. If there are two spacers, or if a spacer is wider than the distance of the
+slots, the distance of the spacers is divided by the width of a spacer instead.
 """
 
 LABEL_MM = 4.0

@@ -59,7 +59,9 @@ def test_of_shapes_that_lie_on_each_other_the_longer_one_counts(drawing, part):
     whole = 70 if part[1] <= 70 else 188.505
     curves = drawing(lambda space: (space.add_arc((0, 0), 90, *part), space.add_arc((0, 0), 90, 0, whole)))
     assert [curve.length for curve in curves] == pytest.approx([90 * np.radians(whole)])
-    assert curves.notes == ("drawn twice, so the longer shape is used: ARC 2F (layer 0) on ARC 30 (layer 0)",)
+    assert curves.notes == (
+        "drawn twice, so the longer shape is used: ARC 2F (layer 0) lies on ARC 30 (layer 0)",
+    )
 
 
 def test_a_curve_drawn_twice_is_reported_in_whatever_form(drawing):

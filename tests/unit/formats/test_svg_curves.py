@@ -472,7 +472,7 @@ def test_touching_shapes_with_names_are_reported_in_one_line(svg):
     assert [one.name for one in read.file] == ["rib", "twin", "side0", "side1", "side2"]
     told, twice = read.notes
     assert "curve 1 (rib) and curve 2 (twin)" in told
-    assert twice == "drawn twice with different layers or names, so both are used: twin on rib"
+    assert twice == "drawn twice with different layers or names, so both are used: twin lies on rib"
     assert "and 2 more. To make one strip" in told
     assert "combine them into one path in the drawing program, or remove their names" in told
 

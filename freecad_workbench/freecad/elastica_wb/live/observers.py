@@ -54,9 +54,9 @@ class LaterResults:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """Queue the nests of the document.
+        """Queue the nests of the document for an update.
 
-        A feature that changed a strip may have been deleted without a recompute.
+        The deleted object may have changed a strip of a nest, and FreeCAD does not recompute the nest.
         """
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
