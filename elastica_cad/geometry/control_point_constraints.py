@@ -109,7 +109,11 @@ class SmoothJoints:
         return cls(at, handle)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the distance, mm, of the control point before each joint from the tangent after the joint."""
+        """Return the residuals and the matrix of the constraint.
+
+        A residual is the distance, mm, of the control point before a joint from the tangent after the joint. The
+        matrix has the derivatives of the residuals by the control points.
+        """
         points, at = curve.control_points, self.at
         before, after = points[at] - points[at - 1], points[at + 1] - points[at]
         residual = cross(before, after) / self.size

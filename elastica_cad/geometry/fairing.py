@@ -99,7 +99,7 @@ _LINEARISATIONS = 3
 _HALVINGS = 14
 # samples must be within this fraction of the tolerance, because the curve may be farther away between samples
 _USED = 0.96
-_SLIDE = 1e4  # weight of distances along the drawn curve, relative to distances normal to it
+_SLIDE = 1e4  # weight of squared distances along the drawn curve; those normal to the curve have the weight 1
 _FINE = 1.5  # least ratio of the smoothing length to the length of a knot span
 _DENSE = 8  # number of points in each knot span at which the distance is measured
 

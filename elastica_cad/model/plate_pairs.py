@@ -204,7 +204,7 @@ def _tested_cures(
     sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
     if length < np.inf and len(slotted) == len(plates):
-        # a tab of given length has no default width, so a width is also suggested if tabs depend on the gap
+        # if `strips_at` makes the strips, tabs of a given length lose their default width: suggest the width too
         sized = fitting_tabs(placed, slotted, gap, length, keep=strips_at is None)
     if sized is not None:
         long, wide = sized

@@ -229,7 +229,8 @@ def two_state_rod(
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
     """Return the moment parameters (6,) with the least stiffness ratio within the limits.
 
-    Among all such parameters, these have the least bend.
+    If several parameters have this ratio, return those for which the largest change of
+    curvature in both states is least.
     """
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:

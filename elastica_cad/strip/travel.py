@@ -167,7 +167,7 @@ class Travel:
         return self.start_moment if start > end else self.end_moment
 
     def place_message(self, at: float) -> Refusal:
-        """Return a text for the position `at` in the movement. The unit of `at` is `unit`."""
+        """Return words for a place in the movement, such as "5 mm of travel". The unit of `at` is `self.unit`."""
         at = require_number(at, "the place", self.unit)
         if self.is_still:
             return note("{percent:.3g} % of the change", percent=at)
