@@ -37,7 +37,7 @@ def read(tmp_path):
 def test_defaults_stand_for_all_strips_and_can_be_changed(read):
     design = read(
         HEAD + f"ends.length = 8\n[[strips]]\n{ARC}\n[[strips]]\n{ARC}\n"
-        'sheet = "birch-plywood-0.8"\nmax_width = "2 * 15"\nends = [{ length = 5 }, { length = 7, width = 9 }]\n'
+        'sheet = "birch-plywood-0.8"\nmax_width = "2 * 15"\nends = [{ length = 5 }, { length = 7, width = 24 }]\n'
     )
     first, second = design.model().strips
     assert (first.sheet.name, first.max_width, [tab.length for tab in first.ends]) == (
@@ -47,7 +47,7 @@ def test_defaults_stand_for_all_strips_and_can_be_changed(read):
     )
     assert second.sheet.name == "birch-plywood-0.8"
     assert second.max_width == 30
-    assert [(tab.length, tab.width) for tab in second.ends] == [(5, None), (7, 9)]
+    assert [(tab.length, tab.width) for tab in second.ends] == [(5, None), (7, 24)]
     assert (first.label, second.label, design.name) == ("S1", "S2", "design")
 
 

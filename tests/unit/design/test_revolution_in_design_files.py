@@ -82,7 +82,7 @@ def test_the_opening_of_a_narrow_ring_follows_from_its_note(read):
     closed = kit_contents(read(vase).model())
     assert [ring.opening for ring in closed.model.plates] == [None, None]
     (note, *_) = (text for text in closed.notes if text.startswith("ring-bottom has no opening"))
-    assert "border of 8 mm. For an opening, reduce the border" in note
+    assert "border of 8 mm leave less than 20 mm free. For an opening, reduce the border" in note
     opened = kit_contents(read(f"{vase}border = 4\n").model())
     assert all(ring.radii[0] >= 10 for ring in opened.model.plates)
     assert not any("no opening" in text for text in opened.notes)
