@@ -116,7 +116,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""Records of each family by the value of the key `kind`. The first is the default."""
+"""Kinds of a record, by the value of the key `kind`. The first kind is the default."""
 
 MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
 """Functions that make a record from its table, if its class does not accept all values of the table."""

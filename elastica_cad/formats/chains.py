@@ -502,7 +502,7 @@ def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
     t = drawn.stations()
     points = drawn.at(t)
     away = np.hypot(*(points - healed.evaluate(t)).T)
-    # the nearest points of the curve have other parameters, so the distances are smaller than `away`
+    # `away` compares points at equal parameters; the distances to the nearest points are smaller
     return float(distances(Spline(healed), points[away >= away.max() / 2]).max())
 
 

@@ -70,7 +70,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
 
 
 KEYS_OF_FILES = ("$INSUNITS", "a comment", "width and height", "units", "STEP")
-"""Sources of a unit for which reports say "the file"."""
+"""Keys that state the unit in a file. Reports then say that the unit is "from the file"."""
 
 EXACT_MM = 1e-3
 """Largest distance from the drawing, mm, at which a curve counts as exact."""

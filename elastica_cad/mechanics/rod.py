@@ -349,7 +349,10 @@ _SHORTEST_BENT = 24
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
-    """Return the values (n, 18) of 18 functions that correct an angle, at x (n,) between 0 and 1."""
+    """Return 18 functions (n, 18) of x (n,), 0 to 1 along the rod.
+
+    Multiples of them are added to the tangent angle of a curve, so that its ends get given angles and positions.
+    """
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)

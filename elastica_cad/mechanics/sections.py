@@ -109,7 +109,7 @@ def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Correct the term `flat` of `anticlastic_factor` for the natural curvature `rest`, 1/mm."""
-    # where kappa is 0, `scaled` tends to 0, because `flat` decreases faster than kappa
+    # where kappa is 0, any finite `share` gives the limit 0 of `scaled`, because `flat` is 0 there
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
