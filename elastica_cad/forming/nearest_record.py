@@ -308,9 +308,7 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
         )
     if kind == "curvature":
         return note(
-            "the curvature limit"
-            if limits.curvature == limits.largest_curvature
-            else "the strain limit of the sheet (use a thinner sheet)"
+            "the curvature limit" if limits.curvature == limits.largest_curvature else _NAMES["strain"]
         )
     if kind == "length":
         return note("the length" if near.keep.length else "the range of lengths")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -218,7 +218,7 @@ class EquilibriumCheck:
         if self.undecided is not None:
             return sentences([*outlier, self.verdict], " ")
         first = [*outlier, self.verdict] if outlier else [self.verdict, *self.points_message]
-        kept = [text for text in self.warnings if self.realizable or getattr(text, "kind", "") != "kinks"]
+        kept = [text for text in self.warnings if self.realizable or not is_about_kinks(text)]
         return sentences([*first, *self.reasons, *kept], " ")
 
     @property
@@ -967,6 +967,11 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
             "curve a little more there, or clearly to the other side.",
             places=lengths(touches),
         )
+
+
+def is_about_kinks(warning: str) -> TypeGuard[Refusal]:
+    """Return True for a warning of `_warn_of_widths` about corners of the edges or jumps of the width."""
+    return isinstance(warning, Refusal) and warning.kind == "kinks"
 
 
 def _warn_of_widths(

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from functools import lru_cache
 
 import numpy as np
 
@@ -358,13 +359,14 @@ MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""
 
 
-def _mounting_moves(strip: Strip) -> list[float]:
-    return [MOUNTING_ERROR_MM * moved for moved in displacements_per_mm(strip.rod)]
+@lru_cache(maxsize=64)
+def _mounting_moves(rod: Rod) -> tuple[float, ...]:
+    return tuple(MOUNTING_ERROR_MM * moved for moved in displacements_per_mm(rod))
 
 
 def moves_far(strip: Strip) -> bool:
     """Return True if a usual mounting error of a rail, pin or tie moves the strip far."""
-    return bool(strip.rod.between) and max(_mounting_moves(strip)) > FAR_SHARE * strip.rod.length
+    return bool(strip.rod.between) and max(_mounting_moves(strip.rod)) > FAR_SHARE * strip.rod.length
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
@@ -378,7 +380,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
             far=_rounded_move(moved), element=noun_of(action.element),
             start=Length(action.s[0]), end=Length(action.s[-1]),
         )
-        for action, moved in zip(strip.rod.between, _mounting_moves(strip), strict=True)
+        for action, moved in zip(strip.rod.between, _mounting_moves(strip.rod), strict=True)
     ]  # fmt: skip
     text = note(
         "if mounted with an error of {error}, {moves}", error=Length(MOUNTING_ERROR_MM), moves=sentences(texts),
