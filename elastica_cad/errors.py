@@ -15,6 +15,7 @@ from elastica_cad.refusals import Change, Length, Refusal
 __all__ = [
     "Change",
     "ElasticaError",
+    "FaultError",
     "InputError",
     "Length",
     "MissingDependencyError",
@@ -139,6 +140,12 @@ class StrainError(InputError):
     """The strip would break, because its strain exceeds the breaking strain of its sheet."""
 
     KIND = "strain"
+
+
+class FaultError(InputError):
+    """No part can be made within the widths of the request and the limits of the workshop."""
+
+    KIND = "fault"
 
 
 class NotConvergedError(ElasticaError, RuntimeError):

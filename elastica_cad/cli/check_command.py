@@ -34,8 +34,8 @@ from elastica_cad.cli.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
-from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
+from elastica_cad.cli.voice import answer, exit_code, say, say_row, say_step, voice, warn, wrote
+from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import ElasticaError, InputError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
@@ -126,12 +126,11 @@ def check(
         on_elements = between and verdict.realizable
         _draw(request.rod(smoothing.curve) if on_elements else verdict, picture, force=force)
     for rows, alike in groupby(
-        ((drawn, request.judged(drawn)) for drawn in requested),
-        key=lambda pair: _rows(pair[1]),
+        ((drawn, *request.judged(drawn)) for drawn in requested),
+        key=lambda judged: _rows(judged[1]),
     ):
-        curves, reports = zip(*alike, strict=True)
+        curves, reports, codes = zip(*alike, strict=True)
         first, last, answered = curves[0], curves[-1], reports[-1]
-        good = answered["realizable"] and not answered.get("undecided")
         if "problem" in answered:
             bad += len(curves)
             warn(answered["advice"], printed=bad <= MOST_REFUSALS)
@@ -148,12 +147,12 @@ def check(
                 answered.setdefault("cures", []).append(cure)
                 say_row(Row("Change", cure["text"]))
         if (
-            good
+            not codes[-1]
             and not (several or voice().quiet or picture)
             and (larger := request.enlarging(first, answered))
         ):
             say_row(Row("Change", larger))
-        worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
+        worst = max(worst, *codes)
         answers.extend(reports)
     if bad > MOST_REFUSALS:
         warn(f"{bad} of {len(requested)} curves have faults and cannot be checked{listing_note(bad)}.")
@@ -185,19 +184,22 @@ class _Request:
             curve, supports=self.supports, natural_curvature=self.natural_curvature, between=self.between
         )
 
-    def judged(self, requested: RequestedCurve) -> dict[str, Any]:
+    def judged(self, requested: RequestedCurve) -> tuple[dict[str, Any], int]:
+        """Return the report on a curve, and the exit code."""
         try:
-            return self._report(requested)
+            report = self._report(requested)
         except ElasticaError as problem:
             if not self.alone:
-                return {
+                refused = {
                     "realizable": False,
                     "problem": str(problem),
                     "advice": f"{str(problem).rstrip('.')}.",
                 }
+                return refused, exit_code(problem)
             if not requested.drawn.problem:
                 suggest_later(partial(self.request, requested), self.typed)
             raise
+        return report, 0 if report["realizable"] and not report.get("undecided") else NOT_REALIZABLE
 
     def _report(self, requested: RequestedCurve) -> dict[str, Any]:
         ends, smoothing, verdict = self.examined(requested)

@@ -13,13 +13,12 @@ import numpy as np
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, cures_after
-from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, say_error, voice, warn
-from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
+from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
+from elastica_cad.defaults import BAD_INPUT, OUTPUT_CLOSED
 from elastica_cad.errors import (
     ElasticaError,
     InputError,
     NotMetError,
-    StrainError,
     installed_version,
     near_names,
     quoted,
@@ -63,14 +62,11 @@ FILES = {
 }
 """Instructions for missing input files, by the name of the argument."""
 
-EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
-    NotRealizable: ("Not realizable: ", NOT_REALIZABLE),
-    StrainError: ("", NOT_REALIZABLE),
-    NotMetError: ("Not within these limits: ", NOT_REALIZABLE),
-    ElasticaError: ("", BAD_INPUT),
+FIRST_WORDS: dict[type[ElasticaError], str] = {
+    NotRealizable: "Not realizable: ",
+    NotMetError: "Not within these limits: ",
 }
-"""First words of the error message, and exit code, for each class of errors. The first matching class is
-used."""
+"""First words of the error message for some classes of errors."""
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:
@@ -291,9 +287,10 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
     options below may stand before or after the command. `elastica help` lists all settings of a strip (keys of a
     design file and of --set), and `elastica help KEY` explains a key.
 
-    Exit codes: 0 done, with warnings or without; 1 no strip can take the curve, this is undecided, no curve near it
-    meets the limits of --nearest (such as --margin and --ratio), or the sheet is likely to break; 2 bad input;
-    130 stopped by Ctrl-C; 141 the program that reads the output, such as `head`, ended early.
+    Exit codes: 0 done, with warnings or without; 1 the input is valid, but no strip can be made (no strip can take
+    the curve, this is undecided, a limit of the request or of the workshop is not met, such as --margin, --ratio or
+    a least width, no solution was found, or the sheet is likely to break); 2 bad input; 130 stopped by Ctrl-C; 141
+    the program that reads the output, such as `head`, ended early. Of several curves, the largest code counts.
 
     A sheet is likely to break above its breaking strain: 1.5 times the allowed strain for wood and plywood, more
     for other listed sheets, unknown for card, metals and polypropylene. If the strain is above the allowed strain
@@ -429,7 +426,7 @@ def _run_once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 def _refuse(problem: ElasticaError) -> int:
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
-    begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
+    begins, code = FIRST_WORDS.get(type(problem), ""), exit_code(problem)
     # if the check is undecided, the curve may be realizable
     undecided = bool(problem.details)
     text, option = f"{'' if undecided else begins}{problem}", problem.refusal.where.get("option", "")

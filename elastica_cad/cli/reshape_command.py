@@ -14,6 +14,7 @@ from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
+from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_writer import FitWarning, write_curves
@@ -106,8 +107,9 @@ def reshape(
     bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
         say_row(warning_row(NO_MAP, "Change"))
-    if bad or len(originals) < len(chosen):
-        ctx.exit(1)
+    left_out = len(originals) < len(chosen)
+    if bad or left_out:
+        ctx.exit(BAD_INPUT if left_out else NOT_REALIZABLE)
 
 
 def _write_curves(curves: Sequence[PlaneCurve], path: Path) -> None:

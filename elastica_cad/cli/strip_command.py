@@ -18,8 +18,9 @@ from elastica_cad.cli.suggestions import (
     listing_note,
     suggest_later,
 )
-from elastica_cad.cli.voice import answer, cut_text, say, say_row, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
+from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import Reader
 from elastica_cad.design.reports import pre_bend_message
@@ -109,7 +110,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     )
     if chosen["save_design"] is not None:
         check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
-    reports, solved, wrong, refused = [], list[RequestedCurve](), 0, 0
+    reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
     for requested in curves:
@@ -142,7 +143,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     warn(outlier)
             if len(curves) == 1 and not chosen["every"]:
                 raise
-            wrong, refused = wrong + 1, refused + 1
+            wrong, refused, worst = wrong + 1, refused + 1, max(worst, exit_code(problem))
             called, message = requested.drawn.called, str(problem)
             warn(message if called in message else f"{called}: {message}", printed=refused <= MOST_REFUSALS)
     answer({"strips": reports})
@@ -169,7 +170,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             warn(
                 f"{wrong} of {len(curves)} curves cannot be made with these options{listing_note(refused)}{less}."
             )
-        ctx.exit(1)
+        ctx.exit(worst)
 
 
 def _save_design(

@@ -17,8 +17,10 @@ import numpy as np
 
 from elastica_cad._text import printable
 from elastica_cad._values import round_numbers
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
+from elastica_cad.errors import ElasticaError, FaultError, InputError, NotConvergedError, StrainError
 from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
+from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.report_rows import LABEL_WIDTH, Row, printed_row
 
 _KEY = "elastica.voice"
@@ -101,6 +103,15 @@ def say_error(text: str, details: Iterable[str] = ()) -> None:
     _print_row(Row("Error", text, severity="error"), err=True)
     for detail in details:
         echo(f"{'':<{LABEL_WIDTH}} {detail}", err=True)
+
+
+NO_STRIP = NotRealizable, StrainError, FaultError, NotConvergedError
+"""Classes of errors of a valid request for which no strip can be made."""
+
+
+def exit_code(problem: ElasticaError) -> int:
+    """Return the exit code of a command that ends with this error."""
+    return NOT_REALIZABLE if isinstance(problem, NO_STRIP) else BAD_INPUT
 
 
 def voice() -> Voice:

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import numbers
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import FaultError, InputError, NotConvergedError
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
@@ -220,7 +220,7 @@ class BattenSpec:
             if side > 0
             else note("at most {percent:.3g} %", percent=np.floor(10 * within) / 10)
         )
-        return InputError(
+        return FaultError(
             "with the largest camber at {place:.4g} % of the chord, the thin end would be thinner than the "
             "limit of {least:g}{thin}. Move the largest camber to {nearest} of the chord, or reduce this "
             "limit",

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.defaults import TAB_LENGTH
-from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -178,7 +178,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
         known = {fault.what for fault in find_strip_faults(strip, fields.get("shop"))}
         for fault in find_strip_faults(result.pattern, fields.get("shop")):
             if fault.what not in known:
-                raise InputError(
+                raise FaultError(
                     "The hole for the cord is too large: {what}. Make the hole smaller, or the strip wider.",
                     what=fault.what,
                 )

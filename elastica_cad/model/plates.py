@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
@@ -788,7 +788,7 @@ def ring_plate(
         return plate_with(slots, sheet, frame, ring_options, Ring)
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
-        raise InputError(
+        raise FaultError(
             "{name}: the tabs meet the plane of the ring at {lean:.3g} degrees. Slots need more than "
             "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. Shorten or lengthen the "
             "strips until their ends are steeper or flatter",
@@ -796,7 +796,6 @@ def ring_plate(
             lean=lean,
             steep=steep,
             flat=flat,
-            kind="fault",
         )
     below = middle > height
     frame = _level_frame(height + (-0.5 if below else 0.5) * first.thickness, up=below)

@@ -21,7 +21,15 @@ from elastica_cad._values import (
     require_record,
 )
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, NotConvergedError, StrainError, quoted, rounded_down, rounded_up
+from elastica_cad.errors import (
+    FaultError,
+    InputError,
+    NotConvergedError,
+    StrainError,
+    quoted,
+    rounded_down,
+    rounded_up,
+)
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -557,14 +565,14 @@ class Flexure:
         )
         least, spacing = self.pad.hole + self.sheet.thickness / 2, self.pad.length - 2 * self.pad.inset
         if spacing < least:
-            raise InputError(
+            raise FaultError(
                 "the two holes of a pad are {spacing} apart, but a holder {thickness} thick needs at least "
                 "{least} between their centres. Set {field} to {longer:g} or more",
                 spacing=Length(spacing), thickness=Length(self.sheet.thickness), least=Length(least),
                 field=FieldName("pad.length"), longer=Length(rounded_up(least + 2 * self.pad.inset, 3)),
             )  # fmt: skip
         if apart < least * (1 - 1e-9):
-            raise InputError(
+            raise FaultError(
                 "the holder's holes for the two states are only {apart} apart, but need at least {least} "
                 "between their centres. Change the length of the pads, or turn the second curve so that its end "
                 "is elsewhere",
@@ -837,7 +845,7 @@ class Flexure:
         if thin < least * (1 - 1e-6):
             verb = "printed" if self.printed else "cut"
             share = self._enlargement(least)
-            yield InputError(
+            yield FaultError(
                 "{sheet} allows a strain of {strain:.2g} %, so the thinnest place may be at most {thin:.3g} "
                 "thick, but parts must be at least {least:g} thick to be {made}. Draw both curves {share:g} "
                 "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
@@ -856,7 +864,7 @@ class Flexure:
                 worst=reached, sheet=self.sheet.name, most=limit,
             )  # fmt: skip
         for name, gap in self.contacts.items():
-            yield InputError(
+            yield FaultError(
                 "two places of the part are only {gap} apart ({name}), so the part may touch itself. Draw "
                 "the curves farther apart there" if gap > 0 else
                 "two places of the part overlap ({name}). Draw the curves farther apart there",

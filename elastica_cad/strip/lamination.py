@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import distinct_digits, is_number
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.errors import FaultError, InputError, rounded_up
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.rod import Rod
@@ -127,7 +127,7 @@ class Laminated:
         i = int(np.argmin(w1))
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
-            raise InputError(
+            raise FaultError(
                 "the base {s:.1f} from the start is {w1:g} wide, less than the narrowest backing "
                 "({least:g}): widen the base there",
                 w1=Length(narrow),
@@ -136,13 +136,13 @@ class Laminated:
             )
         fits = section.scale_range(w1, K, least_backing=least)
         if not fits.feasible:
-            raise InputError(_infeasible(section, fits, s, K, w1, least))
+            raise FaultError(_infeasible(section, fits, s, K, w1, least))
         if most is not None:
             widest = section.bending_stiffness(w1, np.minimum(w1, most))
             fits = ScaleRange.of(section.bending_stiffness(w1, least), widest, K)
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
-            raise InputError(
+            raise FaultError(
                 "{field} is {most:g}, but a backing that is at least {least:g} wide {low:.1f} from the start of "
                 "the strip must be wider than {most:g} {high:.1f} from the start. Raise {field}",
                 field=MATERIAL_WIDTH,
@@ -154,7 +154,7 @@ class Laminated:
         scale = rod.bending_stiffness or fits.highest
         if scale > fits.highest * (1 + SLACK):
             shown, limit = distinct_digits(scale, fits.highest, ".4g")
-            raise InputError(
+            raise FaultError(
                 "the strip needs a bending stiffness of {scale:g} N mm2, but {high:.1f} from the start the widest "
                 "backing gives {highest:g} N mm2: use thicker or stiffer sheets, or widen the base",
                 scale=shown,
@@ -163,7 +163,7 @@ class Laminated:
             )
         if scale < fits.lowest * (1 - SLACK):
             shown, limit = distinct_digits(scale, fits.lowest, ".4g")
-            raise InputError(
+            raise FaultError(
                 "the strip needs a bending stiffness of {scale:g} N mm2, but {low:.1f} from the start even "
                 "the narrowest backing of {least:g} gives {lowest:g} N mm2: use thinner sheets, or narrow "
                 "the base",

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART, counted, distinct_digits
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
+from elastica_cad.errors import Change, FaultError, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.approximations import as_arcs
 from elastica_cad.geometry.path import JOIN, Path, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
@@ -484,7 +484,7 @@ class _Fit:
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
         if self.lowest > self.highest * (1 + SEEN_APART):
-            raise InputError(self._infeasible())
+            raise FaultError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
         scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
         if self.rod.bending_stiffness is not None:
@@ -494,7 +494,7 @@ class _Fit:
                 needed, given = distinct_digits(
                     stiffness * self.K[i] / rigidity, scale * self.K[i] / rigidity, ".4g"
                 )
-                raise InputError(
+                raise FaultError(
                     "{s:.1f} from the start, all ligaments (material between holes) together must be {needed:g} "
                     "wide, but the outline and {field} allow only {given:g}: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
@@ -510,7 +510,7 @@ class _Fit:
                 else note("use a thinner or softer sheet")
             )
             needed, given = distinct_digits(self.lowest * high / rigidity, scale * high / rigidity, ".4g")
-            raise InputError(
+            raise FaultError(
                 "{too_little}. At the widest place all ligaments (material between holes) together must be "
                 "{needed:g} wide, but are {given:g} wide: {way}",
                 too_little=self._too_little(scale),
@@ -523,7 +523,7 @@ class _Fit:
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SEEN_APART):
             total, limit = distinct_digits(scale * low / rigidity, min_width, ".4g")
-            raise InputError(
+            raise FaultError(
                 "all ligaments (material between holes) together are {ligaments:g} wide at the narrowest "
                 "place, less than {field} ({min_width:g}): widen the outline or lower the stiffness ratio",
                 field=FieldName("min_width"),

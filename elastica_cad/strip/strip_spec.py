@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._types import EMPTY, Takes
 from elastica_cad._values import EqualByValue, is_number, is_one_of, require_record, several
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
+from elastica_cad.errors import Change, FaultError, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
@@ -262,7 +262,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
             where={"field": "max_width"},
         )
     if least >= max_width:
-        raise InputError(
+        raise FaultError(
             "{field} is {max_width:g}, but a strip of {name} must be wider than {least} at its widest place: "
             "increase {field}, use another sheet, or lower {least_width}",
             field=FieldName("max_width"),

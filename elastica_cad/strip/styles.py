@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART, distinct_digits, require_number, require_positive, require_record
-from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.errors import FaultError, InputError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -306,7 +306,7 @@ def _require_width_within(
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")
-        raise InputError(
+        raise FaultError(
             "the narrowest place is {narrow:g} wide, less than {field} ({min_width:g}): set {wider} to "
             "{needed:g} or more (the widest place is {ratio:.3g} times as wide)",
             field=FieldName("min_width"),
@@ -318,7 +318,7 @@ def _require_width_within(
         )
     if max_width is not None and wide > max_width * (1 + slack):
         shown, limit = distinct_digits(wide, max_width, ".4g")
-        raise InputError(
+        raise FaultError(
             "the strip needs a width of {wide:g} for its bending stiffness, more than {field} "
             "({max_width:g}): choose a thicker or stiffer sheet",
             field=FieldName("max_width"),

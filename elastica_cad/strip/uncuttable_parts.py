@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import SEEN_APART, and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
+from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
@@ -382,15 +382,14 @@ def _faults_message(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Return the faults of a part as warnings. Without `ignore_limits`, raise InputError for them."""
+    """Return the faults of a part as warnings. Without `ignore_limits`, raise FaultError for them."""
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         places = [fault.at for fault in faults if fault.at is not None]
-        raise InputError(
+        raise FaultError(
             "{faults} To make the parts anyway, set {field}.",
             faults=_faults_message(faults),
             field=FieldName("ignore_limits"),
-            kind="fault",
             where={"at": places[0]} if places else {},
             changes=[*changes],
         )

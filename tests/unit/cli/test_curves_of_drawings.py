@@ -104,7 +104,7 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     drawing.write_text(drawing.read_text().replace('id="bow"', 'id="path9" inkscape:label="Böw"'))
     design = tmp_path / "class.toml"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
-    done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=1)
+    done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=2)
     assert f"1 of 3 curves cannot be made with these options; {design} leaves them out" in done.stderr
     assert "has all strips in one plane, as drawn. Set `origin`" in done.stdout
     saved = tomllib.loads(design.read_text())["strips"]
@@ -130,7 +130,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     rows = "\n".join(f"0,1,{5 + k}" for k in range(5))
     (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
-    done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
+    done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=2)
     assert "curve 1 (A) of 2: a curve has fewer than two different points" in done.stderr
     assert "1 of 2 curves cannot be made with these options" in done.stderr
     assert "nan" not in done.stderr

@@ -377,7 +377,7 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
 
 def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):
     design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nshop = { stock = [600, 120] }"))
-    refused = run("model", design, "-o", tmp_path / "out", code=2)
+    refused = run("model", design, "-o", tmp_path / "out", code=1)
     assert "base: 324.3 x 147.5 mm is larger than the stock of 600 x 120 mm in mdf-3" in refused.output
 
 

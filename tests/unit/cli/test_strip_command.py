@@ -115,6 +115,35 @@ def test_not_realizable_is_exit_code_1_with_advice_and_no_files(impossible, tmp_
     run("check", impossible, code=1)
 
 
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--max-width 4", "only"),  # a neck below the least width of the workshop
+        ("--max-width 30 --min-width 29", "less than --min-width"),
+        ("--max-width 30 --set shop.stock=[60,40]", "larger than the stock"),
+        ("--max-width 3 --style perforated --outer-width 12", "ligaments"),
+    ],
+)
+def test_a_limit_of_widths_or_of_the_workshop_is_exit_code_1(words, message, drawn, tmp_path):
+    """The input is valid, but no strip can be made of it. Wrong input has the exit code 2."""
+    line = ("strip", drawn, *words.split(), "--sheet", "birch-plywood-0.8", "-o", tmp_path / "out", "--json")
+    done = run(*line, code=1)
+    assert json.loads(done.stdout)["exit_code"] == 1
+    assert message in done.stderr
+
+
+def test_the_largest_exit_code_of_several_curves_counts(drawn, tmp_path):
+    corner, both = [[0, 0], [90, 0], [90, 70]], tmp_path / "both.svg"
+    both.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">'
+        '<path d="M 0 0 C 60 90 140 90 200 0" fill="none"/>'
+        f'<polyline points="{" ".join(f"{x},{y}" for x, y in corner)}" fill="none"/></svg>'
+    )
+    line = ("strip", both, "--all", "--sheet", "birch-plywood-0.8", "-o", tmp_path / "out", "--no-pictures")
+    run(*line, "--max-width", 30, code=2)
+    run("check", both, code=2)
+
+
 @pytest.mark.campaign
 def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     path = tmp_path / "tight.json"
