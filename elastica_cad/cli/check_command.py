@@ -143,8 +143,8 @@ def check(
             for row in rows:
                 say_row(row, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
-            for cure in request.cures(first):
-                answered.setdefault("cures", []).append(cure)
+            answered["cures"] = request.cures(first)
+            for cure in answered["cures"]:
                 say_row(Row("Change", cure["text"]))
         if (
             not codes[-1]

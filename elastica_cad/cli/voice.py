@@ -86,14 +86,13 @@ class Voice:
             _print_row(Row("Change", cure["text"]), err=True)
         if self.as_json:
             record = problem.refusal.record | {"message": text, "details": list(problem.details)}
-            extra = {"cures": cures} if cures else {}
             _print_json(
                 {
                     "schema": "elastica-error/2",
                     "command": self.command,
                     "exit_code": code,
                     "error": record,
-                    **extra,
+                    "cures": cures,
                 }
             )
 

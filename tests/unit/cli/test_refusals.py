@@ -306,6 +306,17 @@ def test_an_absurd_width_is_told_at_once(width, told, code, desk):
     assert told in refused.stderr
 
 
+@pytest.mark.parametrize("words", ["", "--smooth 0", "--natural-curvature 0.002"])
+def test_a_refused_curve_always_has_a_list_of_cures(words, tmp_path):
+    write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
+    (report,) = json.loads(run("check wave.dxf --json", *words.split(), cwd=tmp_path, code=1).stdout)
+    assert isinstance(report["cures"], list)
+    error = json.loads(
+        run("strip wave.dxf --sheet no-such --max-width 9 --json", cwd=tmp_path, code=2).stdout
+    )
+    assert error["cures"] == []
+
+
 @pytest.mark.parametrize("words", ["sheets --units", "strip arch.csv --max-width", "batten --stock 20"])
 def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
     refused = run(words, cwd=tmp_path, code=2)
