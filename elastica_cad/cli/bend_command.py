@@ -50,6 +50,7 @@ from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMa
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.refusals import Point, note, number_text
@@ -300,7 +301,9 @@ def _initial_rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
 
 
 def _gravity(chosen: dict[str, Any]) -> Gravity | None:
-    return requested_sheet(chosen).gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
+    if not chosen["gravity"]:
+        return None
+    return require_flat(requested_sheet(chosen)).gravity(chosen["down"] or (0.0, -1.0))
 
 
 def _solve(spec: RodSpec) -> Rod | NearestRod:

@@ -28,7 +28,7 @@ from elastica_cad.formats.write_files import File, write_files, write_json, writ
 from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
-from elastica_cad.mechanics.sheets import Sheet, known_rods
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
@@ -163,7 +163,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
         if chosen["sheet"] is None:
             raise InputError("--max-width needs a sheet, which sets the thickness. Add --sheet NAME.")
         sheet = requested_sheet(chosen)
-        if sheet.kind == "rod" and widest != least:
+        if sheet.kind == ROD_KIND:
             raise InputError(
                 "{sheet} is a rod, so no strip can be cut from it. Use --rod DIAMETER instead of --max-width.",
                 sheet=sheet.name,

@@ -17,7 +17,7 @@ from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
-from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_number
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, library_folders, plausible_number, require_flat
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
@@ -54,7 +54,7 @@ the difference, and a fraction of the smaller reading."""
               help="Least radius that left no permanent bend [default: from the largest strain].")  # fmt: skip
 @click.option("--grain", type=click.Choice(["along", "across", "none"]),
               help="Direction of the coupon relative to the grain [default: from the sheet].")  # fmt: skip
-@click.option("--kind", type=click.Choice(list(OUTCOMES)),
+@click.option("--kind", type=click.Choice([kind for kind in OUTCOMES if kind != ROD_KIND]),
               help="Kind of material, which determines how it breaks [default: from the sheet].")  # fmt: skip
 @click.option(
     "--kerf", type=LENGTH, metavar="MM", help="Measured width of the cut [default: from the sheet]."
@@ -84,7 +84,7 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
             word=quoted(name_or_file),
         )
     chosen["sheet"] = name_or_file or chosen["sheet"]
-    sheet, name = _sheet_of_coupon(chosen), chosen["name"]
+    sheet, name = require_flat(_sheet_of_coupon(chosen)), chosen["name"]
     if name and ("/" in name or "\\" in name):
         raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)
     if chosen["measured"]:

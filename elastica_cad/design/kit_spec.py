@@ -11,7 +11,7 @@ from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import Scheme
 from elastica_cad.formats.dxf_drawing import DxfVersion
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.refusals import FieldName
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
@@ -275,7 +275,7 @@ class KitSpec:
         from elastica_cad.strip.pieces import Piece
 
         sheets = [
-            sheet for sheet in dict.fromkeys(strip.sheet for strip in model.strips) if sheet.kind != "rod"
+            sheet for sheet in dict.fromkeys(strip.sheet for strip in model.strips) if sheet.kind != ROD_KIND
         ]
         pieces = []
         if self.coupon:

@@ -799,15 +799,38 @@ def sheet_names() -> list[str]:
     return [*library_sheets()[0], *built_in_figures()]
 
 
+ROD_KIND = "rod"
+"""Value of `Sheet.kind` for round rods, which are sold by length."""
+
 KINDS = {
     "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
-    "board": "Fibre boards", "metal": "Metals", "composite": "Composites", "rod": "Rods and flat bars",
+    "board": "Fibre boards", "metal": "Metals", "composite": "Composites", "rod": "Rods",
 }  # fmt: skip
 
 
 def cut_sheets() -> list[Sheet]:
-    """Return all sheets of `sheet_names` from which strips are cut: rods and bars are left out."""
-    return [sheet for sheet in map(Sheet.named, sheet_names()) if sheet.kind != "rod"]
+    """Return all sheets of `sheet_names` from which strips are cut: rods are left out."""
+    return [sheet for sheet in map(Sheet.named, sheet_names()) if sheet.kind != ROD_KIND]
+
+
+def require_flat(sheet: Sheet) -> Sheet:
+    """Return the sheet, or raise InputError for a rod, from which no flat part can be cut.
+
+    Examples
+    --------
+    >>> try:
+    ...     require_flat(Sheet.named("carbon-rod-4"))
+    ... except InputError as problem:
+    ...     print(str(problem).split('. ')[0])
+    carbon-rod-4 is a rod, so no flat part can be cut from it
+    """
+    if sheet.kind == ROD_KIND:
+        raise InputError(
+            "{sheet} is a rod, so no flat part can be cut from it. Choose another {field}. "
+            "`elastica bow --rod` bends a rod by a cord.",
+            sheet=sheet.name, field=FieldName("sheet"), where={"field": "sheet"},
+        )  # fmt: skip
+    return sheet
 
 
 def sheets_by_kind() -> dict[str, list[Sheet]]:
@@ -830,7 +853,7 @@ def known_rods() -> dict[str, Sheet]:
     return {
         titles[name].values["title"].lower(): Sheet(name, **figures)
         for name, figures in built_in_figures().items()
-        if figures["kind"] == "rod"
+        if figures["kind"] == ROD_KIND
     }
 
 

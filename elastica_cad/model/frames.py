@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise, self_crossing
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
 from elastica_cad.model.plates import BasePlate, Border, Clearance, PlateOptions, Play, TabSlot, plate_with
@@ -186,7 +186,7 @@ def slotted_frame(
     >>> [piece.name for piece in frame.pieces]
     ['rail-start', 'rail-end', 'rib-1', 'rib-2', 'rib-3']
     """
-    sheet = Sheet.of(sheet)
+    sheet = require_flat(Sheet.of(sheet))
     require_declared(slotted_frame, locals(), "frame")
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:

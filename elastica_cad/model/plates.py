@@ -17,7 +17,7 @@ from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet, distinct, lengths_along
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
 from elastica_cad.refusals import FieldName, Point, both_names, note
@@ -216,6 +216,7 @@ class BasePlate:
     def checked(self, options: PlateOptions) -> Self:
         """Return the plate with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
+        require_flat(self.sheet)
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         called += [] if self.opening is None else [note("the opening")]

@@ -38,7 +38,7 @@ from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
@@ -251,7 +251,7 @@ class Flexure:
 
     def __post_init__(self) -> None:
         require_record(self.pair, TwoStateRod, "the pair", "a TwoStateRod, as two_state_rod gives")
-        object.__setattr__(self, "sheet", Sheet.of(self.sheet))
+        object.__setattr__(self, "sheet", require_flat(Sheet.of(self.sheet)))
         require_record(self.pad, Pad, "the pad", "a Pad")
         require_flag(self.printed, "printed")
         if self.least_thickness is not None:

@@ -6,7 +6,7 @@ from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
-from elastica_cad.mechanics.sheets import Sheet, require_printable
+from elastica_cad.mechanics.sheets import Sheet, require_flat, require_printable
 from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
@@ -76,6 +76,7 @@ def coupon_drawing(
     [[-40.0, -10.0], [160.0, 10.0]]
     """
     require_record(sheet, Sheet, "the sheet", "a Sheet")
+    require_flat(sheet)
     free = coupon_overhang(sheet) if overhang is None else overhang
     for value, name in ((free, "overhang"), (width, "width"), (clamp, "clamp")):
         require_positive(value, f"coupon {name}")

@@ -13,7 +13,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.refusals import MATERIAL_WIDTH, Either, Length, Refusal, note
 from elastica_cad.strip.styles import (
     Backing,
@@ -73,7 +73,7 @@ class Laminated:
     ] = 1.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "backing", Sheet.of(self.backing))
+        object.__setattr__(self, "backing", require_flat(Sheet.of(self.backing)))
         require_declared(Laminated, vars(self))
 
     def laid_out(

@@ -16,7 +16,7 @@ from elastica_cad._values import is_whole, require_record, value_key
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_points import box_around
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, SAME_MM, Drawing
 from elastica_cad.strip.layers import Layer
@@ -32,9 +32,6 @@ SIZE_TOLERANCE = 1e-6
 """Largest difference between equal parts, as a fraction of the length of the outline.
 
 The parts are compared by length, bounding box and square root of the area."""
-
-ROD_KIND = "rod"
-"""Value of `Sheet.kind` for rods and flat bars, which are sold by length."""
 
 SAME_BEND_RAD = 1e-4
 """Largest difference between the natural curvatures of equal strips, multiplied by their length, rad."""

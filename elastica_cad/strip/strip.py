@@ -47,6 +47,7 @@ from elastica_cad.mechanics.sheets import (
     PRINTED_ACCURACY,
     Sheet,
     even_shear_ratio,
+    require_flat,
     require_printable,
 )
 from elastica_cad.mechanics.sideways import (
@@ -489,7 +490,8 @@ class Strip:
                     "a closed strip needs one sheet of even thickness for its joint: use a plain or "
                     "perforated strip, or leave a gap between the ends"
                 )
-        _ = self.layout
+        if self.layout.size is None:
+            require_flat(self.sheet)
 
     def __repr__(self) -> str:
         called = f" {self.label!r}" if self.label else ""

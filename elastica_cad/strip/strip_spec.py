@@ -38,7 +38,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw, WidthRange, anticlastic_factor
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
@@ -551,7 +551,7 @@ class StripSpec(EqualByValue):
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
             _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)
-        elif self.material.kind == "rod":
+        elif self.material.kind == ROD_KIND:
             raise InputError(
                 "{sheet} is a rod, so no strip can be cut from it. Choose another {field}, or set the diameters "
                 "of the rod ({law}). `elastica bow --rod` bends a rod by a cord.",

@@ -52,6 +52,11 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
         (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth applies to a drawn CURVE"),
         (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest applies to a drawn CURVE"),
         (("--straight", 100, "--gravity"), "--gravity needs a material"),
+        (
+            ("--straight", 900, "--to", 800, 0, "--sheet", "carbon-rod-4", "--max-width", 4),
+            "is a rod, so no flat",
+        ),
+        (("--straight", 900, "--to", 800, 0, "--sheet", "glass-rod-2", "--gravity"), "is a rod, so no flat"),
         (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to move along"),
         (("--straight", -1), "rod length is -1"),
         (("none.dxf",), "cannot be read"),

@@ -157,6 +157,10 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
             ("--sheet", "glass-rod-3", "--max-width", 9),
             "glass-rod-3 is a rod, so no strip can be cut from it. Use --rod",
         ),
+        (
+            ("--sheet", "glass-rod-3", "--max-width", 3, "--min-width", 3),
+            "glass-rod-3 is a rod, so no strip can be cut from it. Use --rod",
+        ),
         (("--rod", 8, "--nearest"), "--nearest and --smooth apply to a varying section only."),
         (("--rod", "8:6", "--sheet", "pom-2"), "diameter limits are 8 and 6"),
         (("--rod", "8:x"), "'x' is not a length"),

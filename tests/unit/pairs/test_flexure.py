@@ -376,3 +376,8 @@ def test_scaled_curves_make_a_larger_part(stand):
     large = FlexureSpec(first, second, "pla-4", scale=1.5, printed=True, least_thickness=3.0).make()
     assert large.pair.length == pytest.approx(1.5 * stand.pair.length, rel=1e-3)
     assert large.rods[1].position == pytest.approx(1.5 * stand.rods[1].position, abs=0.3)
+
+
+def test_no_flexure_is_cut_from_a_rod():
+    with pytest.raises(InputError, match="carbon-rod-5 is a rod, so no flat part can be cut from it"):
+        FlexureSpec(arch(24), arch(-20), "carbon-rod-5")

@@ -7,6 +7,8 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import Hole, InputError
+from elastica_cad.model import base_plate, slotted_frame
+from elastica_cad.strip.coupon import coupon_drawing
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
@@ -160,3 +162,26 @@ def test_a_jump_of_curvature_counts_with_both_sides():
     )
     assert there.max_strain == pytest.approx(back.max_strain, rel=1e-12)
     assert there.max_strain_at == pytest.approx(there.rod.length - back.max_strain_at)
+
+
+def _made_of(sheet):
+    """Return functions that make each kind of flat part of a sheet."""
+    rod = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (100, 60), start=0.2, end=2.9))
+    placed = [
+        ec.Placed(ec.Strip(rod, "birch-plywood-0.8", max_width=20), (0, y, -7), (1, 0, 0), (0, 0, 1))
+        for y in (0, 50, 100)
+    ]
+    return {
+        "strip": lambda: ec.Strip(rod, sheet, max_width=8),
+        "perforated": lambda: ec.Strip(rod, sheet, style=ec.Perforated(width=60, columns=9, rows=1)),
+        "backing": lambda: ec.Laminated(width=20, backing=sheet),
+        "coupon": lambda: coupon_drawing(ec.Sheet.of(sheet)),
+        "plate": lambda: base_plate(placed, sheet),
+        "frame": lambda: slotted_frame(placed, sheet),
+    }
+
+
+@pytest.mark.parametrize("part", ["strip", "perforated", "backing", "coupon", "plate", "frame"])
+def test_no_flat_part_is_cut_from_a_rod(part):
+    with pytest.raises(ec.InputError, match="glass-rod-4 is a rod, so no flat part can be cut from it"):
+        _made_of("glass-rod-4")[part]()
