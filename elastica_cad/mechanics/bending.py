@@ -287,7 +287,8 @@ def _interpolated_element(before: ElementForce, after: ElementForce, part: float
     return replace(element, at=(x, y))
 
 
-def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
+def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tuple[float, FloatArray]]:
+    """Return arc length and point, mm, of ends that are held in place and of pins, sorted by arc length."""
     held = [
         (s, np.asarray(place))
         for s, place, end in zip(
@@ -300,7 +301,11 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
         for action in elements
         if isinstance(action.element, Pin)
     ]
-    for (s, place), (next_s, next_place) in pairwise(sorted(held, key=lambda item: item[0])):
+    return sorted(held, key=lambda item: item[0])
+
+
+def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
+    for (s, place), (next_s, next_place) in pairwise(fixed_places(elements, system)):
         apart = float(np.hypot(*(next_place - place)))
         if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
             raise InputError(

@@ -1,13 +1,14 @@
 """Displacement of a strip if a rail or pin is mounted at a wrong position, or a cord has a wrong length."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.bending import shape_of, state_of, system_of
+from elastica_cad.mechanics.bending import fixed_places, shape_of, state_of, system_of
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.newton_continuation import newton_step
@@ -26,7 +27,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
 
     The error is a displacement of a pin in the worst direction, a displacement of a rail along its normal, or a
     change of the length of a tie. The equations of equilibrium are linearised about the present shape. The value
-    for a slack rail or tie is 0.
+    does not hold for errors above the spare length of a pin (`spare_pieces`). It is 0 for a slack rail or tie.
 
     Parameters
     ----------
@@ -52,6 +53,52 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     state = state_of(rod, replace(system_of(rod, rod), actions=acting))
     moved = iter(_largest_moves(state, acting))
     return tuple(next(moved) if is_taut else 0.0 for is_taut in taut)
+
+
+@dataclass(frozen=True)
+class SparePiece:
+    """Piece of a rod between two fixed places: ends that are held in place, and pins.
+
+    Attributes
+    ----------
+    start, end : float
+        Arc lengths of the two places, mm.
+    spare : float
+        Length of the piece minus the distance between its ends, mm. Places that are farther apart by more than
+        `spare` are out of reach.
+    """
+
+    start: float
+    end: float
+    spare: float
+
+
+def spare_pieces(rod: Rod) -> tuple[SparePiece | None, ...]:
+    """Return, for each pin, the neighbouring piece with the least spare length; None for rails and ties.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> from elastica_cad.mechanics.least_ratio import optimal_rod
+    >>> arch = optimal_rod(PlaneCurve.arc((0, 0), 100, 2, 1), between=(Rail(30), Pin(40)))
+    >>> [piece and round(piece.spare, 3) for piece in spare_pieces(arch)]
+    [None, 0.266]
+    """
+    actions = mounted(rod, None)
+    pieces = [
+        SparePiece(s, next_s, max(next_s - s - float(np.hypot(*(next_place - place))), 0.0))
+        for (s, place), (next_s, next_place) in pairwise(fixed_places(actions, system_of(rod, rod)))
+    ]
+    return tuple(
+        min(
+            (piece for piece in pieces if float(action.s[0]) in (piece.start, piece.end)),
+            key=lambda piece: piece.spare,
+            default=None,
+        )
+        if isinstance(action.element, Pin)
+        else None
+        for action in actions
+    )
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:

@@ -28,7 +28,7 @@ from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import bar_direction, moves_far, side_of_bar
+from elastica_cad.strip.summary import bar_direction, moves_far, needs_exact_pin, side_of_bar
 
 MOST_SUGGESTIONS = 4
 
@@ -107,9 +107,14 @@ class Suggestion:
         return any(map(moves_far, self.strips))
 
     @property
+    def needs_exact_pin(self) -> bool:
+        """True if a small mounting error puts a pin out of reach of a strip."""
+        return any(map(needs_exact_pin, self.strips))
+
+    @property
     def is_last_resort(self) -> bool:
         """True if the strip is far from the drawn curve, tips over, or is sensitive to small errors."""
-        return self.is_far or self.tips or self.snaps or self.moves_far
+        return self.is_far or self.tips or self.snaps or self.moves_far or self.needs_exact_pin
 
     @property
     def effect(self) -> Refusal:
@@ -133,6 +138,8 @@ class Suggestion:
             effect = note("{effect}; the strip snaps at a small error of a clamp", effect=effect)
         if self.moves_far:
             effect = note("{effect}; a small mounting error moves the strip far", effect=effect)
+        if self.needs_exact_pin:
+            effect = note("{effect}; a small mounting error puts a pin out of reach", effect=effect)
         if any(map(collapses, self.strips)):
             effect = note(
                 "{effect}; the strip collapses under its own weight if it stands upright", effect=effect

@@ -12,7 +12,12 @@ from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
-from elastica_cad.mechanics.mounting_errors import ROUNDING_FRACTION, displacements_per_mm
+from elastica_cad.mechanics.mounting_errors import (
+    ROUNDING_FRACTION,
+    SparePiece,
+    displacements_per_mm,
+    spare_pieces,
+)
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
@@ -359,29 +364,53 @@ MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""
 
 
+LINEAR_SHARE = 0.1
+"""Largest movement of a strip, as a fraction of its length, for which the linear estimate is reported."""
+
+
 @lru_cache(maxsize=64)
-def _mounting_moves(rod: Rod) -> tuple[float, ...]:
-    return tuple(MOUNTING_ERROR_MM * moved for moved in displacements_per_mm(rod))
+def _mounting_moves(rod: Rod) -> tuple[float | SparePiece, ...]:
+    """Return the movement, mm, by a usual error of each rail, pin or tie, or the piece that is too short for it."""
+    return tuple(
+        MOUNTING_ERROR_MM * moved if piece is None or piece.spare >= MOUNTING_ERROR_MM else piece
+        for moved, piece in zip(displacements_per_mm(rod), spare_pieces(rod), strict=True)
+    )
 
 
 def moves_far(strip: Strip) -> bool:
     """Return True if a usual mounting error of a rail, pin or tie moves the strip far."""
-    return bool(strip.rod.between) and max(_mounting_moves(strip.rod)) > FAR_SHARE * strip.rod.length
+    moves = (moved for moved in _mounting_moves(strip.rod) if isinstance(moved, float))
+    return max(moves, default=0.0) > FAR_SHARE * strip.rod.length
+
+
+def needs_exact_pin(strip: Strip) -> bool:
+    """Return True if a usual mounting error puts a pin out of reach of the strip."""
+    return any(isinstance(moved, SparePiece) for moved in _mounting_moves(strip.rod))
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
-    if not strip.rod.between:
-        return
-    texts = [
-        note(
+    texts = []
+    for action, moved in zip(strip.rod.between, _mounting_moves(strip.rod), strict=True):
+        if isinstance(moved, SparePiece):
+            exact = note(
+                "the pin {at:.0f} from the start allows an error of at most {spare}, because the strip from "
+                "{start:.0f} to {end:.0f} is almost straight and reaches no farther. Move this pin along the "
+                "strip, or draw another curve",
+                at=Length(action.s[0]), spare=about(max(moved.spare, SMALLEST_MOVE_MM)),
+                start=Length(moved.start), end=Length(moved.end),
+            )  # fmt: skip
+            yield warning_row(exact, note("Mounting"))
+            continue
+        move = note(
             "the {element} from {start:.0f} to {end:.0f} moves the strip by {far}"
             if isinstance(action.element, Tie)
             else "the {element} {start:.0f} from the start moves the strip by {far}",
-            far=_rounded_move(moved), element=noun_of(action.element),
+            far=_rounded_move(moved, LINEAR_SHARE * strip.rod.length), element=noun_of(action.element),
             start=Length(action.s[0]), end=Length(action.s[-1]),
-        )
-        for action, moved in zip(strip.rod.between, _mounting_moves(strip.rod), strict=True)
-    ]  # fmt: skip
+        )  # fmt: skip
+        texts.append(move)
+    if not texts:
+        return
     text = note(
         "if mounted with an error of {error}, {moves}", error=Length(MOUNTING_ERROR_MM), moves=sentences(texts),
     )  # fmt: skip
@@ -398,7 +427,9 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
     yield Row(note("Mounting"), text, (details,), "warning" if far else "note")
 
 
-def _rounded_move(mm: float) -> Length | Refusal:
+def _rounded_move(mm: float, most: float) -> Length | Refusal:
+    if mm > most:
+        return note("more than {limit}", limit=about(most))
     small = note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))
     return about(mm) if mm >= SMALLEST_MOVE_MM else small
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.mechanics.mounting_errors import displacements_per_mm
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.mounting_errors import displacements_per_mm, spare_pieces
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -73,3 +74,21 @@ def test_a_slack_cord_does_not_move_the_strip():
         displacements_per_mm(ec.optimal_rod(WAVE, between=(ec.Pin(200), ec.Tie(180, 220)), samples=201))[1]
         == 0
     )
+
+
+@pytest.mark.parametrize("at", [345, 350])
+def test_a_pin_beside_an_almost_straight_piece_reaches_as_far_as_its_spare_length(at):
+    rod = ec.optimal_rod(WAVE, between=(ec.Rail(200), ec.Pin(at)), samples=201)
+    rail, pin = spare_pieces(rod)
+    assert rail is None
+    assert (pin.start, pin.end) == (at, rod.length)
+    assert 0.1 < pin.spare < 0.5
+    point, end = (rod.curve.at(np.array([s])).position[0] for s in (pin.start, pin.end))
+    outward = (point - end) / np.hypot(*(point - end))
+
+    def with_error(error):
+        return ec.bend(rod, between=(ec.Rail(200), ec.Pin(tuple(point + error * outward))))
+
+    with_error(0.9 * pin.spare)
+    with pytest.raises(InputError, match="apart, but"):
+        with_error(1.1 * pin.spare)

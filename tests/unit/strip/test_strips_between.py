@@ -160,6 +160,19 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
 
 
+def test_a_pin_out_of_reach_after_a_mounting_error_has_a_row_of_its_own():
+    rows = [row for row in strip_rows(strip_between(ec.Rail(200), ec.Pin(345))) if row.label == "Mounting"]
+    assert [row.stops for row in rows] == [True, False]
+    assert rows[0].text.startswith(
+        "the pin 345 mm from the start allows an error of at most 0.34 mm, because the strip from 345 mm to 394 mm "
+        "is almost straight and reaches no farther."
+    )
+    assert "pin" not in rows[1].text
+    assert not any(
+        "allows an error" in row.text for row in strip_rows(strip_between(ec.Rail(200), ec.Pin(330)))
+    )
+
+
 def test_a_pin_whose_error_moves_the_strip_far_is_marked_and_suggested_last(tmp_path):
     poles = "0 -21.2 \n 50 16 \n 100 -18.4 \n 150 14.2 \n 200 -24 \n 250 9.1 \n 300 -21.3 \n 350 4.3"
     (tmp_path / "wave.txt").write_text(f"4 8\n{poles}\n")
