@@ -14,6 +14,7 @@ from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, cures_after
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
+from elastica_cad.declared import Record
 from elastica_cad.defaults import BAD_INPUT, OUTPUT_CLOSED
 from elastica_cad.errors import (
     ElasticaError,
@@ -146,14 +147,22 @@ class _Sentences(click.Group):
 
 
 def _spelled(path: str) -> str:
+    """Return the option that sets a field. Without such an option, name a key of `elastica strip`."""
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
     if any(typed in parameter.opts for parameter in context.command.params):
         return typed
-    if context.info_name != "strip":
-        return "the second value of supports" if path == "supports.end" else path
-    from elastica_cad.cli.strip_options import typed_name
+    if context.info_name == "strip":
+        from elastica_cad.cli.strip_options import typed_name
 
-    return typed_name(path) or path
+        return typed_name(path) or path
+    if context.info_name == "model":  # fields are keys of the design file
+        return "the second value of supports" if path == "supports.end" else path
+    records = _records_of(context)
+    if records:
+        from elastica_cad.design.records import paths_of
+
+        return f"--set {path}" if any(path in paths_of(record) for record in records) else path
+    return f"{path} of `elastica strip`"
 
 
 NEAR_OPTION = 0.8
@@ -177,6 +186,12 @@ def _common_options_first(args: list[str]) -> list[str]:
     return [*first, *remaining]
 
 
+def _records_of(context: click.Context | None) -> list[Record]:
+    """Return the records of the keys that `--set` of the command takes."""
+    params = [] if context is None else context.command.params
+    return [record for param in params if (record := getattr(param.type, "record", None)) is not None]
+
+
 def _instead_of(problem: click.NoSuchOption) -> str:
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
@@ -196,12 +211,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):
             return f"{typed} is called {typed_new}"
         name = new
-    records = (
-        []
-        if context is None
-        else [getattr(parameter.type, "record", None) for parameter in context.command.params]
-    )
-    for record in filter(None, records):
+    for record in _records_of(context):
         from elastica_cad.cli.settings import DEEPEST
         from elastica_cad.design.records import near_path, paths_of
 

@@ -86,7 +86,7 @@ def test_stability_is_a_word_and_its_margin_a_detail(tmp_path):
 def test_a_long_thin_arch_is_refused(tmp_path):
     arch = [(0, 0), (1500, 1900), (3500, 2000), (6000, 0)]
     write_curves([ec.PlaneCurve.spline(arch, degree=3)], tmp_path / "long.dxf")
-    refused = run("strip long.dxf --sheet birch-plywood-0.8 --max-width 3.6 -o out", cwd=tmp_path, code=2)
+    refused = run("strip long.dxf --sheet birch-plywood-0.8 --max-width 3.6 -o out", cwd=tmp_path, code=1)
     assert "larger than the stock" in refused.stderr
     assert not (tmp_path / "out").exists()
 
@@ -130,8 +130,8 @@ def desk(tmp_path_factory):
 
 
 SUGGESTED = [
-    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 2, "--max-width 15."),
-    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 2, "--max-width"),
+    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 1, "--max-width 15."),
+    ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 1, "--max-width"),
     ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--sheet birch-plywood-0.8"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
     ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
@@ -315,6 +315,22 @@ def test_a_refused_curve_always_has_a_list_of_cures(words, tmp_path):
         run("strip wave.dxf --sheet no-such --max-width 9 --json", cwd=tmp_path, code=2).stdout
     )
     assert error["cures"] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        ("bow ends.json --max-width 7", "set ignore_limits of `elastica strip`"),  # bow has no such option
+        ("bend arc.json --max-width 7 --shorten 1", "set --set ignore_limits"),
+        ("strip arc.json --max-width 7", "set --ignore-limits."),
+    ],
+)
+def test_a_message_names_an_option_that_the_command_has(words, named, tmp_path):
+    (tmp_path / "arc.json").write_text(ec.formats.curves_json([ec.PlaneCurve.arc((0, 0), 22, 0.0, 2.0)]))
+    points = [(0, 0), (4, 8), (8, 16), (20, 24), (32, 16), (36, 8), (40, 0)]  # straight at both ends
+    (tmp_path / "ends.json").write_text(ec.formats.curves_json([ec.PlaneCurve.spline(points, degree=4)]))
+    refused = run(*words.split(), "--sheet", "birch-plywood-0.8", "-o", "out", cwd=tmp_path, code=1)
+    assert named in refused.stderr
 
 
 @pytest.mark.parametrize("words", ["sheets --units", "strip arch.csv --max-width", "batten --stock 20"])
