@@ -247,7 +247,9 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     ],
 )
 def test_a_slip_is_one_sentence(arguments, said, tmp_path):
-    told = run("batten", *ASKED, *arguments, "-o", tmp_path, code=2)
+    told = run(
+        "batten", *ASKED, *arguments, "-o", tmp_path, code=1 if "thinner" in said or "Move" in said else 2
+    )
     assert re.search(said, told.output), told.output
     assert not list(tmp_path.iterdir())
 
