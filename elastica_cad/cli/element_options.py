@@ -15,7 +15,10 @@ from elastica_cad.mechanics.loads import PointMass
 
 RECORDS: dict[str, tuple[type, str]] = {
     "rail": (Rail, "Rail across the strip, which slides over it."),
-    "pin": (Pin, "Pin or ring that holds a place of the strip; the strip turns in it."),
+    "pin": (
+        Pin,
+        "Pin that holds a place of the strip and lets it turn: a ring around the strip, or a hinge screwed to it.",
+    ),
     "tie": (Tie, "Taut cord between two places."),
     "point_force": (PointForce, "Force in newtons, along x and y."),
     "point_mass": (PointMass, "Mass that hangs at a place, in g or with its unit: 8kg."),

@@ -62,7 +62,7 @@ class Rail(Element):
 
 @dataclass(frozen=True)
 class Pin(Element):
-    """Pin that fixes a point of the strip and lets the strip turn, such as a ring or a screw through a lug.
+    """Pin that fixes a point of the strip and lets the strip turn: a ring around it, or a hinge screwed to it.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
+from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import (
     ROUNDING_FRACTION,
@@ -434,6 +434,10 @@ def _rounded_move(mm: float, most: float) -> Length | Refusal:
     return about(mm) if mm >= SMALLEST_MOVE_MM else small
 
 
+FRICTION = 0.3
+"""Largest force along the strip, as a fraction of the force across it, with which a ring does not slide."""
+
+
 def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     if action.is_one_sided and force == 0:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
@@ -456,9 +460,18 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
             "rail {at:.0f} from the start pushes the strip {direction} with {force:.2g} N",
             at=Length(action.s[0]), direction=direction_in_drawing(angle), force=force,
         )  # fmt: skip
-    return note(
+    pin = note(
         "pin {at:.0f} from the start pushes the strip with {force:.2g} N at {angle:.0f} degrees",
         at=Length(action.s[0]), force=force, angle=angle,
+    )  # fmt: skip
+    assert isinstance(action.element, Pin)
+    turn = np.radians(angle) - float(rod.curve.at(action.s).angle[0])
+    along, across = force * abs(np.cos(turn)), force * abs(np.sin(turn))
+    if along <= FRICTION * across or action.element.hole or action.element.notch:
+        return pin
+    return note(
+        "{pin}, {along:.2g} N of it along the strip: a ring would slide, so screw a hinge to the strip",
+        pin=pin, along=along,
     )  # fmt: skip
 
 

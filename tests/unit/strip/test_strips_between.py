@@ -14,7 +14,7 @@ from elastica_cad.mechanics.stiffness_law import ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.strip.holding_template import ends_message, holding_template
 from elastica_cad.strip.suggestions import suggest
-from elastica_cad.strip.summary import strip_rows
+from elastica_cad.strip.summary import between_rows, strip_rows
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -81,6 +81,23 @@ def test_a_pin_and_a_force_are_reported_and_the_forces_balance():
     held = ends.start_force + ends.end_force + pin + (0, -0.2)
     newtons = 9.80665e-3 * (strip.mass * strip.rod.length / (strip.rod.length + 20) + 50)  # without two tabs
     assert held == pytest.approx([0, newtons], abs=5e-3)
+
+
+@pytest.mark.parametrize(("cut", "slides"), [({}, True), ({"hole": 3}, False), ({"notch": 2}, False)])
+def test_a_ring_that_would_slide_is_named_unless_the_strip_has_a_cut_for_the_pin(cut, slides):
+    text = {
+        row.label: row.text for row in strip_rows(strip_between(ec.Rail(200), ec.Pin(60, **cut)), quick=True)
+    }
+    assert ("a ring would slide" in text["Between"]) == slides
+
+
+def test_a_pin_that_pushes_across_the_strip_can_be_a_ring():
+    rod = ec.optimal_rod(WAVE, between=ec.Pin(200))
+    (pin,), angle = rod.between, float(rod.curve.at(rod.between[0].s).angle[0])
+    for turn, slides in ((90, False), (-75, False), (70, True), (0, True)):
+        direction = np.array([np.cos(angle + np.radians(turn)), np.sin(angle + np.radians(turn))])
+        (row,) = between_rows(replace(rod, between=(replace(pin, force=direction[None]),)), 1.0)
+        assert ("a ring would slide" in row.text) == slides
 
 
 @pytest.mark.parametrize(
