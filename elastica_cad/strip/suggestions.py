@@ -33,6 +33,11 @@ from elastica_cad.strip.summary import bar_direction, moves_far, needs_exact_pin
 MOST_SUGGESTIONS = 4
 
 FIRST_FIELDS = ("smooth", "split_corners", "nearest")
+CURVE_FIELDS = ("point", *FIRST_FIELDS)
+"""Fields that change the curve."""
+
+MUCH_LARGER = 10
+"""Ratio of two deviations from which the larger change of the curve is suggested after the smaller one."""
 
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
@@ -232,9 +237,12 @@ def suggest(
 
     The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
     nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
-    size. A strip is suitable if it is bent, stable and strained within the limit of its sheet. Strips farther
+    size. A change of the curve at least ten times as large as the smallest one follows the other changes of the
+    curve. A strip is suitable if it is bent, stable and strained within the limit of its sheet. Strips farther
     from the drawn curve than 3 % of the curve's size, and strips that tip over sideways or are sensitive to small
     errors, are suggested last.
+
+    An interrupted search yields the changes found so far, and then raises the interrupt.
 
     Parameters
     ----------
@@ -259,25 +267,44 @@ def suggest(
     """
     if outlier_message(spec.curve):
         return
-    count, last = 0, []
+    found: list[Suggestion] = []
+    interrupt: BaseException | None = None
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
     # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
-    for changes in _changes(spec, problem, fields):
-        tried = (change for change in changes if fields is None or change.field in fields)
-        held = (
-            _held(spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size)
-            for change in islice(tried, MOST_TRIED)
-        )
-        if (suggestion := next(filter(None, held), None)) is not None:
-            count += 1
-            if suggestion.is_last_resort:
-                last.append(suggestion)
-            else:
-                yield suggestion
-        if count == MOST_SUGGESTIONS:
-            break
-    yield from last
+    try:
+        for changes in _changes(spec, problem, fields):
+            tried = (change for change in changes if fields is None or change.field in fields)
+            held = (
+                _held(spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size)
+                for change in islice(tried, MOST_TRIED)
+            )
+            found += islice(filter(None, held), 1)
+            if len(found) == MOST_SUGGESTIONS:
+                break
+    except (KeyboardInterrupt, MemoryError) as error:
+        interrupt = error
+    yield from _in_order(found)
+    if interrupt is not None:
+        raise interrupt
+
+
+def _in_order(found: Sequence[Suggestion]) -> list[Suggestion]:
+    """Return suggestions in the order of `suggest`. They are given in the order of their fields."""
+
+    def deviation(suggestion: Suggestion) -> float:
+        return suggestion.deviation if suggestion.change.field in CURVE_FIELDS else 0.0
+
+    last = {id(suggestion): suggestion.is_last_resort for suggestion in found}
+    least = min((deviation(item) for item in found if deviation(item) and not last[id(item)]), default=np.inf)
+    return sorted(
+        found,
+        key=lambda item: (
+            last[id(item)],
+            item.change.field not in CURVE_FIELDS,
+            not last[id(item)] and deviation(item) >= MUCH_LARGER * least,
+        ),
+    )
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:

@@ -71,7 +71,7 @@ def work():
 
     open_panel("Elastica_Edit", strip)
     found("offered again")
-    point = suggested(suggestions()[0])
+    point = suggested(suggestions()[1])
     answers["shown"] = pointed_at(point)
     answers["tip"] = point.toolTip()
     picture("shown.png")

@@ -116,10 +116,27 @@ def test_cures_hold_in_a_fixed_order():
     for curve in curves(2):
         cures = ec.check_equilibrium(curve).cures
         fields = [cure.change.field for cure in cures]
-        near = [cure.change.field for cure in cures if not cure.is_far]
-        assert near == sorted(near, key=ORDER.index) == fields[: len(near)]
+        last = {cure.change.field for cure in cures if cure.is_last_resort}
+        moved = {cure.change.field: cure.deviation for cure in cures if cure.change.field in ORDER[:4]}
+        least = min((far for name, far in moved.items() if far and name not in last), default=np.inf)
+        much_larger = {name for name, far in moved.items() if far >= 10 * least}
+        assert fields == sorted(
+            fields,
+            key=lambda name: (name in last, name not in moved, name in much_larger, ORDER.index(name)),
+        )
         for cure in cures:
             require_held(curve, cure)
+
+
+def test_a_much_larger_change_of_the_curve_follows_the_smaller_one():
+    """Changes of the curve come in their order, unless one is ten times as large as another."""
+    wave = ec.PlaneCurve.spline(np.array(ZIGZAG) * [0.7, -0.7], degree=5)
+    nearest, point = ec.check_equilibrium(wave).cures
+    assert (nearest.change.field, point.change.field) == ("nearest", "point")
+    assert point.deviation > 10 * nearest.deviation > 0
+    point, nearest, rail = ec.check_equilibrium(next(curves(1))).cures
+    assert [cure.change.field for cure in (point, nearest, rail)] == ["point", "nearest", "between"]
+    assert nearest.deviation < point.deviation < 10 * nearest.deviation
 
 
 @pytest.mark.campaign
