@@ -11,7 +11,7 @@ from elastica_cad.declared import Option
 from elastica_cad.defaults import BORDER
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, StrainError
 from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
@@ -21,17 +21,17 @@ from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plates import Border
 from elastica_cad.model.revolution_model import revolve
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Length, Point, Refusal, note
+from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 Pair: TypeAlias = tuple[float, float]
 
-OPENING_STEPS = (1, 2, 4, 8, 16)
-"""Increases of the radius of an opening, mm, that are tested if the rings cannot be made."""
+OPENING_STEPS = (4, 16, 32)
+"""Increases of the radius of both openings, mm, that are tested if the rings cannot be made."""
 
-LARGEST_STEP_FRACTION = 0.3
-"""Largest tested increase as a fraction of the radius."""
+STRIP_FRACTIONS = (0.8, 0.65, 0.5)
+"""Numbers of strips, as fractions of the requested number, that are tested if the rings cannot be made."""
 
 NEAR_MM, NEAR_SHARE = 0.05, 1e-3
 """Distances, in mm and as a fraction of the length. A meridian that deviates by less than both is not reported."""
@@ -126,40 +126,80 @@ class RevolutionTable:
         return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
-        """Make all strips and rings. An error suggests a tested opening with which the rings can be made."""
+        """Make all strips and rings. An error suggests tested changes with which they can be made."""
         try:
             return self._model(name)
         except InputError as problem:
-            if not _is_fault(problem.refusal) or (moved := self._larger_opening()) is None:
+            if self.rings is None or self.meridian.at_pole or self._breaks_without_tabs:
                 raise
-            old, new = moved
-            raise InputError(
-                "Move the point {old} of the meridian to {new}: the rings can then be made. {problem}",
-                old=Point(old), new=Point(new), problem=problem.refusal,
-            ) from problem  # fmt: skip
+            tested = (self._without_ends(), self._larger_opening(), self._fewer_strips())
+            edits = Either(edit for edit in tested if edit is not None)
+            text = (
+                "{problem} A tested change makes strips and rings possible: {edits}."
+                if edits
+                else "{problem} Larger openings and smaller numbers of strips were tested, but none of these "
+                "changes is enough alone."
+            )
+            found = problem.refusal
+            raise type(problem)(
+                text, problem=found, edits=edits, kind=found.kind, where=found.where
+            ) from problem
 
-    def _larger_opening(self) -> tuple[Pair, Pair] | None:
-        """Return an end point of the meridian, and the tested point farther from the axis with which rings fit."""
-        if self.gap is None or not self.points or not replace(self, rings=None)._is_made:
+    @property
+    def _breaks_without_tabs(self) -> bool:
+        strips = replace(self, rings=None, gap=None, spacers=None, holes=None, ends=(Tab(0.0), Tab(0.0)))
+        try:
+            strips._model("")
+        except InputError as problem:
+            return isinstance(problem, StrainError)
+        return False
+
+    def _without_ends(self) -> str | None:
+        if self.ends is None or not replace(self, ends=None)._is_made:
             return None
+        return note("leave out {field}", field=FieldName("ends"))
 
-        def moved(k: int, step: int) -> "RevolutionTable":
-            points = [*self.points]
-            points[k] = (points[k][0] + step, points[k][1])
-            return replace(self, points=tuple(points))
+    def _larger_opening(self) -> str | None:
+        """Return an instruction that moves one end point of the meridian, or both, away from the axis."""
+        points, widest = self.points, max((x for x, _ in self.points), default=0.0)
 
-        for step in OPENING_STEPS:
-            for k in (0, -1):
-                if step <= LARGEST_STEP_FRACTION * self.points[k][0] and moved(k, step)._is_made:
-                    works = (moved(k, least) for least in range(step // 2 + 1, step + 1))
-                    return self.points[k], next(table.points[k] for table in works if table._is_made)
-        return None
+        def moved(ends: tuple[int, ...], step: int) -> "RevolutionTable":
+            places = [*points]
+            for k in ends:
+                places[k] = (points[k][0] + step, points[k][1])
+            return replace(self, points=tuple(places))
+
+        steps = [
+            step for step in OPENING_STEPS if points and points[0][0] + step < widest > points[-1][0] + step
+        ]
+        enough = next((step for step in steps if moved((0, -1), step)._is_made), None)
+        if enough is None:
+            return None
+        ends = next((one for one in ((0,), (-1,)) if moved(one, enough)._is_made), (0, -1))
+        too_small = 0
+        while enough - too_small > 1:
+            middle = (enough + too_small) // 2
+            enough, too_small = (middle, too_small) if moved(ends, middle)._is_made else (enough, middle)
+        return note(
+            "move the point {olds} of the meridian to {news}"
+            if len(ends) == 1
+            else "move the points {olds} of the meridian to {news}",
+            olds=Listed(Point(points[k]) for k in ends),
+            news=Listed(Point(moved(ends, enough).points[k]) for k in ends),
+        )
+
+    def _fewer_strips(self) -> str | None:
+        counts = dict.fromkeys(int(fraction * self.strips) for fraction in STRIP_FRACTIONS)
+        tested = (count for count in counts if count >= 3 and replace(self, strips=count)._is_made)
+        count = next(tested, None)
+        return None if count is None else note("use {count} strips", count=count)
 
     @property
     def _is_made(self) -> bool:
-        """True if strips and rings can be made, and no tab rocks."""
+        """True if strips and rings can be made, and no tab rocks between two rings."""
         try:
-            return not any(seat.rocks for seat in tab_seats(self._model("").plates).values())
+            plates = self._model("").plates
+            return self.gap is None or not any(seat.rocks for seat in tab_seats(plates).values())
         except (InputError, NotConvergedError):
             return False
 
@@ -200,15 +240,6 @@ class RevolutionTable:
                 far=Length(self.meridian.deviation),
             ))  # fmt: skip
         return tuple(reports)
-
-
-def _is_fault(refusal: Refusal) -> bool:
-    """Return True if a message, or a message in its values, has the kind "fault".
-
-    Such a message reports a part or a tab that cannot be made, and suggests no tested remedy.
-    """
-    inside = (value for value in refusal.values.values() if isinstance(value, Refusal))
-    return refusal.kind == "fault" or any(map(_is_fault, inside))
 
 
 EQUATION_KEYS = ("a", "b", "start", "angle", "length")

@@ -584,8 +584,8 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     for i, j in met[:1].tolist():
         middle = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            "{name}: the slots of {tabs} overlap near {place:.1f}: give the strips narrower tabs, or move "
-            "the strips apart",
+            "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs, or move "
+            "the strips apart.",
             name=name,
             tabs=both_names(slots[j].name, slots[i].name),
             place=Point(middle),
@@ -792,7 +792,7 @@ def ring_plate(
         raise FaultError(
             "{name}: the tabs meet the plane of the ring at {lean:.3g} degrees. Slots need more than "
             "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. Shorten or lengthen the "
-            "strips until their ends are steeper or flatter",
+            "strips until their ends are steeper or flatter.",
             name=name,
             lean=lean,
             steep=steep,
@@ -848,8 +848,8 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
     along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(
-            "{name}: neighbouring tabs overlap at a distance of {least} from the axis: end the strips at a "
-            "larger ring, or give them shorter or narrower tabs",
+            "{name}: neighbouring tabs overlap at a distance of {least} from the axis. End the strips at a "
+            "larger ring, or give them shorter or narrower tabs.",
             name=name,
             least=Mm(along.min()),
         )

@@ -1,7 +1,8 @@
 """Models of surfaces of revolution, and widths with which neighbouring strips meet without gaps."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import add_second_plates
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.model.spacers import add_spacers
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
 from elastica_cad.strip.strip import Placed, Strip
@@ -297,8 +298,14 @@ class _Request:
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
-        placed, warnings = self._strips(meridian)
+        """Return the strips, the plates and the warnings.
+
+        Problems of the strips and of the ring at each end are independent, so one error states all of them.
+        """
+        placed = self._placed(meridian)
+        checks: list[Callable[[], Any]] = self._checks(placed)
         if self.rings is None:
+            *_, warnings = _results_of(checks)
             return placed, (), warnings
         heights = meridian.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
@@ -311,32 +318,51 @@ class _Request:
             "shop": self.shop,
             "ignore_limits": self.ignore_limits,
         }
-        plates = tuple(
-            ring_plate(tabs_to_hold(placed, [end]), self.rings, name=names[end], **options) for end in ENDS
-        )
+        checks += [
+            partial(ring_plate, tabs_to_hold(placed, [end]), self.rings, name=names[end], **options)
+            for end in ENDS
+        ]
+        _, warnings, *made = _results_of(checks)
+        plates: tuple[Ring, ...] = tuple(made)
         if self.gap is not None:
             plates = add_second_plates(
                 placed,
                 plates,
                 self.gap,
-                strips_at=None if self.ends else lambda gap: replace(self, gap=gap)._strips(meridian)[0],
+                strips_at=None if self.ends else lambda gap: replace(self, gap=gap)._checked_strips(meridian),
             )
         if self.spacers is None:
             return placed, plates, warnings
         rings, spacers = add_spacers(placed, plates, self.spacers)
         return placed, (*rings, *spacers), warnings
 
-    def _strips(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[str, ...]]:
+    def _placed(self, meridian: Meridian) -> tuple[Placed, ...]:
         width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
-        strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
+        tabs = self._tabs(meridian)
+        strip = _Gore(
+            meridian.rod,
+            self.sheet,
+            max_width=width,
+            ends=self.ends or tabs,
+            widest_tabs=None if self.rings is None else tabs,
+        )
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
-        placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
-        refuse_broken(strip, self.ignore_limits)
-        warnings = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
-        return placed, warnings
+        return tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+
+    def _checks(self, placed: Sequence[Placed]) -> list[Callable[[], Any]]:
+        strip = placed[0].strip
+        return [
+            lambda: refuse_broken(strip, self.ignore_limits),
+            lambda: accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits),
+        ]
+
+    def _checked_strips(self, meridian: Meridian) -> tuple[Placed, ...]:
+        placed = self._placed(meridian)
+        _results_of(self._checks(placed))
+        return placed
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
-        """Return straight tabs that keep a gap to the tabs of both neighbours.
+        """Return the widest straight tabs that keep a gap to the tabs of both neighbours.
 
         A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
@@ -371,6 +397,34 @@ class _Request:
             for long, wide in zip(lengths, room, strict=True)
         )
         return first, last
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class _Gore(Strip):
+    """Strip of a surface of revolution with rings, in which wider tabs than `widest_tabs` would meet."""
+
+    widest_tabs: tuple[Tab, Tab] | None = None
+
+    @property
+    def _tab_rooms(self) -> tuple[float, float]:
+        first, last = (tab.width or np.inf for tab in self.widest_tabs or (Tab(), Tab()))
+        return first, last
+
+
+def _results_of(checks: Sequence[Callable[[], Any]]) -> list[Any]:
+    """Return the results of the functions, or raise one error that states the problems of all of them."""
+    results, problems = [], list[InputError]()
+    for check in checks:
+        try:
+            results.append(check())
+        except InputError as problem:
+            problems.append(problem)
+    if len(problems) > 1:
+        first, text = problems[0], sentences([problem.refusal for problem in problems], " ")
+        raise type(first)(text, kind=first.refusal.kind, where=first.refusal.where) from first
+    if problems:
+        raise problems[0]
+    return results
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:

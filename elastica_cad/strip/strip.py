@@ -141,7 +141,7 @@ class Shoulder:
     """An end of a strip with a narrower tab.
 
     `at` is the arc length of the end, mm. `width` and `tab` are the widths of strip and tab, mm. `strain` is the
-    mean surface strain across the tab.
+    mean surface strain across the tab. `room` is the width of the widest tab that fits into its holder, mm.
     """
 
     at: float
@@ -149,6 +149,7 @@ class Shoulder:
     tab: float
     sheet: Sheet
     strain: float
+    room: float = np.inf
 
     @property
     def verdict(self) -> StrainVerdict:
@@ -180,6 +181,11 @@ class Shoulder:
     @property
     def _advice(self) -> str:
         least = self.least_tab
+        if self.room < min(self.width, least or np.inf):
+            return note(
+                "The ring has no room for a tab wider than {room}. Make the curve gentler there.",
+                room=Length(self.room),
+            )
         if least is None:
             return note("Make the curve gentler there, and the tab wider.")
         wider = f"{{ width = {least:g}, ... }}"
@@ -208,11 +214,13 @@ class Shoulder:
         )  # fmt: skip
 
 
-def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
+def _overstrained_tabs(
+    layout: Layout, ends: Ends, strains: Sequence[LayerStrain], rooms: tuple[float, float]
+) -> tuple[Shoulder, ...]:
     if layout.size is not None:
         return ()
     shoulders = []
-    for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
+    for at, tab, station, room in zip((0.0, layout.width.length), ends, (0, -1), rooms, strict=True):
         width = float(layout.width(at))
         if not tab.length or tab.width is None or tab.width > width - SHOULDER_MM:
             continue
@@ -220,7 +228,7 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
         wide, narrow = layout.stiffness(widths, glued).tolist()
         shoulders += [
-            Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
+            Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow, room)
             for layer in strains
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -655,9 +663,14 @@ class Strip:
         strains = _warn_of_strains(self.strains, self._bends)
         return (*strains, *map(str, self._shoulders))
 
+    @property
+    def _tab_rooms(self) -> tuple[float, float]:
+        """Widths of the widest tabs that fit into the holders at both ends, mm."""
+        return np.inf, np.inf
+
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        shoulders = _overstrained_tabs(self.layout, self.ends, self.strains)
+        shoulders = _overstrained_tabs(self.layout, self.ends, self.strains, self._tab_rooms)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
     @cached_property

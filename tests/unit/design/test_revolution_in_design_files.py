@@ -73,6 +73,66 @@ def test_rings_that_are_too_small_for_inclined_tabs_get_the_least_opening(read, 
         ball(int(new) - 1)
 
 
+BODIES = {
+    "egg": ("polypropylene-0.8", "mdf-3", 24, [[30, 0], [62, 35], [70, 75], [52, 125], [30, 165]]),
+    "pear": ("polypropylene-0.8", "mdf-3", 12, [[15, 0], [75, 45], [68, 95], [40, 140], [15, 175]]),
+    "bulb": (
+        "birch-plywood-0.8",
+        "birch-plywood-3",
+        8,
+        [[30, 0], [96, 120], [180, 255], [186, 375], [30, 495]],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_each_change_that_a_refusal_suggests_for_rings_works(read, name):
+    sheet, rings, count, points = BODIES[name]
+
+    def body(points, count):
+        return read(
+            f"[revolution]\nsheet = '{sheet}'\nrings = '{rings}'\nstrips = {count}\npoints = {points}\n"
+        ).model()
+
+    with pytest.raises(InputError) as refused:
+        body(points, count)
+    problem, tested = str(refused.value).split("A tested change makes strips and rings possible: ")
+    assert "Make the tab" not in problem
+    places = [[float(x), float(y)] for x, y in re.findall(r"\(([\d.]+), ([\d.]+)\)", tested)]
+    assert places
+    old, new = places[: len(places) // 2], places[len(places) // 2 :]
+    assert (
+        len(body([new[old.index(point)] if point in old else point for point in points], count).plates) == 2
+    )
+    for fewer in re.findall(r"use (\d+) strips", tested):
+        assert len(body(points, int(fewer)).plates) == 2
+
+
+def test_tabs_that_meet_in_a_ring_can_be_left_to_the_program(read):
+    lamp = (
+        "[revolution]\nsheet = 'polypropylene-0.8'\nstrips = 9\nrings = 'mdf-3'\n"
+        "points = [[50, 0], [75, 40], [90, 90], [75, 140], [50, 180]]\n"
+    )
+    with pytest.raises(InputError, match=r"rings possible: leave out ends") as refused:
+        read(f"{lamp}ends = {{ length = 9, width = 36 }}\n").model()
+    assert [f"ring-{end}: the slots of" in str(refused.value) for end in ("bottom", "top")] == [True, True]
+    assert len(read(lamp).model().plates) == 2
+
+
+def test_no_tab_is_advised_that_is_wider_than_its_ring_allows(read):
+    """The strip alone would need tabs almost as wide as its ends; neighbours leave less room in the ring."""
+    bulb = (
+        "[revolution]\nsheet = 'birch-plywood-0.8'\nstrips = 8\n"
+        "points = [[30, 0], [96, 120], [180, 255], [186, 375], [30, 495]]\n"
+    )
+    narrow = "ends = [{ length = 8, width = 19 }, { length = 8, width = 12 }]\n"
+    with pytest.raises(InputError, match="Make the tab at the start at least 24"):
+        read(bulb + narrow).model()
+    with pytest.raises(InputError, match="The ring has no room for a tab wider than 20") as refused:
+        read(f"{bulb}{narrow}rings = 'birch-plywood-3'\n").model()
+    assert "Make the tab" not in str(refused.value)
+
+
 def test_the_opening_of_a_narrow_ring_follows_from_its_note(read):
     """A smaller border is the change that the note suggests."""
     vase = (
