@@ -264,8 +264,9 @@ def _rows(result: StripResult) -> tuple[Row, ...]:
     if verdict.allowed or verdict.refused:
         return rows
     return tuple(
-        replace(row, text=note("{text} The files are written anyway, because the strip does not break.",
-                               text=row.text))
+        replace(row, text=note(
+            "{text} The files are written anyway, because the whole strip is not likely to break.", text=row.text
+        ))
         if row.stops and row.text in result.strip.strain_warnings else row
         for row in rows
     )  # fmt: skip

@@ -144,6 +144,19 @@ def test_the_largest_exit_code_of_several_curves_counts(drawn, tmp_path):
     run("check", both, code=2)
 
 
+def test_a_warning_of_cracks_in_corners_does_not_deny_them(tmp_path):
+    """The corners beside a narrow tab may crack; only a strip that breaks as a whole is refused."""
+    (tmp_path / "arc.json").write_text(curves_json([ec.PlaneCurve.arc((0, 0), 66.0, 0.0, 2.0)]))
+    ends = "ends=[{length=10,width=14},{length=10,width=14}]"
+    line = ("strip", tmp_path / "arc.json", "--sheet", "birch-plywood-0.8", "--max-width", 20, "--set", ends)
+    lines = run(*line, "-o", tmp_path / "out", "--no-pictures", "--no-step").stderr.splitlines()
+    rows = [text for text in lines if "in the corners beside the tab" in text]
+    assert len(rows) == 2
+    for row in rows:
+        assert "the material may crack there" in row
+        assert row.endswith("The files are written anyway, because the whole strip is not likely to break.")
+
+
 @pytest.mark.campaign
 def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
     path = tmp_path / "tight.json"
