@@ -88,8 +88,8 @@ _STOCK = (
     smooth_option,
     click.option("--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."),
     click.option("--shorter", type=Shortening(), multiple=True, metavar="PERCENT|LENGTH",
-                 help="Add a row to the table, with the cord shorter by this percentage, or by this length with "
-                      "its unit, such as 50mm; repeatable  [default: 2 5 10 20]"),
+                 help="Row of the table, with the cord shorter by this percentage, or by this length with its "
+                      "unit, such as 50mm; repeatable; replaces the default rows  [default: 2 5 10 20]"),
     output_options,
 )  # fmt: skip
 
