@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
-from elastica_cad.cli.suggestions import TYPED, cures_after
+from elastica_cad.cli.suggestions import TYPED, cures_after, refuse_extra_words
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
 from elastica_cad.declared import Record
 from elastica_cad.defaults import BAD_INPUT, OUTPUT_CLOSED
@@ -22,7 +22,6 @@ from elastica_cad.errors import (
     NotMetError,
     installed_version,
     near_names,
-    quoted,
 )
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -247,18 +246,6 @@ def _usage_message(problem: click.UsageError, context: click.Context | None) -> 
     return problem.format_message()
 
 
-def _refuse_extra_words(context: click.Context) -> None:
-    if not context.args:
-        return
-    from elastica_cad.mechanics.sheets import sheet_names
-
-    word, takes_sheet = context.args[0], any("--sheet" in option.opts for option in context.command.params)
-    advice = f"Write --sheet {word}." if takes_sheet and word in sheet_names() else (
-        "Leave it out, or put quotes around a name with spaces."
-    )  # fmt: skip
-    raise InputError("{word} is an extra argument. {advice}", word=quoted(word), advice=advice)
-
-
 def _instruction_for_missing(param: click.Parameter | None) -> str:
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
@@ -315,7 +302,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
-    # `_refuse_extra_words` reports extra words, with advice
+    # `refuse_extra_words` reports extra words, with advice
     command.allow_extra_args = True
     command.params += [
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
@@ -330,7 +317,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         root_options = click.get_current_context().find_root().params
         watched = bool(root_options.get("watch"))
         voice().quiet = bool(root_options.get("quiet"))
-        _refuse_extra_words(click.get_current_context())
+        refuse_extra_words(click.get_current_context().args)
         if watched and not reads:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
         notes = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()

@@ -10,9 +10,9 @@ import click
 
 from elastica_cad._text import quote_words
 from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
-from elastica_cad.cli.suggestions import name_program
+from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_row, wrote
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
@@ -79,10 +79,7 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
     --keep the sheet is saved in the library, and its name is enough: --sheet NAME.
     """
     if name_or_file is not None and chosen["sheet"] is not None:
-        raise InputError(
-            "{word} is an extra argument. Leave it out, or put quotes around a name with spaces.",
-            word=quoted(name_or_file),
-        )
+        refuse_extra_words([name_or_file])
     chosen["sheet"] = name_or_file or chosen["sheet"]
     sheet, name = require_flat(_sheet_of_coupon(chosen)), chosen["name"]
     if name and ("/" in name or "\\" in name):

@@ -11,7 +11,7 @@ import click
 
 from elastica_cad._text import quote_words
 from elastica_cad.cli.voice import say_step
-from elastica_cad.errors import ElasticaError
+from elastica_cad.errors import ElasticaError, InputError, quoted
 
 if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
@@ -31,6 +31,21 @@ def name_program() -> str:
 
 TYPED = "elastica.typed"
 """Key of the typed arguments in click's `meta`."""
+
+
+def refuse_extra_words(words: Sequence[str]) -> None:
+    """Raise InputError for the first of the words, which the running command does not take."""
+    if not words:
+        return
+    from elastica_cad.mechanics.sheets import sheet_names
+
+    word, context = words[0], click.get_current_context()
+    needs_sheet = "sheet" in context.params and context.params["sheet"] is None
+    advice = f"Write --sheet {word}." if needs_sheet and word in sheet_names() else (
+        "Leave it out, or put quotes around a name with spaces."
+    )  # fmt: skip
+    raise InputError("{word} is an extra argument. {advice}", word=quoted(word), advice=advice)
+
 
 MOST_REFUSALS = 7
 """Largest number of refused curves of a file that have their messages printed."""

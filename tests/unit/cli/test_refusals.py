@@ -423,6 +423,8 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
         ),
         ("bend arch.csv --to 380", "--to needs 2 values, X Y. New position of the end, in mm of the drawing"),
         ("pair arch.csv arch.csv birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
+        ("pair arch.csv arch.csv pom-1 --sheet pom-2", "'pom-1' is an extra argument. Leave it out"),
+        ("coupon oak-3 --sheet oak-2", "'oak-3' is an extra argument. Leave it out"),
         ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
         ("help rails", "did you mean rail?"),
         ("help screws", "did you mean revolution.holes.screws, base.holes.screws, or rings.holes.screws?"),
