@@ -130,6 +130,12 @@ DRAWN_POINTS = 301  # number of points of a curve in a notebook, at distances of
 CORNER_RAD = 1e-5
 """Smallest jump of the tangent direction, rad, that counts as a corner."""
 
+ROUNDED_END_SHARE = 1e-4
+"""Arc lengths beyond an end by at most this fraction of the length count as at the end.
+
+The tolerance allows for lengths that users copy from rounded output, and for splines that are fitted to a rod.
+"""
+
 ROUNDED_ZERO_SHARE = 1e-6
 """Rounding error of a zero of the curvature, as a fraction of its knot span."""
 
@@ -200,11 +206,11 @@ class PlaneCurve(NurbsCurve):
         return self._pieces.arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
-        """Return the parameters at arc lengths s, mm."""
+        """Return the parameters at arc lengths s, mm; see `ROUNDED_END_SHARE`."""
         s = numbers(s, "arc lengths")
         inside = np.minimum(np.maximum(s.ravel(), 0.0), self.length)
         off = np.abs(s.ravel() - inside)
-        if not off.max(initial=0.0) <= 1e-9 * self.length:
+        if not off.max(initial=0.0) <= ROUNDED_END_SHARE * self.length:
             raise InputError(
                 "the arc length {s:g} is outside the curve: use 0 to {length:g}",
                 s=Length(s.ravel()[off.argmax()]),

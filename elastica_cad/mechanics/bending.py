@@ -236,7 +236,7 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
             "Loads in newtons need a rod with its stiffness in N mm2. Set bending_stiffness of the rod."
         )
     curve = rod.curve
-    weight = None if weight is None else with_placed_masses(weight, curve)
+    weight = None if weight is None else with_placed_masses(weight, curve, curve)
     placed = tuple(PlacedElement.on(load, curve, curve) for load in forces)
     acting = tuple(ElementForce(load.element, load.s, load.units[0] / (B or 1.0)) for load in placed)
     return replace(rod, weight=weight if masses or rod.weight is not None else None, point_forces=acting)

@@ -17,7 +17,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import pair, require_flag, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import Gravity, Place, PointMass, Supports, Weight, require_place
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
@@ -291,10 +291,13 @@ def place_elements(
     return placed
 
 
-def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
-    """Return the weight with the positions of its masses converted to arc lengths along the curve."""
+def with_placed_masses(weight: Weight, drawn: PlaneCurve, curve: PlaneCurve) -> Weight:
+    """Return the weight with the positions of its masses converted to arc lengths along the curve.
+
+    A mass at a point is moved to the nearest point of the `drawn` curve.
+    """
     masses = tuple(
-        replace(mass, at=_station(mass.at, curve, mass)) if isinstance(mass.at, tuple) else mass
+        replace(mass, at=_station(mass.at, drawn if isinstance(mass.at, tuple) else curve, mass))
         for mass in weight.masses
     )
     return replace(weight, masses=masses)
@@ -311,7 +314,7 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
                 element=noun_of(element), point=Point(at), off=Length(off),
             )  # fmt: skip
         return s
-    near = AT_END_SHARE * curve.length
+    near = ROUNDED_END_SHARE * curve.length
     if not -near <= at <= curve.length + near:
         raise InputError(
             "The {element} {at:.6g} from the start is not on the curve. Give a place from 0 to "

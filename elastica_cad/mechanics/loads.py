@@ -21,7 +21,7 @@ from elastica_cad._values import (
 )
 from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
-from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, CurvatureZero, PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length, Point
@@ -212,7 +212,8 @@ class Weight:
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)
         for point in self.masses:
-            if not 0 <= point.s <= s[-1]:
+            at = min(max(point.s, 0.0), float(s[-1]))
+            if abs(at - point.s) > ROUNDED_END_SHARE * s[-1]:
                 raise InputError(
                     (
                         "the point mass at {at:.6g} is beyond the ends of the rod, which is {s:.6g} long: give a "
@@ -221,8 +222,8 @@ class Weight:
                     at=Length(point.s),
                     s=Length(s[-1]),
                 )
-            i = min(int(np.searchsorted(s, point.s, side="right")) - 1, s.size - 2)
-            share = (point.s - s[i]) / (s[i + 1] - s[i])
+            i = min(int(np.searchsorted(s, at, side="right")) - 1, s.size - 2)
+            share = (at - s[i]) / (s[i + 1] - s[i])
             newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
             weight[i] += (1 - share) * newtons
             weight[i + 1] += share * newtons

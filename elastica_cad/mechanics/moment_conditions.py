@@ -603,8 +603,9 @@ class RodRequest(EqualByValue):
 
     def __post_init__(self) -> None:
         self.supports.require_held(between=bool(self.between))
-        if self.weight is not None and self.weight.has_points:
-            object.__setattr__(self, "weight", with_placed_masses(self.weight, self.drawn or self.curve))
+        if self.weight is not None and self.weight.masses:
+            placed = with_placed_masses(self.weight, self.drawn or self.curve, self.curve)
+            object.__setattr__(self, "weight", placed)
 
     @property
     def curve_to_bend(self) -> PlaneCurve:

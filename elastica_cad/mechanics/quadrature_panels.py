@@ -474,17 +474,7 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
     """Return arc length, mm, and number of continuous derivatives of the stiffness, for each kink of the load."""
     if weight is None:
         return []
-    kinks: list[tuple[float, int]] = []
-    for mass in weight.masses:
-        if not (np.isfinite(mass.mass) and 0 <= mass.s <= length):
-            raise InputError(
-                "the point mass of {mass:.6g} g at {at:g} from the start is not on the curve: give a place "
-                "from 0 to {length}",
-                mass=mass.mass,
-                at=Length(mass.s),
-                length=Length(length),
-            )
-        kinks.append((mass.s, 0))
+    kinks = [(mass.s, 0) for mass in weight.masses]
     for part in (weight.alpha, weight.beta):
         if isinstance(part, Profile):
             if not np.isclose(part.length, length, rtol=1e-6):

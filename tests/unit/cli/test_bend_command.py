@@ -89,3 +89,31 @@ def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path)
     said = re.search(r"! Stability at ([\d.]+) mm of travel, the strip tips over sideways", result.stderr)
     assert bool(said) == tips
     assert said is None or float(said[1]) == pytest.approx(295.0)
+
+
+@pytest.mark.parametrize("end", [820, 820.05])
+def test_a_cord_from_end_to_end_may_have_a_rounded_place(end, tmp_path):
+    arguments = (
+        "bend",
+        "--straight",
+        820,
+        "--sheet",
+        "birch-plywood-1.5",
+        "--max-width",
+        15,
+        "--shorten",
+        90,
+    )
+    inside, at_ends = (
+        run(*arguments, "--tie", 0, at, "--side", "right", "-o", tmp_path / str(at)) for at in (819.9999, end)
+    )
+    assert "tie from 0 mm to 820 mm, 730.0 mm long, pulls " in at_ends.stdout
+    row = next(line for line in at_ends.stdout.splitlines() if line.startswith("Between"))
+    assert row in inside.stdout
+    refused = run(*arguments, "--tie", 0, 821, "--side", "right", "-o", tmp_path / "refused", code=2)
+    assert (
+        "The tie 821 mm from the start is not on the curve. Give a place from 0 to 820 mm" in refused.stderr
+    )
+    mass = ("--point-mass", end, 4, "--hold-start", "clamped", "--hold-end", "free")
+    loaded = run(*arguments[:-2], *mass, "-o", tmp_path / "loaded")
+    assert "Load        4 g at 820" in loaded.stdout
