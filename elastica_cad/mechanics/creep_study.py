@@ -12,7 +12,7 @@ from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
-from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.tolerances import feels_modulus
 from elastica_cad.refusals import Length, note, sentences
 
@@ -109,14 +109,15 @@ class Creep:
                 "support the strip."
             )
             return sentences([summary, snaps], " ")
-        if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
+        if after.word == "low" and stability(self.rod).word == "ample":
             return sentences(
                 [
                     summary,
                     note(
-                        "After creep the strip is close to snapping (stability margin {margin:.3g}; at least 5 is "
-                        "safe).",
+                        "After creep the strip is close to snapping (stability margin {margin:.3g}; at least "
+                        "{safe:.3g} is safe).",
                         margin=after.margin,
+                        safe=after.safe,
                     ),
                 ],
                 " ",

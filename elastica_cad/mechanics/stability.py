@@ -1,6 +1,6 @@
 """Stability of a rod: its margin, its conjugate points, and a summary in words."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -271,6 +271,8 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
 
 # least margin of a rod that remains stable if it is cut and mounted inaccurately
 SAFE_MARGIN = 5.0
+# least margin of a rod that is rated stable, as a fraction of its margin when straight, without forces
+UNLOADED_SHARE = 0.5
 # largest imbalance of moments, relative to the moments, that `stability` accepts
 OUT_OF_BALANCE = 0.05
 
@@ -303,6 +305,9 @@ class Stability:
         zero of high order at `started_from`.
     borderline : bool
         True if the margin is smaller than its rounding error; `stable` is then False.
+    safe : float
+        Least margin that is rated stable: `SAFE_MARGIN`, or half the margin of the straight rod without forces if
+        this is less. It is less for a rod with a free end: there a margin below 5 does not mean that it can snap.
     """
 
     stable: bool
@@ -314,6 +319,7 @@ class Stability:
     determinant_s: FloatArray = field(repr=False)
     determinant: FloatArray = field(repr=False)
     borderline: bool
+    safe: float = SAFE_MARGIN
 
     def __str__(self) -> str:
         return note(
@@ -323,10 +329,10 @@ class Stability:
 
     @property
     def word(self) -> Literal["unstable", "low", "ample"]:
-        """Rating of the margin by the limits 0 and `SAFE_MARGIN`: unstable, low or ample."""
+        """Rating of the margin by the limits 0 and `safe`: unstable, low or ample."""
         if not self.stable:
             return "unstable"
-        return "low" if self.margin < SAFE_MARGIN else "ample"
+        return "low" if self.margin < self.safe else "ample"
 
     @property
     def rating(self) -> str:
@@ -405,8 +411,18 @@ def stability(rod: Rod) -> Stability:
     return Stability(
         stable=negative == 0 and not borderline, margin=margin.value, mode=_nodal_mode(discrete),
         negative=negative, conjugate_point=place, started_from=started_from, determinant_s=s,
-        determinant=value, borderline=borderline,
+        determinant=value, borderline=borderline, safe=_safe_margin(discrete),
     )  # fmt: skip
+
+
+def _safe_margin(rod: DiscreteRod) -> float:
+    if rod.bracing is not None or not 0 < rod.margin.value < SAFE_MARGIN:
+        return SAFE_MARGIN
+    chord = rod.position[-1] - rod.position[0]
+    straight = replace(
+        rod, angles=np.full(rod.angles.size, np.arctan2(*chord[::-1])), force=np.zeros_like(rod.force)
+    )
+    return min(SAFE_MARGIN, UNLOADED_SHARE * straight.margin.value)
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:

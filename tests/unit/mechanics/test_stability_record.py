@@ -9,6 +9,7 @@ from elastica_cad import (
     Gravity,
     InputError,
     NotConvergedError,
+    PointForce,
     PointMass,
     Rod,
     Supports,
@@ -204,3 +205,19 @@ class TestLimits:
         ):
             with pytest.raises((InputError, NotConvergedError), match=message):
                 stability_limit(arch, path)
+
+
+@pytest.mark.parametrize(("share", "rating"), [(0.0, "stable"), (0.35, "stable"), (0.8, "close to snapping")])
+def test_a_column_is_close_to_snapping_only_near_its_buckling_load(share, rating):
+    """Its margin without a load is pi^2 / 4, below the limit of 5 of other strips."""
+    column = Rod.straight(240.0, bending_stiffness=900.0, angle=np.pi / 2)
+    push = share * np.pi**2 / 4 * 900.0 / 240.0**2
+    rest = bend(column, supports=Supports("clamped", "free"), loads=PointForce(240.0, (0.0, -push)))
+    assert stability(rest).margin == pytest.approx((1 - share) * np.pi**2 / 4, rel=1e-4)
+    assert stability(rest).rating == rating
+
+
+def test_hinged_ends_that_nearly_meet_are_close_to_snapping():
+    rest = bend(Rod.straight(240.0), end=(16.0, 0.0), supports=Supports("pinned", "pinned"))
+    assert 0 < stability(rest).margin < 2
+    assert stability(rest).rating == "close to snapping"
