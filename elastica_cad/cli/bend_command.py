@@ -46,7 +46,7 @@ from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMass, Supports
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, Gravity, PointMass, Supports
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
@@ -193,7 +193,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
         # the ends are free, because held ends could not follow the cord
         present = Supports("free", "free")
-    supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
+    supports = _supports(rod, present, chosen)
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
         now = ", ".join(
@@ -231,6 +231,27 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]),
         {f"{_travel_name(name)}.csv": "the table", f"{name}.csv": "points", f"{name}.json": "curves"},
     )
+
+
+def _supports(rod: Rod, present: Supports, chosen: dict[str, Any]) -> Supports:
+    start, end = chosen["hold_start"] or present.start, chosen["hold_end"] or present.end
+    try:
+        supports = Supports(start, end)
+        supports.require_held(between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)))
+    except InputError as problem:
+        loaded = rod.gravity is not None or bool(elements_of(chosen, LOADS))
+        has_free_end = any(
+            End.named(at).is_free if isinstance(at, str) else at.is_free for at in (start, end)
+        )
+        if not chosen["release"] or loaded or not has_free_end:
+            raise
+        raise InputError(
+            "Without its rails, pins and ties, the strip is not held in place and has no stress: it is {shape}. "
+            "For another shape, hold one end clamped or both ends pinned ({start}, {end}).",
+            shape=note("bent as it was made" if np.any(rod.natural_curvature) else "straight"),
+            start="--hold-start", end="--hold-end",
+        ) from problem  # fmt: skip
+    return supports
 
 
 def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:

@@ -156,6 +156,17 @@ def test_a_strip_without_its_elements_snaps(desk):
     assert report["snaps_at"] == 0.0
 
 
+@pytest.mark.parametrize("end", ["free", "pinned"])
+def test_a_released_strip_that_nothing_holds_is_straight(desk, end):
+    line = f"bend out/wave.json --release --hold-start {end} --hold-end free --force"
+    refused = run(line, cwd=desk, code=2).stderr
+    assert (
+        "the strip is not held in place and has no stress: it is straight. For another shape, hold" in refused
+    )
+    assert "(--hold-start, --hold-end)" in refused
+    assert "the rod is free to" in run(f"{line} --point-mass 100 5", cwd=desk, code=2).stderr
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
