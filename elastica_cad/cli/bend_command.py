@@ -55,8 +55,9 @@ from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.refusals import Point, note, number_text
 from elastica_cad.report_rows import Row, warning_row
+from elastica_cad.strip.holding_template import bar_direction, direction_in_drawing
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import SMALLEST_MOVE_MM, bar_direction, between_rows, direction_in_drawing
+from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows
 from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {

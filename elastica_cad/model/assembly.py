@@ -5,16 +5,20 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeAlias, TypeVar
 
+import numpy as np
+
+from elastica_cad._types import FloatArray
 from elastica_cad._values import several, with_article
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, PlacedTab, tab_name
 from elastica_cad.model.frames import Rib, SlottedFrame
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring
 from elastica_cad.refusals import note
-from elastica_cad.strip.measuring import rising_angles
+from elastica_cad.strip.holding_template import angle_text, freedom_text, held_ends
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_colors, bent_sheets
 from elastica_cad.strip.strip import Placed, Strip, strip_names
@@ -144,6 +148,9 @@ def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
         yield replace(part, name=name)
 
 
+ALONG_AXIS = 1e-4
+"""A unit vector is along an axis if its component differs from 1 by less than this."""
+
 FREE, TO_START = note("free"), note("glue to its start (1)")
 """Texts for a free end, and for the end of a closed strip, which is glued to its start."""
 
@@ -162,10 +169,12 @@ class AssemblyStep:
         Name of the cut piece.
     ends : (str, str)
         Holders of end 1 and end 2. For a supported end without a holder, the text is "hold at (x, y, z)", mm.
-        The text also gives the angle of the strip to the line between its ends. Other ends are "free" or
+        The text also gives the direction of the strip from the line between its ends. Other ends are "free" or
         glued.
     holders : (tuple of str, tuple of str)
         Short texts for both ends: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
+    motions : (str, str)
+        For both ends, how the end may move, such as "free to slide along x"; "" if it is fixed.
     locks_into : tuple of str
         Earlier strips into whose slots this strip is pushed.
     """
@@ -175,6 +184,7 @@ class AssemblyStep:
     part: str
     ends: tuple[str, str]
     holders: tuple[tuple[str, ...], tuple[str, ...]]
+    motions: tuple[str, str] = ("", "")
     locks_into: tuple[str, ...] = ()
 
 
@@ -206,7 +216,15 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
         before = [min(j.members) for j in model.joints if max(j.members) == i]
         mates = tuple(dict.fromkeys(model.single_name_of(k) for k in before))
         steps.append(
-            AssemblyStep(i + 1, model.single_name_of(i), parts[i], (first, last), (short, long), mates)
+            AssemblyStep(
+                i + 1,
+                model.single_name_of(i),
+                parts[i],
+                (first, last),
+                (short, long),
+                _motions_in_space(model.placed[i]),
+                mates,
+            )
         )
     return tuple(steps)
 
@@ -255,8 +273,59 @@ def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
     place = f"({x:z.1f}, {y:z.1f}, {z:z.1f})"
     if not support.angle:
         return note("hold at {place}", place=place)
-    angle = float(rising_angles(member.strip)[k])
-    return note("hold at {place}, {angle:.1f} degrees to the line between the ends", place=place, angle=angle)
+    angle = angle_in_space(member, held_ends(member.strip)[k].tilt)
+    return note("hold at {place}, {angle}", place=place, angle=angle)
+
+
+def _motions_in_space(member: Placed) -> tuple[str, str]:
+    """Return how each end of a placed strip may move, such as "free to slide along x", or "" if it is fixed."""
+    x, y = (_axis_in_space(axis) for axis in (member.frame.x_axis, member.frame.y_axis))
+    first, last = (
+        "" if member.strip.is_closed or end.is_free else freedom_text(end, x, y)
+        for end in member.strip.rod.supports.ends
+    )
+    return first, last
+
+
+def _axis_in_space(axis: FloatArray) -> str:
+    along = int(np.abs(axis).argmax())
+    if abs(axis[along]) > 1 - ALONG_AXIS:
+        return "xyz"[along]
+    return f"({', '.join(f'{x:z.2f}' for x in axis)})"
+
+
+def angle_in_space(member: Placed, degrees: float) -> str:
+    """Return a direction relative to the line between the ends of a placed strip, as in `angle_text`.
+
+    The text also states the side in space, such as "upward".
+    """
+    text, sign = angle_text(degrees), np.sign(round(degrees, 1))
+    if sign == 0:
+        return text
+    position = member.strip.rod.position
+    aside = member.frame.direction(sign * left_of(position[-1] - position[0]))
+    return note("{angle} ({side})", angle=text, side=direction_in_space(aside))
+
+
+def direction_in_space(vector: FloatArray) -> str:
+    """Return the direction in space, such as "upward", nearest to a vector (3,). Upward is along z."""
+    axis, sign = _nearest_axis(vector)
+    return (
+        note(("upward", "downward")[sign == "-"]) if axis == "z" else note("towards {axis}", axis=sign + axis)
+    )
+
+
+def side_in_space(vector: FloatArray) -> str:
+    """Return the side of a strip, such as "below the strip", in the direction of a vector (3,)."""
+    axis, sign = _nearest_axis(vector)
+    if axis == "z":
+        return note(("above the strip", "below the strip")[sign == "-"])
+    return note("on the {axis} side of the strip", axis=sign + axis)
+
+
+def _nearest_axis(vector: FloatArray) -> tuple[str, str]:
+    along = int(np.abs(vector).argmax())
+    return "xyz"[along], "-" if vector[along] < 0 else "+"
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:

@@ -7,7 +7,8 @@ from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.refusals import Length, Refusal, Span, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
-from elastica_cad.strip.summary import LATER, direction_in_drawing
+from elastica_cad.strip.holding_template import direction_in_drawing
+from elastica_cad.strip.summary import LATER
 
 
 def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tuple[Row, ...]:

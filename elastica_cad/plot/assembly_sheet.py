@@ -1,7 +1,7 @@
 """Assembly sheet as PDF: exploded view, order of assembly, positions, and parts."""
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, groupby, zip_longest
@@ -16,13 +16,19 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted, is_one_of
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
+from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
     SingleHolder,
+    angle_in_space,
+    direction_in_space,
     engraved_marks,
     list_assembly_steps,
+    side_in_space,
     single_holders,
+    unheld_ends,
 )
 from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
@@ -42,8 +48,7 @@ from elastica_cad.plot.model_pictures import (
     size_text,
 )
 from elastica_cad.refusals import Length, Refusal, Wording, note, number_text, sentences
-from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
-from elastica_cad.strip.measuring import rising_angles
+from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
@@ -221,13 +226,11 @@ def _tables(
     yield Table("Order of assembly", (), [(text,) for text in numbered])
     head = ("step", "strip", "cut as", "start (1)", "end (2)", "locks into")
     yield Table("" if first_steps else "Order of assembly", head, rows)
+    last_steps = enumerate(_element_steps(model), len(first_steps) + len(rows) + 1)
+    yield Table("", (), [(note("{number}   {text}", number=k, text=text),) for k, text in last_steps])
     yield Table("", (), [(text,) for text in _sentences_below_steps(model, holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
-    title = (
-        "Positions in the blocks (mm; degrees from the line of the ends, positive towards the hump; of an S "
-        "curve, to the left of the line from start to end)"
-    )
-    yield Table(title, head, [*_block_rows(model, holders)])
+    yield Table("Positions in the blocks (mm)", head, [*_block_rows(model, holders)])
     placed_plates = [*_plate_rows(holders)]
     yield Table(
         "Positions of the plates (mm)",
@@ -236,8 +239,12 @@ def _tables(
     )
     loads = ("strip", "force at start (1)", "moment at start (1)", "force at end (2)", "moment at end (2)")
     yield Table("Force and moment at the ends", loads, [*_load_rows(model)])
-    head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
-    yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])
+    head = ("strip", "element", "place (x, y, z), mm", "angle", "force on the strip, N", "length, mm")
+    title = (
+        "Rails, pins, ties and loads (the place of a rail is where its bar touches the strip; other places are "
+        "on the centre line of the strip)"
+    )
+    yield Table(title, head, [*_element_rows(model)])
     if cut_list is not None:
         yield Table("Parts", ("part", "count", "sheet", "size, mm", "file"), [*_part_rows(cut_list)])
 
@@ -285,14 +292,33 @@ def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str
     count = Counter(step.part for step in steps)
 
     def alike(step: AssemblyStep) -> tuple[Any, ...]:
-        return step.holders, step.locks_into, step.part if count[step.part] > 1 else ""
+        part = step.part if count[step.part] > 1 else ""
+        return step.holders, step.motions, step.locks_into, part
 
-    for k, ((places, locks, part), run) in enumerate(groupby(steps, alike), number):
+    for k, ((places, motions, locks, part), run) in enumerate(groupby(steps, alike), number):
         first, *following = run
         strips = _range([first.strip, *(step.strip for step in following)])
         if part and following:
             strips = note("strips {first} to {last}", first=first.number, last=following[-1].number)
-        yield str(k), strips, part, *map(_joined, places), ", ".join(locks)
+        ends = (
+            sentences([_joined(names), motion], ", ") for names, motion in zip(places, motions, strict=True)
+        )
+        yield str(k), strips, part, *ends, ", ".join(locks)
+
+
+ELEMENT_STEPS: Mapping[str, Mapping[type, str]] = {
+    "Mount the {elements} at the places in the table below.": {Rail: "rails", Pin: "pins"},
+    "Tie the {elements} between the places in the table below.": {Tie: "cords"},
+    "Last, add the {elements} at the places in the table below.": {PointMass: "masses", PointForce: "forces"},
+}
+
+
+def _element_steps(model: Model) -> Iterator[str]:
+    kinds = {type(held.action.element) for strip in model.strips for held in held_elements(strip)}
+    for text, plurals in ELEMENT_STEPS.items():
+        nouns = [note(plural) for kind, plural in plurals.items() if kind in kinds]
+        if nouns:
+            yield note(text, elements=_joined(nouns))
 
 
 def _range(names: Sequence[str]) -> str:
@@ -328,6 +354,10 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
             "Glue each foot into the corner between its plate and the tab in its name, such as tab A:1 for "
             "foot-A-1a."
         )
+    if _states_angles(model, holders):
+        yield note(
+            "Angles are measured from the line between the ends of the strip, seen from start (1) to end (2)."
+        )
     yield from engraved_marks(model, holders) if holders else ()
     # keep one plate of a pair, the plate next to the strips
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
@@ -341,6 +371,18 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
             )  # fmt: skip
 
 
+def _states_angles(model: Model, holders: Sequence[Holder]) -> bool:
+    supports = [member.strip.rod.supports.ends for member in model.placed]
+    by_hand = (
+        supports[i][ENDS.index(end)] for i, ends in unheld_ends(model, holders).items() for end in ends
+    )
+    return (
+        any(isinstance(holder, EndFixture) for holder in holders)
+        or any(support.angle for support in by_hand)
+        or any(held_elements(part.strip) for part in model.parts)
+    )
+
+
 def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     blocks = {holder.tab.key for holder in holders if isinstance(holder, EndFixture)}
     for i, member in enumerate(model.placed):
@@ -348,8 +390,8 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
         if blocks.isdisjoint(tab.key for tab in tabs):
             continue
         cells = []
-        for tab, angle in zip(tabs, rising_angles(member.strip), strict=True):
-            cells += [_point(tab.frame.origin), f"{angle:z.1f}"]
+        for tab, end in zip(tabs, held_ends(member.strip), strict=True):
+            cells += [_point(tab.frame.origin), angle_in_space(member, end.tilt)]
         distance = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
         yield model.single_name_of(i), *cells, f"{distance:.1f}"
 
@@ -374,17 +416,27 @@ def _point(position: FloatArray) -> str:
 
 
 def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each rail, pin, tie and load. Angles are measured from the line between the ends."""
+    """Yield a row for each rail, pin, tie and load."""
     for i, member in enumerate(model.placed):
         for element in held_elements(member.strip):
-            points = member.frame.point(element.position)
+            contact = element.contact
+            points = member.frame.point(element.position if contact is None else contact[None])
             first, *others = map(_point, points)
             at = note("{some} to {last}", some=first, last=others[-1]) if others else first
             distance = float(np.linalg.norm(points[-1] - points[0]))
             is_tie = len(points) > 1
             noun = note("{name} {noun}", name=element.name, noun=element.noun)
-            angle, length = ("", f"{distance:.1f}") if is_tie else (f"{element.tilt:.1f}", "")
-            yield model.single_name_of(i), noun, at, angle, number_text(element.force, ".2g"), length
+            angle, length, force = "", f"{distance:.1f}", number_text(element.force, ".2g")
+            if element.is_between_bars:
+                at = note("{place} (middle between two bars)", place=at)
+            if contact is not None:
+                side = side_in_space(member.frame.direction(element.outward[0]))
+                at = note("{text} (bar {side})", text=at, side=side)
+            if not is_tie:
+                angle, length = angle_in_space(member, element.tilt), ""
+                push = direction_in_space(member.frame.direction(element.action.force[0]))
+                force = note("{force} {direction}", force=force, direction=push) if element.force else force
+            yield model.single_name_of(i), noun, at, angle, force, length
 
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:

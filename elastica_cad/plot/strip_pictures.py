@@ -20,7 +20,7 @@ from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new
 from elastica_cad.refusals import number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
-from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends
+from elastica_cad.strip.holding_template import HeldEnd, distance_between, freedom_text, held_ends
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.travel import Travel
 
@@ -207,7 +207,7 @@ def _paint_bent(
     tabs = [np.array([end.position, end.tip]) for end in ends]
     for end, tab in zip(ends, tabs, strict=True):
         axes.plot(*tab.T, color=FAINT, linewidth=2.2)
-        angle_text = f"{end.tilt:.1f}°" if end.support.angle else end.unheld_text
+        angle_text = f"{end.tilt:.1f}°" if end.support.angle else freedom_text(end.support)
         beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # move the text away from a steep tab
         inward = "left" if end.outward[0] < 0 else "right"  # keep a long text inside the axes
         align = inward if end.support.is_free else "center"

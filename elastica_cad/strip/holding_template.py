@@ -15,7 +15,8 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Line, Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
-from elastica_cad.refusals import Length, Refusal, note, number_text
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length, Listed, Refusal, note, number_text
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Hole
@@ -36,6 +37,9 @@ MARKS = (0.25, 0.5, 0.75)
 S_SHAPED = 0.01
 """Least ratio of the smaller to the larger height of an S-shaped strip, on opposite sides of its chord. In other
 strips, rounding errors give smaller ratios."""
+
+DRAWN_AXES = "the x axis of the drawing", "the y axis of the drawing"
+"""Names of the axes along which an end may slide, for the template."""
 
 ELEMENT_LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 
@@ -85,10 +89,27 @@ class HeldEnd:
             outward=-self.outward,
         )
 
-    @property
-    def unheld_text(self) -> str:
-        """Text for an end that may turn, for pictures and the template."""
-        return "free: nothing holds it" if self.support.is_free else "free to turn"
+
+def freedom_text(support: End, x: str = "x", y: str = "y") -> str:
+    """Return how an end may move, or "" if its place and its angle are held. `x` and `y` name the axes."""
+    axes = [name for name, held in ((x, support.x), (y, support.y)) if not held]
+    if support.is_free:
+        return note("free: nothing holds it")
+    if axes:
+        text = "free to slide along {axes}" if support.angle else "free to slide along {axes} and to turn"
+        return note(text, axes=Listed(axes))
+    return "" if support.angle else note("free to turn")
+
+
+def angle_text(degrees: float) -> Refusal:
+    """Return the direction of a strip relative to the line between its ends, seen from start to end.
+
+    `degrees` is positive to the left, as in `HeldEnd.tilt`.
+    """
+    if round(degrees, 1) == 0:
+        return note("straight ahead")
+    text = "{angle:.1f} degrees to the left" if degrees > 0 else "{angle:.1f} degrees to the right"
+    return note(text, angle=abs(degrees))
 
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
@@ -205,8 +226,10 @@ class HeldElement:
         Direction of the strip at the first point, or of a load, relative to the line from start to end, degrees.
     force : float
         Force on the strip, N.
+    contact : (2,) array, optional
+        Point at which a one-sided rail touches the strip, mm, in the plane of the curve.
     face : (2,) array, optional
-        Point at which a one-sided rail touches the strip, in the coordinates of `places`, mm.
+        This point in the coordinates of `places`, mm.
     """
 
     name: str
@@ -216,6 +239,7 @@ class HeldElement:
     places: FloatArray
     tilt: float
     force: float
+    contact: FloatArray | None = None
     face: FloatArray | None = None
 
     def __str__(self) -> str:
@@ -225,8 +249,14 @@ class HeldElement:
             length = float(np.hypot(*(self.places[1] - self.places[0])))
             return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {force}"
         if self.face is not None:
-            at += f", touches the strip at x {self.face[0]:z.1f}, y {self.face[1]:z.1f}"
-        return f"{self.name} {self.noun}: {at}, {self.tilt:.1f} degrees from the line, {force}"
+            x, y = self.face
+            at = f"touches the strip at x {x:z.1f}, y {y:z.1f}, bar {side_of_bar(self.outward[0])}"
+        elif self.is_between_bars:
+            at += ", middle between two bars"
+        strip = "" if self.is_load else "strip "
+        x, y = self.action.force[0]
+        push = f"{force} {direction_in_drawing(np.degrees(np.arctan2(y, x)))}" if self.force else force
+        return f"{self.name} {self.noun}: {at}, {strip}{angle_text(self.tilt)}, {push}"
 
     @property
     def noun(self) -> str:
@@ -236,6 +266,11 @@ class HeldElement:
         if not isinstance(element, PointMass):
             return noun
         return note("{noun} {mass:g} g", noun=noun, mass=float(element.mass))
+
+    @property
+    def is_between_bars(self) -> bool:
+        """True for a rail that holds the strip from both sides."""
+        return isinstance(self.action.element, Rail) and not self.action.element.one_sided
 
     @property
     def is_load(self) -> bool:
@@ -263,18 +298,46 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
         off = at.position - rod.position[0]
-        one_sided = isinstance(action.element, Rail) and action.element.one_sided
-        face = off[0] + strip.sheet.thickness / 2 * normal[0]
+        contact = face = None
+        if (bar := bar_direction(action, rod)) is not None:
+            normal = bar[None]
+            contact = at.position[0] + strip.sheet.thickness / 2 * bar
+            inward = contact - rod.position[0]
+            face = np.array([inward @ chord, inward @ left_of(chord)])
         held.append(
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
                 np.column_stack([off @ chord, off @ left_of(chord)]),
                 _principal_angle(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
                 strip.bending_stiffness * action.size,
-                np.array([face @ chord, face @ left_of(chord)]) if one_sided else None,
+                contact, face,
             )
         )  # fmt: skip
     return tuple(held)
+
+
+def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
+    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if its side is
+    unknown.
+    """
+    if not (isinstance(action.element, Rail) and action.is_one_sided):
+        return None
+    angle = float(rod.curve.at(action.s).angle[0])
+    normal = np.array([-np.sin(angle), np.cos(angle)])
+    side = action.mounting.side or int(np.sign(action.force[0] @ normal))
+    return -side * normal if side else None
+
+
+def side_of_bar(direction: FloatArray) -> Refusal:
+    """Return the side of the strip, in words, in the direction (2,) of `bar_direction`."""
+    quarter = round(float(np.arctan2(direction[1], direction[0])) / (np.pi / 2)) % 4
+    sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
+    return note(sides[quarter])
+
+
+def direction_in_drawing(angle: float) -> Refusal:
+    """Return the direction, such as "upward", nearest to an angle in degrees from the x axis."""
+    return note(("to the right", "upward", "to the left", "downward")[round(angle / 90) % 4])
 
 
 def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
@@ -316,10 +379,10 @@ def ends_message(strip: Strip) -> Refusal:
     far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}
     if all(end.support.angle for end in ends):
         return note(
-            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip), the start "
-            "at {start:.1f} degrees and the end at {end:.1f} degrees to the line between them",
-            start=ends[0].tilt,
-            end=ends[1].tilt,
+            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip); seen from start "
+            "to end, the strip points {start} at the start, {end} at the end",
+            start=angle_text(ends[0].tilt),
+            end=angle_text(ends[1].tilt),
             **far,
         )
     if strip.rod.supports.is_free:
@@ -366,13 +429,14 @@ def holding_template(strip: Strip) -> Drawing:
         f"{engravable(strip.label or 'strip')}: its first letter points to its start (1)",
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
-            f"{name}: "
-            + f"{abs(end.tilt):.1f} degrees from the line{'' if end.support.angle else f', {end.unheld_text}'}"
+            f"{name}: strip {angle_text(end.tilt)}"
+            + "".join(f", {free}" for free in [freedom_text(end.support, *DRAWN_AXES)] if free)
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
             for name, end, holes in zip(("start (1)", "end (2)"), ends, hole_places(ends), strict=True)
         ),
         *map(str, elements),
         *(["mm; x along the line from its start"] if first.holes or last.holes or elements else []),
+        "angles from the line, from start to end",
     ]
     texts = [
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)

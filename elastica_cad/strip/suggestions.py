@@ -25,10 +25,11 @@ from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.holding_template import bar_direction, side_of_bar
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import bar_direction, moves_far, needs_exact_pin, side_of_bar
+from elastica_cad.strip.summary import moves_far, needs_exact_pin
 
 MOST_SUGGESTIONS = 4
 

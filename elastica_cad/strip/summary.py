@@ -26,7 +26,16 @@ from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.held_shape import HeldShape, about
-from elastica_cad.strip.holding_template import HeldEnd, distance_between, distance_of_tips, held_ends
+from elastica_cad.strip.holding_template import (
+    HeldEnd,
+    angle_text,
+    bar_direction,
+    direction_in_drawing,
+    distance_between,
+    distance_of_tips,
+    held_ends,
+    side_of_bar,
+)
 from elastica_cad.strip.strip import Strip
 
 MOST_DEVIATION = 0.05
@@ -217,7 +226,7 @@ def hold_row(strip: Strip) -> Row:
         if all(end.support.angle for end in ends)
         else "ends {distance}, free to turn; seen from start to end, the strip at rest points {start} at the "
         "start, {end} at the end",
-        distance=distance, start=_angle_text(ends[0].tilt), end=_angle_text(ends[1].tilt),
+        distance=distance, start=angle_text(ends[0].tilt), end=angle_text(ends[1].tilt),
     )  # fmt: skip
     if strip.rod.supports.is_free:
         apart = note("both ends are free: nothing holds them; they rest {apart:.1f} apart", **distance.values)
@@ -276,13 +285,6 @@ def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
     return float(start_force @ chord / (np.linalg.norm(chord) or 1.0))
 
 
-def _angle_text(degrees: float) -> Refusal:
-    if round(degrees, 1) == 0:
-        return note("straight ahead")
-    text = "{angle:.1f} degrees to the left" if degrees > 0 else "{angle:.1f} degrees to the right"
-    return note(text, angle=abs(degrees))
-
-
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
     return note(
         "This distance is measured between the places where the bend begins; the tips of the tabs are "
@@ -332,25 +334,6 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         "measured from the x axis."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
-
-
-def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
-    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if its side is
-    unknown.
-    """
-    if not (isinstance(action.element, Rail) and action.is_one_sided):
-        return None
-    angle = float(rod.curve.at(action.s).angle[0])
-    normal = np.array([-np.sin(angle), np.cos(angle)])
-    side = action.mounting.side or int(np.sign(action.force[0] @ normal))
-    return -side * normal if side else None
-
-
-def side_of_bar(direction: FloatArray) -> Refusal:
-    """Return the side of the strip, in words, in the direction (2,) of `bar_direction`."""
-    quarter = round(float(np.arctan2(direction[1], direction[0])) / (np.pi / 2)) % 4
-    sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
-    return note(sides[quarter])
 
 
 def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
@@ -473,11 +456,6 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
         "{pin}, {along:.2g} N of it along the strip: a ring would slide, so screw a hinge to the strip",
         pin=pin, along=along,
     )  # fmt: skip
-
-
-def direction_in_drawing(angle: float) -> Refusal:
-    """Return the direction, such as "upward", nearest to an angle in degrees from the x axis."""
-    return note(("to the right", "upward", "to the left", "downward")[round(angle / 90) % 4])
 
 
 def not_computed_row() -> Row:

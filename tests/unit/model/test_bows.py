@@ -148,9 +148,7 @@ def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
     assert "round, 4 mm in diameter" in " ".join(lines)
     assert not any("turn it" in line for line in lines)
     (start,) = (text.text for text in holding_template(rod).texts if text.text.startswith("start (1): "))
-    angle, rest = start.removeprefix("start (1): ").split(maxsplit=1)
-    assert float(angle) == pytest.approx(abs(held_ends(rod)[0].tilt), abs=0.05)
-    assert rest == "degrees from the line, free to turn"
+    assert start == f"start (1): strip {held_ends(rod)[0].tilt:.1f} degrees to the left, free to turn"
 
 
 def test_the_strain_warning_of_a_rod_mentions_no_sheet():

@@ -76,7 +76,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     first, last = held_ends(strip)
     assert first.position == pytest.approx([60, 0], abs=1e-9)
     assert last.tip == pytest.approx([500, 0], abs=1e-9)
-    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip)," in ends_message(strip)
+    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip);" in ends_message(strip)
     drawing = holding_template(strip)
     curve_drawn = drawing.on("ENGRAVE")[0]
     assert np.abs(curve_drawn.points(0.01)[:, 1].max() - strip.rod.position[:, 1].max()) < 0.02
@@ -91,7 +91,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     }
     lettered = [text.text for text in drawing.texts]
     assert "bend lines 380.0 mm apart, tips 500.0 mm" in lettered
-    assert "end (2): 0.0 degrees from the line, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
+    assert "end (2): strip straight ahead, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
 
 
 def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
@@ -102,7 +102,7 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     (step,) = list_assembly_steps(model, [base])
     assert step.ends == (
         "slot UP:1 of base",
-        "hold at (220.0, 0.0, 50.0), 65.2 degrees to the line between the ends",
+        "hold at (220.0, 0.0, 50.0), 65.2 degrees to the right (downward)",
     )
     spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
     kit = kit_contents(model, spec, effects=True)

@@ -183,3 +183,72 @@ def test_without_a_font_the_chinese_sheet_is_in_english_and_states_why(sheet, mo
 def test_an_unknown_language_is_refused(sheet, language):
     with pytest.raises(ec.InputError, match="Use en, de or zh-CN"):
         sheet(ec.Model([ec.Placed(BOW)]), language=language)
+
+
+WAVE = ec.PlaneCurve.spline(
+    [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
+)
+
+
+def wave_with(label, *elements, **more):
+    strip = ec.make_strip(WAVE, "birch-plywood-0.8", max_width=40, between=elements, label=label, **more)
+    return ec.Placed(strip, (0, 60 * ord(label), 0), (1, 0, 0), (0, 0, 1))
+
+
+def test_elements_and_loads_are_the_last_steps(sheet):
+    loads = (ec.PointMass(100, 20), ec.PointForce(250, (0.3, 0.4)))
+    tied = wave_with("A", ec.Rail(200), ec.Tie(40, 310), loads=loads, gravity=True)
+    pinned = wave_with("B", ec.Rail(200, one_sided=False), ec.Pin(300))
+    pages = sheet(ec.Model([tied, pinned]))
+    texts = [text for page in pages for text in page]
+    steps = [text for text in texts if text[:1].isdigit() and text[1:4] == "   "]
+    assert steps == [
+        "3   Mount the rails and pins at the places in the table below.",
+        "4   Tie the cords between the places in the table below.",
+        "5   Last, add the masses and forces at the places in the table below.",
+    ]
+    angles = (
+        "Angles are measured from the line between the ends of the strip, seen from start (1) to end (2)."
+    )
+    assert angles in texts
+    (page,) = sheet(ec.Model([wave_with("C", ec.Rail(200))]))
+    assert [text for text in page if text.startswith("2   ")] == [
+        "2   Mount the rails at the places in the table below."
+    ]
+    assert not any("Mount" in text for text in sheet(ec.Model([ec.Placed(BOW)]))[0])
+
+
+def test_a_sliding_end_is_stated_in_its_step(sheet):
+    strip = ec.make_strip(
+        ec.PlaneCurve.spline([(0, 0), (60, 25), (150, 40), (240, 25), (300, 0)], degree=3),
+        "birch-plywood-1.5", max_width=40, between=ec.Rail(120), loads=ec.PointMass(200, 80), gravity=True,
+        supports=ec.Supports("clamped", "slide-x"), label="S",
+    )  # fmt: skip
+    model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))])
+    blocks = model.fixtures()
+    assert "its block, free to slide along x" in sheet(model, *blocks)[0]
+    assert "sein Halter, frei verschieblich entlang x" in sheet(model, *blocks, language="de")[0]
+
+
+@pytest.mark.parametrize("language", ["de", "zh-CN"])
+def test_the_texts_on_elements_are_translated(language, sheet, monkeypatch):
+    monkeypatch.setattr("elastica_cad.plot.assembly_sheet.chinese_font", lambda: "DejaVu Sans")
+    loads = (ec.PointMass(100, 20), ec.PointForce(250, (0.3, 0.4)))
+    tied = wave_with("A", ec.Rail(200), ec.Tie(40, 310), loads=loads, gravity=True)
+    pinned = wave_with("B", ec.Rail(200, one_sided=False), ec.Pin(300))
+    turned = replace(pinned, x_axis=(0, 1, 0), y_axis=(1, 0, 0))
+    texts = " ".join(text for page in sheet(ec.Model([tied, turned]), language=language) for text in page)
+    for english in (
+        "degrees",
+        "towards",
+        "upward",
+        "bar",
+        "bars",
+        "Mount",
+        "Tie",
+        "Last",
+        "Angles",
+        "force",
+        "hold",
+    ):
+        assert not re.search(rf"\b{english}\b", texts), english
