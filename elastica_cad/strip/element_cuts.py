@@ -17,7 +17,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import BRITTLE, StrainState, StrainVerdict, judge_strain
 from elastica_cad.mechanics.sections import crack_energy
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
-from elastica_cad.refusals import Length, Listed, Refusal, note
+from elastica_cad.refusals import BareLength, Length, Listed, Refusal, note
 from elastica_cad.strip.outline import Ends
 from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
@@ -264,31 +264,42 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
     for action in rod.between:
         if not isinstance(action.element, Tie):
             continue
-        start, end = rod.curve.at(action.s).position
-        crossings = [
-            s for s in _crossings(rod, start, end) if np.abs(s - action.s).min() > rod.length / rod.s.size
-        ]
-        if not crossings:
+        s, along = _crossings(rod, *rod.curve.at(action.s).position)
+        between = np.abs(s[:, None] - action.s).min(axis=1) > rod.length / rod.s.size
+        if not between.any():
             continue
-        widest = float(width(np.array(crossings)).max())
-        beside = width(action.s).min() - 2 * action.element.notch if action.element.notch else 0.0
-        if beside <= widest:
+        crossings, wide = s[between], width(s[between])
+        notch, apart = action.element.notch, rounded_up(float(wide.max()), 3)
+        if not notch:
             yield note(
                 "The cord from {start} to {end} crosses the strip {places} from its start. Use two cords "
                 "beside its edges, more than {apart} apart.",
-                start=Length(action.s[0]), end=Length(action.s[1]), places=Listed(map(Length, crossings)),
-                apart=Length(rounded_up(widest, 3)), severity="warning",
+                start=Length(action.s[0]), end=Length(action.s[1]), places=Listed(map(Length, crossings.tolist())),
+                apart=Length(apart), severity="warning",
+            )  # fmt: skip
+            continue
+        gaps = np.interp(along[between], (0, 1), width(action.s) - 2 * notch)
+        if np.any(gaps <= wide):
+            k = int(np.argmin(gaps - wide))
+            yield note(
+                "The two cords in the notches from {start} to {end} cross the strip {at} from its start, because "
+                "they are {gap:.1f} apart there and the strip is {wide:.1f} wide. Tie them to bars across the "
+                "strip, longer than {apart}, instead of notches.",
+                start=Length(action.s[0]), end=Length(action.s[1]), at=Length(float(crossings[k])),
+                gap=BareLength(float(gaps[k])), wide=Length(float(wide[k])), apart=Length(apart),
+                severity="warning",
             )  # fmt: skip
 
 
-def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
+def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the arc lengths, mm, at which the rod crosses a cord, and the fractions of the cord up to there."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
     before = np.flatnonzero(aside[:-1] * aside[1:] < 0)
     u = aside[before] / (aside[before] - aside[before + 1])
     along = (
         rod.position[before] + u[:, None] * (rod.position[before + 1] - rod.position[before]) - start
-    ) @ chord
-    inside = (along > 0) & (along < chord @ chord)
+    ) @ (chord / (chord @ chord))
+    inside = (along > 0) & (along < 1)
     s = rod.s[before] + u * (rod.s[before + 1] - rod.s[before])
-    return [float(place) for place in s[inside]]
+    return s[inside], along[inside]

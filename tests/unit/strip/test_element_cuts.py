@@ -1,5 +1,7 @@
 """Holes and notches for cords and lugs: where they are, how the strip compensates them, and what is refused."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -98,3 +100,13 @@ def test_a_cord_that_crosses_the_strip_is_reported():
     along = np.diff(chord, axis=0)[0]
     assert abs(crossing[0] * along[1] - crossing[1] * along[0]) / np.hypot(*along) < 2
     assert not any("crosses" in text for text in strip_of(ec.Rail(200), ec.Tie(60, 120)).warnings)
+
+
+def test_notches_that_are_too_close_for_two_cords_are_reported():
+    made = strip_of(ec.Rail(200), ec.Tie(40, 310, notch=4))
+    (warning,) = [text for text in map(str, made.warnings) if "two cords" in text]
+    numbers = re.search(r"107 mm from its start, .* are ([\d.]+) apart there .* is ([\d.]+) mm wide", warning)
+    gap, wide = map(float, numbers.groups())
+    bottoms = made.width(np.array([40.0, 310.0])) - 8
+    assert bottoms.min() - 0.1 <= gap <= bottoms.max() + 0.1 < wide
+    assert wide == pytest.approx(made.width(107.0), rel=0.01)
