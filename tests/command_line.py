@@ -1,5 +1,6 @@
 """`elastica` as it is typed, run in the process of the tests."""
 
+import re
 from contextlib import chdir
 
 from click.testing import CliRunner, Result
@@ -17,3 +18,8 @@ def run(line: object, *words: object, cwd: object = ".", code: int | None = 0, *
         result = CliRunner().invoke(elastica, arguments, catch_exceptions=False, **options)
     assert code in (None, result.exit_code), result.output
     return result
+
+
+def suggested_commands(output):
+    """The arguments of all commands that are suggested, in order."""
+    return re.findall(r"^Change +.*\): `.*?elastica(?:_cad)? ([^`]*)`", output, re.MULTILINE)

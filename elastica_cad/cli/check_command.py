@@ -233,10 +233,10 @@ class _Request:
         ),)  # fmt: skip
 
     def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
-        settled = self.natural_curvature or self.smooth is not None or self.between
-        if settled:
+        settled = self.natural_curvature or self.smooth is not None
+        if settled or not problem.refusal.changes:
             return None
-        return common_request(requested.curve, self.supports) if problem.refusal.changes else None
+        return common_request(requested.curve, self.supports, between=self.between)
 
     def cures(self, requested: RequestedCurve) -> list[Cure]:
         problem = NotRealizable(self.examined(requested)[2])

@@ -917,7 +917,7 @@ class ConditionedRows:
             near = stretches(wrong, self.check.length)
             reason = note(
                 "With these supports, rails, pins, ties and loads, the moment near {stretches} would bend the "
-                "strip to the other side. Move or add a rail, pin or tie there."
+                "strip to the other side. Move or add a rail, pin or tie, there or elsewhere."
                 if held and near else
                 "With these supports, rails, pins, ties and loads, the moment would bend the strip to the "
                 "other side. Move or add a rail, pin or tie." if held else

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie, require_elements
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
@@ -36,7 +36,10 @@ MOST_STABLE_TRIED = 3
 
 
 def suggest_support(
-    curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    between: "Element | Sequence[Element]" = (),
 ) -> Element | None:
     """Return the rail, pin or tie with which a stable rod without weight can have the shape of a curve.
 
@@ -52,12 +55,14 @@ def suggest_support(
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
         Curvature of the unloaded strip, 1/mm.
+    between : Rail, Pin or Tie, or several
+        Rails, pins and ties that the rod already has.
 
     Returns
     -------
     Rail, Pin, Tie or None
-        Positions are arc lengths, mm, with 3 significant digits. None if no rail, pin or tie gives a stable rod
-        with a ratio up to 8.
+        The rail, pin or tie to add. Positions are arc lengths, mm, with 3 significant digits. None if no rail, pin
+        or tie gives a stable rod with a ratio up to 8.
 
     Examples
     --------
@@ -67,6 +72,7 @@ def suggest_support(
     """
     supports = require_supports(supports)
     require_natural_curvature(natural_curvature)
+    present = require_elements(between)
     check = examine(curve, supports, natural_curvature, heavy=True)
     if not check.realizable or check.any_stiffness:
         return None
@@ -87,7 +93,7 @@ def suggest_support(
                 supports=supports,
                 natural_curvature=natural_curvature,
                 known_check=check,
-                between=(element,),
+                between=(*present, element),
             )
             for element in elements
         ]
@@ -107,5 +113,5 @@ def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element
     for ratio, i in sorted(possible)[:MOST_STABLE_TRIED]:
         with suppress(ElasticaError):
             if stability(rod_of_request(requests[i])).stable:
-                return ratio, requests[i].between[0]
+                return ratio, requests[i].between[-1]
     return None

@@ -1,5 +1,6 @@
 """Check whether a strip can take a drawn curve, and changes that make an impossible curve possible."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -7,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import Element
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import (
     NaturalCurvature,
@@ -33,7 +35,10 @@ LENGTH_PER_WIDTH = 12
 
 
 def common_request(
-    curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    between: Sequence[Element] = (),
 ) -> "StripSpec":
     """Return a request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
@@ -47,6 +52,7 @@ def common_request(
         max_width=width,
         supports=supports or Supports(),
         natural_curvature=natural_curvature,
+        between=between,
     )
 
 

@@ -878,6 +878,8 @@ class StripSpec(EqualByValue):
             if isinstance(law, ThicknessLaw | RoundLaw | LeavesLaw):
                 law = law.with_sheet(sheet)
             return self.changed(sheet=sheet, law=law)
+        if change.field == "between":
+            return self.changed(between=(*self.between, change.value))
         if change.field == "elements":
             return self.changed(between=(), loads=())
         if change.field == "lap":

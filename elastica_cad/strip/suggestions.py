@@ -65,8 +65,9 @@ class Suggestion:
     Attributes
     ----------
     change : Change
-        Field and value. Two fields are not part of a request. "point" moves a control point; its value is (index,
-        (x, y)), with indices from 0. "size" is a factor on the size of the drawing.
+        Field and value. For "between", the value is a rail, pin or tie to add. Two fields are not part of a
+        request. "point" moves a control point; its value is (index, (x, y)), with indices from 0. "size" is a
+        factor on the size of the drawing.
     requests : tuple of StripSpec
         Requests with this change: several requests if the curve is divided at its corners.
     deviation : float
@@ -152,7 +153,7 @@ class Suggestion:
             )
         match self.change.value:
             case Rail(float(at)):
-                (action,) = self.strips[0].rod.between
+                *_, action = self.strips[0].rod.between
                 direction = bar_direction(action, self.strips[0].rod)
                 support = note(
                     "build the rail, a bar across the strip, {place} along the curve from its start"
@@ -179,7 +180,7 @@ class Suggestion:
 
     @property
     def table(self) -> Any:
-        """New value of the changed field, as it is written in a design file."""
+        """New value of the changed field, or the added rail, pin or tie, as it is written in a design file."""
         value = self.change.value
         if not isinstance(value, Rail | Pin | Tie):
             return value
@@ -328,13 +329,14 @@ def _changes(
     """
     named = problem.refusal.changes
     names = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
-    exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)
+    without_load = isinstance(problem, NotRealizable) and _is_unloaded(spec)
+    exact = without_load and not spec.between
     thinner = [change for change in named if isinstance(problem, StrainError) and change.field == "thickness"]
     if exact and (fields is None or "point" in fields):
         yield _moved_points(spec)
     for name in names:
         yield [change for change in named if change.field == name and change not in thinner]
-        if exact and name == FIRST_FIELDS[-1] and (fields is None or "between" in fields):
+        if without_load and name == FIRST_FIELDS[-1] and (fields is None or "between" in fields):
             yield _support(spec)
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
@@ -352,12 +354,13 @@ def _moved_points(spec: StripSpec) -> Iterator[Change]:
 
 def _support(spec: StripSpec) -> Iterator[Change]:
     with suppress(ElasticaError):
-        if element := suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature):
+        curve = spec.rod_spec.curve_to_bend
+        if element := suggest_support(curve, spec.supports, spec.natural_curvature, spec.between):
             yield Change("between", element)
 
 
 def _is_unloaded(spec: StripSpec) -> bool:
-    return not (spec.may_change or spec.between or spec.loads) and spec.gravity is None
+    return not (spec.may_change or spec.loads) and spec.gravity is None
 
 
 def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:

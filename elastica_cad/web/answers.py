@@ -502,7 +502,8 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
         case "lap":
             return [strip | {"shop": strip.get("shop", design.get("shop", {})) | {"lap": change.value}}]
         case "between":
-            return [strip | {"between": [suggestion.table]}]
+            present = strip.get("between", design.get("between", []))
+            return [strip | {"between": [*present, suggestion.table]}]
         case "sheet" if "thickness" in {**design, **strip}:
             thickness = Sheet.named(change.value).thickness
             return [strip | {"sheet": change.value, "thickness": thickness}]

@@ -88,9 +88,13 @@ def test_a_strip_on_a_rail_has_fixtures_and_no_accuracy(refused):
     assert len(blocks.Shape.Solids) == 2
 
 
-def test_no_support_is_sought_for_a_request_that_has_one(refused):
-    change(refused, Between=["at = 40"])
-    assert changes_that_help(valid_request(refused), changeable(refused)) == ()
+def test_a_support_is_added_to_the_one_that_a_refused_request_has(refused):
+    change(refused, Between=["at = 100"])
+    (suggestion,) = changes_that_help(valid_request(refused), changeable(refused))
+    change(refused, **values_of(refused, suggestion.change))
+    assert refused.State == ["Up-to-date"]
+    first, second = strip_of(refused).rod.between
+    assert (first.element, second.element) == (ec.Rail(100.0), suggestion.change.value)
 
 
 def test_ties_and_loads_keep_their_fraction_of_a_changed_sketch(refused, move_pole):

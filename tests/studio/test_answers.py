@@ -384,6 +384,7 @@ def test_a_dragged_point_stops_at_the_border(between):
     ("drawn", "fields"),
     [
         pytest.param(wave(), ["between", "nearest"], marks=pytest.mark.campaign),
+        (wave(between=[{"at": 100}]), ["between"]),
         pytest.param(wave(ZIGZAG, sheet="pom-0.5"), ["nearest", "point"], marks=pytest.mark.campaign),
         (design(sheet="oak-3", thickness=4.0), ["sheet", "nearest"]),
         (design(strips=[{"label": "A1", "curve": TWO_ARCS}]), ["split_corners", "nearest"]),

@@ -1,11 +1,14 @@
 """`elastica check` of curves on rails, pins and ties."""
 
 import json
+import re
+import shlex
+import shutil
 
 import pytest
 
 import elastica_cad as ec
-from tests.command_line import run
+from tests.command_line import run, suggested_commands
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -41,7 +44,20 @@ def test_a_pin_at_a_point_and_a_tie(desk):
 def test_the_reasons_have_places(desk):
     printed = run("check wave.dxf --rail 60", cwd=desk, code=1).output
     assert "the moment near 60 and 371 mm would bend the strip to the other side" in printed
-    assert "Change" not in printed
+
+
+@pytest.mark.parametrize("given", ["--rail 60", "--rail 320 --pin 350"])
+def test_a_support_is_suggested_beside_those_that_the_curve_has(given, desk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "wave.dxf").write_bytes((desk / "wave.dxf").read_bytes())
+    for words in (f"check wave.dxf {given}", f"strip wave.dxf --sheet pom-0.5 --max-width 30 {given} -o out"):
+        (command,) = suggested_commands(run(words, code=1).output)
+        assert f"{given} " in command
+        made = run(*shlex.split(command), "--no-step", "--no-pictures").output
+        (between,) = re.findall(r"^Between +(.*)", made, re.MULTILINE)
+        assert between.count("from the start") == given.count("--") + 1
+        assert "unstable" not in made
+        shutil.rmtree("out")
 
 
 def test_two_free_ends_need_an_element(desk):

@@ -15,17 +15,12 @@ import elastica_cad as ec
 from elastica_cad import write_curves
 from elastica_cad.cli.suggestions import cures_of
 from elastica_cad.strip import suggestions
-from tests.command_line import run
+from tests.command_line import run, suggested_commands
 
 CURVES = {
     "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it
     "tall": [(0, 0), (30, 120), (70, 130), (120, 60), (150, 0)],  # one does, with a neck of 2.3 mm
 }
-
-
-def suggested_commands(output):
-    """The arguments of all commands that are suggested, in order."""
-    return re.findall(r"^Change +.*\): `.*?elastica(?:_cad)? ([^`]*)`", output, re.MULTILINE)
 
 
 def ended_by_ctrl_c(words, cwd, first="pass"):

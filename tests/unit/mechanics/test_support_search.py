@@ -24,6 +24,15 @@ def test_the_rail_has_the_least_ratio_of_the_stable_ones():
             assert other.ratio > 0.98 * rod.ratio or not ec.stability(other).stable
 
 
+@pytest.mark.parametrize("at", [100, 330])
+def test_a_support_is_added_to_those_that_the_rod_has(at):
+    curve, rail = ec.PlaneCurve.spline(WAVE, degree=5), ec.Rail(at)
+    with pytest.raises(ec.NotRealizable):
+        ec.optimal_rod(curve, between=rail)
+    added = suggest_support(curve, between=rail)
+    assert ec.stability(ec.optimal_rod(curve, between=(rail, added))).stable
+
+
 def test_a_straight_curve_needs_no_element():
     assert suggest_support(ec.PlaneCurve.line((0, 0), (100, 20))) is None
 

@@ -249,7 +249,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
         case Change("join", gap):
             return {"JoinGaps": gap}
         case Change("between", element):
-            return {"Between": acting_lines([element])["Between"]}
+            return {"Between": [*obj.Between, *acting_lines([element])["Between"]]}
     name = name_of(change.field)
     return {name: change.value} if name in obj.PropertiesList else {}
 
