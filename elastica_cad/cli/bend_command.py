@@ -55,9 +55,9 @@ from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.refusals import Point, note, number_text
 from elastica_cad.report_rows import Row, warning_row
-from elastica_cad.strip.holding_template import bar_direction, direction_in_drawing
+from elastica_cad.strip.holding_template import bar_direction
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows
+from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
 from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {
@@ -538,9 +538,7 @@ def _load_rows(loads: Sequence[PointMass | PointForce], *, weight: bool) -> Iter
 
 
 def _displacement_row(moved: Travel, *, released: bool) -> Row:
-    moves = moved.rods[-1].position - moved.strip.rod.position
-    k = int(np.hypot(*moves.T).argmax())
-    distance, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
+    distance, at, direction = farthest_move(moved.strip.rod, moved.rods[-1])
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
         return Row("Movement", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
@@ -548,7 +546,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     text = f"{strip} moves by at most {far} mm from its design"
     return Row(
         "Movement",
-        f"{text}: the point {moved.strip.rod.s[k]:.0f} mm along the strip, {direction_in_drawing(angle)}",
+        f"{text}: the point {at:.0f} mm along the strip, {direction}",
     )
 
 

@@ -28,7 +28,7 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import instability, instability_in_plane
+from elastica_cad.strip.summary import farthest_move, instability, instability_in_plane
 
 STATIONS = 201
 """Number of evenly spaced stations at which a varying natural curvature is reported."""
@@ -174,6 +174,7 @@ def report_strip(
             "at": round_numbers(strip.max_strain_at),
             "limit": strip.strain_limit,
         },
+        "without_loads": _without_loads(strip),
         "backing_side": strip.backing_side or None,
         "ends": _ends(strip),
         "held": _held(strip),
@@ -184,6 +185,22 @@ def report_strip(
         "reactions": report_reactions(strip.reactions()),
         "between": _between(strip),
         "warnings": [*strip.warnings, *([] if unstable is None else [unstable])],
+    }
+
+
+def _without_loads(strip: Strip) -> dict[str, Any] | None:
+    if strip.unloaded is None:
+        return None
+    loaded, unloaded = (
+        max(strains, key=lambda layer: layer.largest / layer.limit).largest
+        for strains in (strip.strains, strip.unloaded_strains)
+    )
+    moved, at, _ = farthest_move(strip.rod, strip.unloaded)
+    return {
+        "strain": round_numbers(unloaded),
+        "strain_with_loads": round_numbers(loaded),
+        "moved": round_numbers(moved),
+        "moved_at": round_numbers(at),
     }
 
 

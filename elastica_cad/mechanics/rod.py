@@ -616,6 +616,11 @@ class Rod:
         return (*self.between, *self.point_forces)
 
     @property
+    def has_loads(self) -> bool:
+        """True if masses hang on the rod, or point forces act on it."""
+        return bool(self.point_forces or (self.weight is not None and self.weight.masses))
+
+    @property
     def support_forces(self) -> FloatArray:
         """Forces (2, 2) of the supports on start and end, divided by the least bending stiffness, 1/mm2.
 

@@ -54,12 +54,15 @@ class StrainVerdict:
         Arc length of the strain along the strip, mm.
     outcome : str
         Behaviour of the material at this strain; empty within the limit.
+    unloaded : bool
+        True if this is the strain of the strip without its loads.
     """
 
     state: StrainState
     used: float
     at: float | None = None
     outcome: str = ""
+    unloaded: bool = False
 
     @property
     def allowed(self) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
-from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError
+from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across, trim_across
 from elastica_cad.geometry.plane_points import turns_along
@@ -512,17 +512,26 @@ def with_warnings(strip: Strip, *warnings: str) -> Strip:
 
 def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     """Raise StrainError if the strip would break, and `ignore_limits` is False."""
+    if not ignore_limits and strip.strain_verdict.refused:
+        raise overstrained(strip)
+
+
+def overstrained(strip: Strip) -> StrainError:
+    """Return the error of a strip whose strain exceeds its limit, with changes that may help."""
     judged = strip.strain_verdict
-    if ignore_limits or not judged.refused:
-        return
-    thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
-    raise StrainError(
+    changes = []
+    if not judged.unloaded:
+        thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
+        changes += [] if thinner is None else [Change("thickness", thinner)]
+    elif strip.max_width is not None and strip.is_widest:
+        changes.append(Change("max_width", rounded_up(strip.max_width * judged.used, 3)))
+    return StrainError(
         "{strains} To make the strip anyway, set {field}.",
         field=FieldName("ignore_limits"),
         strains=sentences(strip.strain_warnings, " "),
         percent=judged.percent,
         where={"at": judged.at},
-        changes=[*([] if thinner is None else [Change("thickness", thinner)]), *change_to_nearest(strip.rod)],
+        changes=[*changes, *change_to_nearest(strip.rod)],
     )
 
 

@@ -22,12 +22,12 @@ from elastica_cad._values import (
     value_key,
     with_article,
 )
-from elastica_cad.errors import InputError, NotConvergedError, rounded_down, rounded_up
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
 from elastica_cad.mechanics.discrete_rod import Compression
 from elastica_cad.mechanics.elements import require_free_between
@@ -237,6 +237,9 @@ def _overstrained_tabs(
 LINEAR_CREEP_FRACTION = 0.5
 """Fraction of the strain limit above which creep grows faster than the stress."""
 
+WIDEST_SHARE = 0.99
+"""Width, as a fraction of `max_width`, above which a strip has its largest width."""
+
 STRAIGHT_FRACTION = 1e-6
 """Curvature at a point, as a fraction of the largest curvature, up to which the strip counts as straight there."""
 
@@ -301,7 +304,10 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     )  # fmt: skip
 
 
-def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
+def _warn_of_strains(
+    strains: Sequence[LayerStrain], bends: Bends, advice_unloaded: str | None = None
+) -> Iterator[str]:
+    """Yield the warnings about overstrained layers, of a strip without its loads if its advice is given."""
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -310,6 +316,14 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
+            if advice_unloaded is not None:
+                yield note(
+                    "Without its loads, the strip is strained by {strain:g} % at {at} from the start; {sheet} allows "
+                    "{limit:g} %: {outcome}. {advice}",
+                    strain=strain, at=Length(judged.at or 0.0), sheet=layer.name, limit=limit,
+                    outcome=note(judged.outcome), advice=advice_unloaded, severity="warning",
+                )  # fmt: skip
+                continue
             yield note(
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
                 "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).",
@@ -374,6 +388,9 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
 
 _sideways: WeakKeyDictionary[Rod, dict[Hashable, SidewaysStability]] = WeakKeyDictionary()
 """Cache of `strip_sideways`. The first key is the rod; the second key determines the cross sections."""
+
+_unloaded: WeakKeyDictionary[Rod, dict[Hashable, "Rod | ElasticaError"]] = WeakKeyDictionary()
+"""Cache of the rods of strips without their loads, or of the errors of `bend`, with the same keys."""
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
@@ -625,6 +642,11 @@ class Strip:
         start = (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
         return _joint_message(self.ends[1].length, self.end_widths[1], self.reactions(), start)
 
+    @property
+    def is_widest(self) -> bool:
+        """False if the loads determine the widths, and the strip is narrower than `max_width`."""
+        return self.max_width is None or self.width.extremes[1] > WIDEST_SHARE * self.max_width
+
     @cached_property
     def end_widths(self) -> tuple[float, float]:
         """Widths of the bent part at its start and end, mm."""
@@ -632,13 +654,14 @@ class Strip:
 
     @property
     def max_strain(self) -> float:
-        """Largest surface strain (dimensionless) of the layer nearest to its limit."""
+        """Largest surface strain (dimensionless) of the layer nearest to its limit, with or without the loads."""
         return self.most_strained.largest
 
     @property
     def max_strain_at(self) -> float:
         """Arc length of the largest strain, mm."""
-        return self._bends.place(self.most_strained.station)
+        layer, bends = self._most_strained
+        return bends.place(layer.station)
 
     @property
     def strain_limit(self) -> float:
@@ -647,21 +670,48 @@ class Strip:
 
     @property
     def most_strained(self) -> LayerStrain:
-        """Layer whose strain is nearest to the limit of its sheet."""
-        return max(self.strains, key=lambda layer: layer.largest / layer.limit)
+        """Layer whose strain is nearest to the limit of its sheet, with or without the loads of the strip."""
+        return self._most_strained[0]
+
+    @property
+    def _most_strained(self) -> tuple[LayerStrain, Bends]:
+        layers = [(layer, self._bends) for layer in self.strains]
+        if self.unloaded is not None:
+            layers += [(layer, self._bends_of(self.unloaded)) for layer in self.unloaded_strains]
+        return max(layers, key=lambda item: item[0].largest / item[0].limit)
 
     @cached_property
     def strain_verdict(self) -> StrainVerdict:
-        """Worst verdict on the strain of layers, of tabs, and of cuts for pins and ties."""
+        """Worst verdict on the strain of layers, of tabs, and of cuts for pins and ties.
+
+        The strip is judged with its loads and without them.
+        """
         judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
         judged += [shoulder.verdict for shoulder in self._shoulders]
+        if self.unloaded is not None:
+            bends = self._bends_of(self.unloaded)
+            empty = [layer.judged(bends.place(layer.station)) for layer in self.unloaded_strains]
+            empty += [shoulder.verdict for shoulder in self._unloaded_shoulders]
+            judged += [replace(verdict, unloaded=True) for verdict in empty]
         return max(judged, key=lambda verdict: (verdict.state, verdict.used))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
         """Warnings about each layer, tab, and cut for a pin or tie that is strained beyond its limit."""
-        strains = _warn_of_strains(self.strains, self._bends)
-        return (*strains, *map(str, self._shoulders))
+        warnings = (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
+        if self.unloaded is None:
+            return warnings
+        advice = note("Support the strip between its ends, or draw another curve.")
+        if self.is_widest:  # a wider strip is bent less by its loads
+            advice = note(
+                "Make the strip wider ({field}), or reduce its loads.", field=outline_field(self.style)
+            )
+        strains = _warn_of_strains(self.unloaded_strains, self._bends_of(self.unloaded), advice)
+        shoulders = (
+            note("{text} This is the strain without the loads.", text=str(shoulder), severity="warning")
+            for shoulder in self._unloaded_shoulders
+        )
+        return (*warnings, *strains, *shoulders)
 
     @property
     def _tab_rooms(self) -> tuple[float, float]:
@@ -670,8 +720,17 @@ class Strip:
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        shoulders = _overstrained_tabs(self.layout, self.ends, self.strains, self._tab_rooms)
-        return (*shoulders, *strained_cuts(self.rod, self.layout))
+        return self._overstrained(self.rod, self.strains)
+
+    @cached_property
+    def _unloaded_shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
+        return () if self.unloaded is None else self._overstrained(self.unloaded, self.unloaded_strains)
+
+    def _overstrained(
+        self, rod: Rod, strains: Sequence[LayerStrain]
+    ) -> tuple[Shoulder | StrainedCut, ...]:
+        tabs = _overstrained_tabs(self.layout, self.ends, strains, self._tab_rooms)
+        return (*tabs, *strained_cuts(rod, self.layout))
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
@@ -679,13 +738,61 @@ class Strip:
         return self.layout.strains(self._bends)
 
     @cached_property
+    def unloaded_strains(self) -> tuple[LayerStrain, ...]:
+        """Surface strain of each layer of the strip without its loads; empty if `unloaded` is None."""
+        return () if self.unloaded is None else self.layout.strains(self._bends_of(self.unloaded))
+
+    @cached_property
     def _bends(self) -> Bends:
+        return self._bends_of(self.rod)
+
+    def _bends_of(self, rod: Rod) -> Bends:
         if self.layout.stack is None:
-            return bends_along(self.rod)
+            return bends_along(rod)
         from elastica_cad.forming.leaf_ends import leaf_bends
 
-        s, bend = leaf_bends(self.rod, self.layout.stack)
+        s, bend = leaf_bends(rod, self.layout.stack)
         return Bends(bend, s)
+
+    @property
+    def unloaded(self) -> Rod | None:
+        """Rest shape of the strip without its hung masses and point forces. Its own weight remains.
+
+        The result is None if the strip has no loads, or if no rest shape was found, which is one of the `warnings`.
+        """
+        rod = self._unloaded
+        return rod if isinstance(rod, Rod) else None
+
+    @cached_property
+    def _unloaded(self) -> "Rod | ElasticaError | None":
+        if not self.rod.has_loads:
+            return None
+        known = _unloaded.setdefault(self.rod, {})
+        if self._section_key not in known:
+            try:
+                known[self._section_key] = bend(self.rod_to_bend, loads=(), settle=True)
+            except (InputError, NotConvergedError) as problem:
+                known[self._section_key] = problem
+        return known[self._section_key]
+
+    @property
+    def _section_key(self) -> Hashable:
+        return value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
+
+    @property
+    def unloading_warnings(self) -> tuple[str, ...]:
+        """Warning that the strip snaps without its loads, or that no rest shape was found."""
+        rod = self._unloaded
+        if isinstance(rod, ElasticaError):
+            text = "The shape of the strip without its loads was not found. {problem}"
+            return (note(text, problem=str(rod), severity="warning"),)
+        if rod is None or not has_snapped(rod):
+            return ()
+        text = (
+            "Without its loads, the strip snaps into another shape. Support the strip between its ends, or draw "
+            "another curve."
+        )
+        return (note(text, severity="warning"),)
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
@@ -694,6 +801,7 @@ class Strip:
             *self.rod.warnings,
             *self.layout.warnings,
             *self.strain_warnings,
+            *self.unloading_warnings,
             *crossing_warnings(self.rod, self.width),
             *_warn_of_width(self.width, self.rod.length, outline_field(self.style), closed=self.is_closed),
         )
@@ -845,11 +953,10 @@ class Strip:
     @cached_property
     def sideways(self) -> SidewaysStability:
         """Stability against leaving the plane of the curve. Slots are ignored."""
-        section = value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
         known = _sideways.setdefault(self.rod, {})
-        if section not in known:
-            known[section] = strip_sideways(self.rod, self.layout)
-        return known[section]
+        if self._section_key not in known:
+            known[self._section_key] = strip_sideways(self.rod, self.layout)
+        return known[self._section_key]
 
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.

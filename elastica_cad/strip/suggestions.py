@@ -26,6 +26,7 @@ from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sent
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import bar_direction, side_of_bar
+from elastica_cad.strip.makeable_strip import overstrained
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -437,7 +438,9 @@ def _tested(
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
         wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
-        if wide or not strip.strain_verdict.allowed or not stability(strip.rod).stable:
+        if not (wide or strip.strain_verdict.allowed):
+            raise overstrained(strip)  # `_held` tries the width that the error names
+        if wide or not stability(strip.rod).stable or strip.unloading_warnings:
             return None
         used.append(strip.strain_verdict.percent)
         strips.append(strip)

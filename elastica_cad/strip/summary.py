@@ -82,6 +82,7 @@ def strip_rows(
             hold_row(strip),
             *cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
+            *unloaded_rows(strip),
         ]
         rows += [Row(note("Accuracy"), LATER)]
     else:
@@ -91,6 +92,7 @@ def strip_rows(
             hold_row(strip),
             *cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
+            *unloaded_rows(strip),
             *_mounting_rows(strip),
         ]
         with suppress(NotConvergedError):
@@ -143,17 +145,28 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
     """Yield the warnings about strain or, without any, a row on the largest strain and its limit."""
     for warning in strip.strain_warnings:
         yield warning_row(warning, note("Strain"))
-    if not strip.strain_warnings:
-        yield Row(
-            note("Strain"),
-            note(
-                "{strain:.2f} % at {at:.0f} from the start; {sheet} allows {limit:.2f} %",
-                strain=100 * strip.max_strain,
-                at=Length(strip.max_strain_at),
-                sheet=strip.most_strained.name,
-                limit=100 * strip.strain_limit,
-            ),
+    if strip.strain_warnings:
+        return
+    worst = other = strip.most_strained
+    for states in zip(strip.strains, strip.unloaded_strains, strict=False):
+        if worst in states:
+            other = states[states[0] is worst]
+    text = "{strain:.2f} % at {at:.0f} from the start; {sheet} allows {limit:.2f} %"
+    if round(1e4 * other.largest) != round(1e4 * worst.largest):
+        text = (
+            "{strain:.2f} % at {at:.0f} from the start with the loads, {other:.2f} % without them; {sheet} allows "
+            "{limit:.2f} %"
+            if worst in strip.strains
+            else "{strain:.2f} % at {at:.0f} from the start without the loads, {other:.2f} % with them; {sheet} "
+            "allows {limit:.2f} %"
         )
+    yield Row(
+        note("Strain"),
+        note(
+            text, strain=100 * worst.largest, at=Length(strip.max_strain_at), other=100 * other.largest, sheet=worst.name,
+            limit=100 * worst.limit,
+        ),
+    )  # fmt: skip
 
 
 def stability_row(strip: Strip, verdict: Stability) -> Row:
@@ -338,6 +351,32 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
 
 def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
     return text if direction is None else note("{text} (bar {side})", text=text, side=side_of_bar(direction))
+
+
+def unloaded_rows(strip: Strip) -> Iterator[Row]:
+    """Yield a row on the movement of a strip when its loads are removed, if it has loads."""
+    if strip.unloaded is None:
+        return
+    distance, at, direction = farthest_move(strip.rod, strip.unloaded)
+    text = (
+        "without the loads, the strip stays within {limit} of the drawn curve"
+        if distance < SMALLEST_MOVE_MM
+        else "without the loads, the strip moves by at most {far}: the point {at:.0f} from the start, {direction}"
+    )
+    yield Row(
+        note("Movement"),
+        note(
+            text, limit=Length(SMALLEST_MOVE_MM), far=about(distance), at=Length(at), direction=direction
+        ),
+    )
+
+
+def farthest_move(design: Rod, bent: Rod) -> tuple[float, float, Refusal]:
+    """Return the largest movement of a point of a bent rod, mm, the point's arc length, mm, and its direction."""
+    moves = bent.position - design.position
+    k = int(np.hypot(*moves.T).argmax())
+    direction = direction_in_drawing(float(np.degrees(np.arctan2(*moves[k][::-1]))))
+    return float(np.hypot(*moves[k])), float(design.s[k]), direction
 
 
 SMALLEST_MOVE_MM = 0.01

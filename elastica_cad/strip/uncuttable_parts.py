@@ -589,7 +589,8 @@ def _suggestions_for_necks(
     too_thin = wider and find_thin_places(
         [strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least
     )
-    if too_thin or not strip.strain_verdict.allowed:
+    judged = strip.strain_verdict
+    if too_thin or not (judged.allowed or judged.unloaded):
         wider = ()  # a wider strip would still be overstrained or have tips that are too thin
         cure = note(
             "Let the program change the curve so that the widths differ less"

@@ -48,6 +48,7 @@ from elastica_cad.strip.summary import (
     size_row,
     stability_row,
     strain_rows,
+    unloaded_rows,
 )
 
 
@@ -64,8 +65,9 @@ def strip_rows(obj: Any) -> Sequence[Row]:
         *_judged_rows(obj, strain_rows(strip), "LargestStrain"),
         *_judged_rows(obj, steady, "Margin", "SidewaysMargin"),
     ]
+    between = between_rows(strip.rod, strip.bending_stiffness)
     return in_order(
-        [*numbers, hold_row(strip), *between_rows(strip.rod, strip.bending_stiffness), _accuracy(obj, strip)]
+        [*numbers, hold_row(strip), *between, *unloaded_rows(strip), _accuracy(obj, strip)]
     )
 
 
