@@ -523,8 +523,8 @@ def overstrained(strip: Strip) -> StrainError:
     if not judged.unloaded:
         thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
         changes += [] if thinner is None else [Change("thickness", thinner)]
-    elif strip.max_width is not None and strip.is_widest:
-        changes.append(Change("max_width", rounded_up(strip.max_width * judged.used, 3)))
+    elif (wider := _width_without_loads(strip)) is not None:
+        changes.append(Change("max_width", wider))
     return StrainError(
         "{strains} To make the strip anyway, set {field}.",
         field=FieldName("ignore_limits"),
@@ -533,6 +533,33 @@ def overstrained(strip: Strip) -> StrainError:
         where={"at": judged.at},
         changes=[*changes, *change_to_nearest(strip.rod)],
     )
+
+
+AIMED_SHARE = 0.8
+"""Strain, as a fraction of the limit, at which the estimate of a larger width aims."""
+
+LEAST_WIDENING = 0.2
+"""Least increase of a width, as a fraction of it. A strip with a very narrow place needs more than the estimate."""
+
+
+def _width_without_loads(strip: Strip) -> float | None:
+    """Return an estimate of `max_width`, mm, with which the strip without its loads keeps to its limit, or None.
+
+    At the place of the largest strain, the loads change the curvature in inverse proportion to the width. The
+    estimate assumes that the strip becomes wider by the same amount everywhere. Because this is too little, the
+    estimate aims below the limit.
+    """
+    at, used = strip.strain_verdict.at, strip.strain_verdict.used
+    if at is None or strip.unloaded is None or strip.max_width is None or not strip.is_widest:
+        return None
+    loaded, empty = (float(rod.bend_at(np.array([at]))[0]) for rod in (strip.rod, strip.unloaded))
+    loaded, empty = loaded * np.sign(empty), abs(empty)
+    limit = empty / used
+    if loaded >= limit:
+        return None
+    aim = max(AIMED_SHARE * limit, (loaded + limit) / 2)
+    more = float(strip.width(at)) * (empty - aim) / (aim - loaded)
+    return rounded_up(strip.max_width + max(more, LEAST_WIDENING * strip.max_width), 3)
 
 
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:

@@ -318,8 +318,8 @@ def _warn_of_strains(
             radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
             if advice_unloaded is not None:
                 yield note(
-                    "Without its loads, the strip is strained by {strain:g} % at {at} from the start; {sheet} allows "
-                    "{limit:g} %: {outcome}. {advice}",
+                    "Without its loads, the strip is strained by {strain:g} % at {at} from the start; {sheet} "
+                    "allows {limit:g} %: {outcome}. {advice}",
                     strain=strain, at=Length(judged.at or 0.0), sheet=layer.name, limit=limit,
                     outcome=note(judged.outcome), advice=advice_unloaded, severity="warning",
                 )  # fmt: skip
@@ -726,9 +726,7 @@ class Strip:
     def _unloaded_shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
         return () if self.unloaded is None else self._overstrained(self.unloaded, self.unloaded_strains)
 
-    def _overstrained(
-        self, rod: Rod, strains: Sequence[LayerStrain]
-    ) -> tuple[Shoulder | StrainedCut, ...]:
+    def _overstrained(self, rod: Rod, strains: Sequence[LayerStrain]) -> tuple[Shoulder | StrainedCut, ...]:
         tabs = _overstrained_tabs(self.layout, self.ends, strains, self._tab_rooms)
         return (*tabs, *strained_cuts(rod, self.layout))
 
@@ -777,7 +775,8 @@ class Strip:
 
     @property
     def _section_key(self) -> Hashable:
-        return value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
+        key: Hashable = value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
+        return key
 
     @property
     def unloading_warnings(self) -> tuple[str, ...]:

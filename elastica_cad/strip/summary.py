@@ -163,8 +163,8 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
     yield Row(
         note("Strain"),
         note(
-            text, strain=100 * worst.largest, at=Length(strip.max_strain_at), other=100 * other.largest, sheet=worst.name,
-            limit=100 * worst.limit,
+            text, strain=100 * worst.largest, at=Length(strip.max_strain_at), other=100 * other.largest,
+            sheet=worst.name, limit=100 * worst.limit,
         ),
     )  # fmt: skip
 
@@ -365,9 +365,7 @@ def unloaded_rows(strip: Strip) -> Iterator[Row]:
     )
     yield Row(
         note("Movement"),
-        note(
-            text, limit=Length(SMALLEST_MOVE_MM), far=about(distance), at=Length(at), direction=direction
-        ),
+        note(text, limit=Length(SMALLEST_MOVE_MM), far=about(distance), at=Length(at), direction=direction),
     )
 
 

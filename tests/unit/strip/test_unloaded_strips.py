@@ -109,7 +109,8 @@ def test_the_row_states_both_strains_of_a_strip_within_the_limit():
     assert strip.strain_verdict.allowed
     loaded, empty = (100 * layers[0].largest for layers in (strip.strains, strip.unloaded_strains))
     assert row(strip, "Strain") == (
-        f"{empty:.2f} % at 190 mm from the start without the loads, {loaded:.2f} % with them; test-ply allows 0.80 %"
+        f"{empty:.2f} % at 190 mm from the start without the loads, {loaded:.2f} % with them; test-ply allows "
+        "0.80 %"
     )
     assert row(strip, "Movement").startswith("without the loads, the strip moves by at most ")
     assert row(strip, "Movement").endswith(" from the start, to the left")
@@ -152,7 +153,9 @@ def snapped_arch():
 
 def test_a_strip_that_snaps_without_its_loads_is_warned_of():
     strip = snapped_arch()
-    warning = "Without its loads, the strip snaps into another shape. Support the strip between its ends, or draw "
+    warning = (
+        "Without its loads, the strip snaps into another shape. Support the strip between its ends, or draw "
+    )
     assert any(text.startswith(warning) for text in strip.warnings)
 
 
@@ -163,7 +166,9 @@ def test_a_strip_whose_empty_shape_is_not_found_is_warned_of(monkeypatch):
     monkeypatch.setattr(strip_module, "bend", fail)
     strip = arch(45)
     assert strip.unloaded is None
-    assert "The shape of the strip without its loads was not found. no equilibrium was found" in strip.warnings
+    assert (
+        "The shape of the strip without its loads was not found. no equilibrium was found" in strip.warnings
+    )
 
 
 def test_only_strips_with_loads_are_bent_and_only_once(monkeypatch):

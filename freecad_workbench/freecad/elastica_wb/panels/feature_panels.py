@@ -66,9 +66,7 @@ def strip_rows(obj: Any) -> Sequence[Row]:
         *_judged_rows(obj, steady, "Margin", "SidewaysMargin"),
     ]
     between = between_rows(strip.rod, strip.bending_stiffness)
-    return in_order(
-        [*numbers, hold_row(strip), *between, *unloaded_rows(strip), _accuracy(obj, strip)]
-    )
+    return in_order([*numbers, hold_row(strip), *between, *unloaded_rows(strip), _accuracy(obj, strip)])
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
