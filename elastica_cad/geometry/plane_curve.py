@@ -130,10 +130,11 @@ DRAWN_POINTS = 301  # number of points of a curve in a notebook, at distances of
 CORNER_RAD = 1e-5
 """Smallest jump of the tangent direction, rad, that counts as a corner."""
 
-ROUNDED_END_SHARE = 1e-4
+ROUNDED_END_SHARE = 5e-4
 """Arc lengths beyond an end by at most this fraction of the length count as at the end.
 
-The tolerance allows for lengths that users copy from rounded output, and for splines that are fitted to a rod.
+The tolerance allows for lengths of four digits that users copy from reports, and for splines that are fitted to
+a rod.
 """
 
 ROUNDED_ZERO_SHARE = 1e-6

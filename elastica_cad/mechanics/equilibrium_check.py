@@ -218,7 +218,8 @@ def _free_ends_near_zeros(
         if support.angle or t in unbent:
             continue
         at, reach = np.array(t), MEANT_SHARE * check.length
-        if np.abs(excess.at(at)) <= reach * np.abs(excess.slope_at(at)):
+        noise = MEANT_SHARE * float(np.abs(excess.survey).max())
+        if np.abs(excess.at(at)) <= max(reach * np.abs(excess.slope_at(at)), noise):
             yield t
 
 

@@ -30,8 +30,8 @@ from elastica_cad.refusals import Length, Refusal, note
 MEANT_SHARE = 0.01
 """Inaccuracy of a drawn end that is meant to be unbent.
 
-The distance of a zero of the curvature from the end may be this fraction of the length. The curvature at the start
-of a straight tail may be this fraction of the largest curvature.
+The distance of a zero of the curvature from the end may be this fraction of the length. The curvature at the end,
+or at the start of a straight tail, may be this fraction of the largest curvature.
 """
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import End, InputError, NotRealizable, PlaneCurve, Supports, check_equilibrium
+from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics import InflectionLine
 from elastica_cad.mechanics.equilibrium_check import find_separating_line, fit_inflection_line
 
@@ -396,3 +397,19 @@ def test_a_straight_end_that_is_free_is_refused_for_its_own_reason(flip):
     (reason,) = check_equilibrium(curve, supports=supports).reasons
     assert reason.startswith("The piece from 0 mm to 20 mm is straight and has an end that is free to turn")
     assert reason.endswith("with a tie, pin or rail at 20 mm, or let the curve end at 20 mm.")
+
+
+@pytest.mark.parametrize(("share", "realizable"), [(7e-4, True), (4e-3, True), (0.03, False)])
+def test_a_faint_curvature_at_an_end_that_may_turn_is_noise(share, realizable):
+    """The slope of the curvature is 0 there, so a nearby zero of the curvature does not show that it is noise."""
+    s = np.linspace(0.0, 430.0, 1501)
+    kappa = 4e-3 * (share + (1 - share) * np.sin(np.pi * s / 430) ** 2)
+    angle = np.append(0.0, np.cumsum((kappa[1:] + kappa[:-1]) / 2 * np.diff(s)))
+    steps = np.column_stack([np.cos(angle), np.sin(angle)])
+    points = np.append(
+        [[0, 0]], np.cumsum((steps[1:] + steps[:-1]) / 2 * np.diff(s)[:, None], axis=0), axis=0
+    )
+    curve = PlaneCurve(*fit_spline(points, 5, 4e-4), 5)
+    check = check_equilibrium(curve, supports=Supports("pinned", "pinned"))
+    assert check.realizable == realizable
+    assert check.moved < 1e-4 * curve.length
