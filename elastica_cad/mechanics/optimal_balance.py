@@ -350,6 +350,9 @@ TANGENT_STEP = 1e-4
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
+SIZE_SHARE = 5e-4
+"""Fraction by which a section may be smaller than its limit. It is not visible in four digits."""
+
 HOPELESS_SHARE = 1e-4
 """The iteration stops if E I falls below this fraction of the E I of the least section."""
 
@@ -575,8 +578,8 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
 def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
-    if _ratio_to_least_section(law, EI) < 1 - FIT_SHARE:
-        sizes = law.parameter(EI)
+    sizes = law.parameter(EI)
+    if sizes.min() < least * (1 - SIZE_SHARE):
         s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
             "with the largest {quantity} of {largest:g}, the curve requires a {quantity} of {given:.4g} at "

@@ -284,3 +284,13 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
     assert [rows[k]["strain_percent"] for k in (0, -1)] == ["0", "0"]
     (side,) = [one for one in check_drawing_file(tmp_path / "own-side.dxf") if one.layer == "CUT_OUTER"]
     assert side.area == pytest.approx(np.trapezoid(sizes, [float(row["s_mm"]) for row in rows]), rel=1e-2)
+
+
+@pytest.mark.parametrize("camber", [9, 33])
+def test_a_batten_of_constant_size_needs_no_wider_limits(camber, tmp_path):
+    """The sizes of the fitted shape differ from the limit by 1e-5."""
+    told = run(
+        "batten", "--sheet", "glass-rod-4", "--length", 900, "--camber", camber, "--rod", 4, "--least", 4,
+        "--every", 300, "-o", tmp_path,
+    )  # fmt: skip
+    assert f"({camber} % of the chord)" in told.stdout
