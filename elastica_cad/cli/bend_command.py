@@ -241,9 +241,7 @@ def _supports(rod: Rod, present: Supports, chosen: dict[str, Any]) -> Supports:
         supports.require_held(between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)))
     except InputError as problem:
         loaded = rod.gravity is not None or bool(elements_of(chosen, LOADS))
-        has_free_end = any(
-            End.named(at).is_free if isinstance(at, str) else at.is_free for at in (start, end)
-        )
+        has_free_end = any((at if isinstance(at, End) else End.named(at)).is_free for at in (start, end))
         if not chosen["release"] or loaded or not has_free_end:
             raise
         raise InputError(

@@ -43,7 +43,7 @@ from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.elements import Element, Rail
+from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
 from elastica_cad.mechanics.rod import Rod
@@ -169,7 +169,7 @@ class _Request:
     natural_curvature: NaturalCurvature
     smooth: float | None
     alone: bool
-    between: tuple[Element, ...] = ()
+    between: tuple[Rail | Pin | Tie, ...] = ()
 
     def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth

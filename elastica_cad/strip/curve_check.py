@@ -1,6 +1,5 @@
 """Check whether a strip can take a drawn curve, and changes that make an impossible curve possible."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -8,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.elements import Element
+from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import (
     NaturalCurvature,
@@ -38,7 +37,7 @@ def common_request(
     curve: PlaneCurve,
     supports: Supports | None = None,
     natural_curvature: NaturalCurvature = 0.0,
-    between: Sequence[Element] = (),
+    between: tuple[Rail | Pin | Tie, ...] = (),
 ) -> "StripSpec":
     """Return a request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
