@@ -157,7 +157,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     more than one step. The strip is then made as in `elastica strip`; --set sets its other keys, such as --set
     style.kind=perforated. A report sets sheet, law, widths and supports, and options replace them. --rail, --pin
     and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads. A rail
-    or pin at a point beside the strip moves the strip there.
+    or pin at a point beside the strip, at most 5 % of its length away, moves the strip there.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
@@ -173,6 +173,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             raise InputError(
                 "{idle} applies to a drawn CURVE only, not to --straight. Leave out {idle}.", idle=idle[0]
             )
+    if curve is not None and not curve.is_file():
+        requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])  # refuses the missing file
     finished = None if curve is None else _strip_of_report(curve, chosen)
     has_material = chosen["sheet"] is not None or finished is not None
     for option in ("gravity", "thickness", "max_width"):

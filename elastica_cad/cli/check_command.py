@@ -51,7 +51,7 @@ from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, measured_points
 from elastica_cad.refusals import Length, Refusal, note
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.curve_check import common_request
 
 if TYPE_CHECKING:
@@ -65,6 +65,8 @@ MOST_SHEETS = 3
 EVEN = 1.005
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
+NARROWEST_MM = 1.0
+"""Width of the narrowest place in this example below which no strip can be cut."""
 LEAST_WIDTH_MM = 5.0
 """Least width, mm, of the suggested strip from an enlarged curve."""
 SPARE_LENGTH = 1.002
@@ -293,11 +295,14 @@ def _widths_row(ratio: float) -> Row:
     if ratio < EVEN:
         return Row("Widths", "the same along the whole strip")
     example = f"{WIDE_MM:g} and {WIDE_MM / ratio:.3g} mm"
-    return Row(
-        "Widths",
+    text = (
         f"the strip varies in width: its widest place is {ratio:.3g} times as wide as its narrowest, "
-        f"e.g. {example}",
+        f"e.g. {example}"
     )
+    if WIDE_MM / ratio >= NARROWEST_MM:
+        return Row("Widths", text)
+    advice = "Draw another curve, or change it by `elastica strip --nearest`"
+    return warning_row(f"{text}, which is too narrow to cut. {advice}", "Widths")
 
 
 def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:

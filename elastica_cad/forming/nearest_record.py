@@ -299,10 +299,11 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:
             return ""
-        if limits.width is None:
+        if limits.width is None and limits.sheet is None:
             return note("the ratio limit")
         return note(
-            "the ratio of the widths ({widest} or {ratio})",
+            "the ratio limit of {most:.3g} ({ratio}, or {widest} divided by the least width)",
+            most=limits.largest_ratio,
             widest=FieldName("max_width"),
             ratio=FieldName("ratio"),
         )

@@ -309,9 +309,10 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
         off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
         if off > NEAR_SHARE * curve.length:
             raise InputError(
-                "The {element} at {point} is {off:.4g} off the curve. Give a point on the curve, or the arc "
-                "length in mm.",
+                "The {element} at {point} is {off:.4g} off the curve, farther than {most:.4g} ({percent:g} % of "
+                "its length). Give a point nearer to the curve, or the arc length in mm.",
                 element=noun_of(element), point=Point(at), off=Length(off),
+                most=Length(NEAR_SHARE * curve.length), percent=100 * NEAR_SHARE,
             )  # fmt: skip
         return s
     near = ROUNDED_END_SHARE * curve.length

@@ -196,6 +196,12 @@ class Travel:
             ))  # fmt: skip
         if self.strained_at is not None:
             warnings.append(note(
+                "the strain exceeds the limit of the material already before the change (limit / strain: "
+                "{safety:.2g}): use another sheet, another curve or smaller loads"
+                if self.strained_at == 0 else
+                "the strain exceeds the limit of the material beyond {place} (limit / strain: {safety:.2g}): use "
+                "another sheet or a smaller change"
+                if self.is_still or any({"loads", "between"} & set(step) for step in self.path) else
                 "the strain exceeds the limit of the material beyond {place} (limit / strain: {safety:.2g}): use "
                 "thinner material, a longer strip or less travel",
                 place=self.place_message(self.strained_at), safety=self.safety.min(),

@@ -249,3 +249,16 @@ def test_the_force_is_the_larger_of_both_ends(desk):
     rows = run(f"bend out/wave.json {options} --force", cwd=desk).stdout
     assert float(re.search(r"Force +at most ([\d.]+) N", rows)[1]) == pytest.approx(sizes.max(), rel=6e-3)
     assert "start force x N" in rows
+
+
+@pytest.mark.parametrize(
+    ("load", "expected"),
+    [
+        ("--point-mass 250 3000", r"beyond [\d.]+ % of the change .*: use another sheet or a smaller change"),
+        ("--set loads=[{at=250,mass=3000}] --gravity", r"already before the change .* or smaller loads"),
+    ],
+)
+def test_a_load_that_strains_the_strip_too_much_is_not_called_travel(desk, load, expected):
+    printed = run(f"bend out/wave.json {load} -o loaded --force", cwd=desk).stderr
+    assert re.search(f"the strain exceeds the limit of the material {expected}", printed)
+    assert "travel" not in printed

@@ -232,3 +232,9 @@ def report(spec, path):
     result = StripResult(spec, found, spec.make(found), path.stem)
     kit = result.kit(StripFiles(step=False, pictures=False))
     path.write_text(json.dumps(kit.report, default=lambda value: np.asarray(value).tolist()))
+
+
+@pytest.mark.parametrize("option", ["--set loads=[]", "--gravity", "--max-width 9", ""])
+def test_a_missing_file_is_named_before_the_options_that_need_its_strip(tmp_path, option):
+    refused = run(f"bend none/seat.json {option} -o out", cwd=tmp_path, code=2)
+    assert "seat.json cannot be read: No such file or directory" in refused.stderr

@@ -70,3 +70,12 @@ def test_no_kink_is_reported_at_a_rail(desk, project_root):
     (desk / "slat.svg").write_bytes(slat.read_bytes())
     assert "corner" in run("check slat.svg", cwd=desk).stdout
     assert "corner" not in run("check slat.svg --rail 400", cwd=desk).stdout
+
+
+@pytest.mark.parametrize(("smooth", "marked"), [("10", True), ("12", False)])
+def test_widths_that_no_strip_can_have_are_marked(smooth, marked, tmp_path):
+    points = "0,0 60,90 110,200 90,320 45,430 55,550 45,650 120,730"
+    (tmp_path / "back.csv").write_text("\n".join(["x,y", *points.split()]))
+    printed = run(f"check back.csv --smooth {smooth}", cwd=tmp_path).output
+    assert ("! Widths" in printed) == marked
+    assert ("too narrow to cut" in printed) == marked

@@ -15,11 +15,13 @@ from elastica_cad import (
     PlaneCurve,
     Sheet,
     Status,
+    StripSpec,
     nearest_rod,
     stability,
 )
 from elastica_cad.errors import rounded_up
 from elastica_cad.formats import curves_json
+from elastica_cad.forming.rod_solution import solve_rod
 from tests.command_line import run
 
 ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)
@@ -80,6 +82,16 @@ def test_savings_follow_the_measure_and_the_weights():
     )
 
 
+def test_the_ratio_that_the_widths_of_a_strip_limit_is_named_by_its_options():
+    curve = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)
+    spec = StripSpec(curve, "birch-plywood-0.8", max_width=12, min_width=10, limits=Limits())
+    texts = solve_rod(spec.rod_spec).advice
+    assert any(
+        "relax the ratio limit of 1.2 (ratio, or max_width divided by the least width)" in text
+        for text in texts
+    )
+
+
 def test_ends_are_called_by_their_side():
     for wish in (WAVE, WAVE.reversed()):
         near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True))
@@ -96,8 +108,8 @@ def test_advice_solves_for_no_further_rod(monkeypatch):
     near = nearest_rod(ARCH, Limits(width=(10, 12)))
     monkeypatch.setattr("elastica_cad.forming.nearest_search.minimize", None)
     assert near.advice[0].startswith(
-        "To come nearer to the drawn curve, relax the ratio of the widths (max_width or ratio): a change of "
-        "10 % reduces the "
+        "To come nearer to the drawn curve, relax the ratio limit of 1.2 (ratio, or max_width divided by the least "
+        "width): a change of 10 % reduces the "
     )
 
 
@@ -143,7 +155,11 @@ def test_the_command_line_passes_advice_on(tmp_path):
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
     asked = ["strip", str(drawn), "--sheet", "card-200gsm", "--max-width", "20", "-o", str(tmp_path / "out")]
     done = run(*asked, "--ratio", "1.2", "--no-step", "--no-pictures")
-    assert nearest_rod(ARCH, Limits(ratio=1.2)).advice[0] in done.stdout
+    plain, by_options = (
+        "the ratio limit",
+        "the ratio limit of 1.2 (--ratio, or --max-width divided by the least width)",
+    )
+    assert nearest_rod(ARCH, Limits(ratio=1.2)).advice[0].replace(plain, by_options) in done.stdout
 
 
 @pytest.mark.campaign

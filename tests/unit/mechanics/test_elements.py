@@ -42,7 +42,10 @@ def test_wrong_records_are_refused(record, message):
             {"between": ec.Rail(1e4)},
             "The rail 10000 mm from the start is not on the curve. Give a place from 0 to 484",
         ),
-        ({"between": ec.Pin((0, 60))}, r"The pin at \(0, 60\) mm is 40 mm off the curve"),
+        (
+            {"between": ec.Pin((0, 60))},
+            r"The pin at \(0, 60\) mm is 40 mm off the curve, farther than 24.22 mm \(5 % of its length\)",
+        ),
         ({"between": ec.Pin(0)}, "The pin 0 mm from the start acts on an end that is held in place"),
         (
             {"between": ec.Tie(0, ARCH.length)},
