@@ -299,14 +299,13 @@ def _limit_name(near: NearestRod, binding: Binding) -> str:
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:
             return ""
-        if limits.width is None and limits.sheet is None:
+        if limits.width is None or limits.largest_ratio < limits.width[1] / limits.width[0]:
             return note("the ratio limit")
         return note(
-            "the ratio limit of {most:.3g} ({ratio}, or {widest} divided by the least width)",
-            most=limits.largest_ratio,
-            widest=FieldName("max_width"),
-            ratio=FieldName("ratio"),
-        )
+            "the ratio of largest to least width, now {most:.3g} ({widest}; {narrowest} or {workshop})",
+            most=limits.largest_ratio, widest=FieldName("max_width"), narrowest=FieldName("min_width"),
+            workshop=FieldName("shop.least_width"),
+        )  # fmt: skip
     if kind == "curvature":
         return note(
             "the curvature limit" if limits.curvature == limits.largest_curvature else _NAMES["strain"]

@@ -800,7 +800,8 @@ class StripSpec(EqualByValue):
                     thickness=self.material.thickness, poisson_ratio=self.material.poisson_ratio,
                 )  # fmt: skip
                 ratio = max(1.0, ratio / float(stiffening))
-            limits = replace(limits, ratio=ratio if limits.ratio is None else min(limits.ratio, ratio))
+            if limits.width is None or ratio < limits.width[1] / limits.width[0]:
+                limits = replace(limits, width=(self.max_width / ratio, self.max_width))
         return limits
 
     def make(self, found: Rod | NearestRod | None = None) -> Strip:
