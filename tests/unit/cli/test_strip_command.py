@@ -150,11 +150,11 @@ def test_a_warning_of_cracks_in_corners_does_not_deny_them(tmp_path):
     ends = "ends=[{length=10,width=14},{length=10,width=14}]"
     line = ("strip", tmp_path / "arc.json", "--sheet", "birch-plywood-0.8", "--max-width", 20, "--set", ends)
     lines = run(*line, "-o", tmp_path / "out", "--no-pictures", "--no-step").stderr.splitlines()
-    rows = [text for text in lines if "in the corners beside the tab" in text]
-    assert len(rows) == 2
-    for row in rows:
-        assert "the material may crack there" in row
-        assert row.endswith("The files are written anyway, because the whole strip is not likely to break.")
+    texts = [text for text in lines if "in the corners beside the tab" in text]
+    assert len(texts) == 2
+    for text in texts:
+        assert "the material may crack there" in text
+        assert text.endswith("The files are written anyway, because the whole strip is not likely to break.")
 
 
 @pytest.mark.campaign
