@@ -246,7 +246,7 @@ def _heading(name: str) -> str:
 def _print_table(table: dict[str, Any]) -> None:
     """Print the table. Without a sheet, the pull of a rod of each known material replaces the pull per GPa.
 
-    A pull is marked if the strain is above the limit of the material.
+    A pull, or the safety with a sheet, is marked if the strain is above the limit of the material.
     """
     formats = {
         "shorter_percent": "g",
@@ -264,9 +264,13 @@ def _print_table(table: dict[str, Any]) -> None:
                     for pull, strain in zip(values, table["strain_percent"], strict=True)
                 ]
         elif name != "margin":
-            columns[name] = [number_text(value, formats.get(name, ".3g")) for value in values]
+            columns[name] = [
+                ("! " if name == "safety" and value < 1 else "")
+                + number_text(value, formats.get(name, ".3g"))
+                for value in values
+            ]
     is_over = any(cell.startswith("!") for cells in columns.values() for cell in cells)
-    say(f"If you shorten the cord{' (!: above the strain limit of the rod)' if is_over else ''}:")
+    say(f"If you shorten the cord{' (!: above the strain limit)' if is_over else ''}:")
     say_table({_heading(name): cells for name, cells in columns.items()})
 
 

@@ -311,7 +311,7 @@ def cut_rows(strip: Strip) -> Iterator[Row]:
     cuts, first = element_cuts(strip.rod), strip.ends[0].length
     if not cuts:
         return
-    sizes = {(cut.hole, cut.notch): [Length(round(first + c.at, 1)) for c in cuts if
+    sizes = {(cut.hole, cut.notch): [Length(first + c.at) for c in cuts if
                                      (c.hole, c.notch) == (cut.hole, cut.notch)] for cut in cuts}  # fmt: skip
     texts = [
         note(

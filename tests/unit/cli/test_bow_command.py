@@ -181,3 +181,12 @@ def test_the_report_of_a_bow_is_read_as_its_curve(arch):
     )
     done = run("bend", "out/arch-bow.json", *STRIP, "--to", 700, 0, "-o", "bent", cwd=arch)
     assert "1 spline" in done.output
+
+
+def test_a_cord_that_is_too_short_for_the_sheet_is_marked(arch):
+    printed = run("bow", "arch.json", "--rod", 6, "--sheet", "carbon-rod-6", "-o", "out", cwd=arch).stdout
+    head, *rows = printed[printed.index("If you shorten the cord") :].splitlines()
+    safeties = [float(row.split()[-1]) for row in rows[1:6]]
+    assert min(safeties) < 1
+    assert [row.split()[-2] == "!" for row in rows[1:6]] == [safety < 1 for safety in safeties]
+    assert head.endswith("(!: above the strain limit):")

@@ -8,6 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.strip.element_cuts import ElementCut, lengths_added_by_cuts
+from elastica_cad.strip.summary import cut_rows
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -110,3 +111,9 @@ def test_notches_that_are_too_close_for_two_cords_are_reported():
     bottoms = made.width(np.array([40.0, 310.0])) - 8
     assert bottoms.min() - 0.1 <= gap <= bottoms.max() + 0.1 < wide
     assert wide == pytest.approx(made.width(107.0), rel=0.01)
+
+
+def test_the_place_of_a_hole_is_rounded_once():
+    made = strip_of(ec.Rail(200), ec.Tie(82.5362, 310, hole=3), ends=(ec.Tab(40.0), ec.Tab(40.0)))
+    (row,) = cut_rows(made)
+    assert "holes of 3 mm at 123 and 350 mm" in row.text
