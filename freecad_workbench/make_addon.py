@@ -1,6 +1,6 @@
 """Script behind `make addon`: write the folder that users of FreeCAD copy to `Mod`.
 
-The page of `elastica studio`, compiled loops and sources of translations are left out. The folder can be
+The other front ends, compiled loops and sources of translations are left out. The folder can be
 published only if its maintainer and repository are given.
 """
 
@@ -16,6 +16,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parents[1]
 SPACE = "https://wiki.freecad.org/Package_Metadata"
 LEFT_OUT = shutil.ignore_patterns("__pycache__", "*.py[cod]", "*.so", "*.pyd", "*.[ch]", "*.ts")
+OTHER_FRONT_ENDS = ("build123d", "cadquery", "cli", "web")
 WORKBENCH = "freecad/elastica_wb"
 PAGES = {
     "repository": "",
@@ -84,14 +85,14 @@ def write_addon(folder: Path, maintainer: tuple[str, str] | None, repository: st
     inside = folder / WORKBENCH
     shutil.copytree(ROOT / "freecad_workbench" / WORKBENCH, inside, ignore=LEFT_OUT)
     shutil.copytree(ROOT / "freecad_workbench" / "resources", inside / "resources", ignore=LEFT_OUT)
-    shutil.copytree(ROOT / "elastica_cad", inside / "core" / "elastica_cad", ignore=_without_page)
+    shutil.copytree(ROOT / "elastica_cad", inside / "core" / "elastica_cad", ignore=_without_other_front_ends)
     shutil.copy(ROOT / "LICENSE", folder)
     (folder / "README.md").write_text(_readme(repository), encoding="utf-8")
     _metadata(maintainer, repository).write(folder / "package.xml", encoding="UTF-8", xml_declaration=True)
 
 
-def _without_page(folder: str, names: list[str]) -> Iterable[str]:
-    return {*LEFT_OUT(folder, names), *(["web"] if Path(folder) == ROOT / "elastica_cad" else [])}
+def _without_other_front_ends(folder: str, names: list[str]) -> Iterable[str]:
+    return {*LEFT_OUT(folder, names), *(OTHER_FRONT_ENDS if Path(folder) == ROOT / "elastica_cad" else ())}
 
 
 def main() -> None:
