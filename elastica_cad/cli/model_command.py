@@ -177,13 +177,13 @@ def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
 def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
-    model, cut_list = contents.model, contents.cut_list
+    model, cut_list, held = contents.model, contents.cut_list, contents.held or {}
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
         say_row(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
     sizes: dict[tuple[str, Severity], list[EqualStrips]] = {}
     for part in model.parts:
-        shape = contents.held.get(model.single_name_of(part.members[0]))
+        shape = held.get(model.single_name_of(part.members[0]))
         accuracy = "" if shape is None else f"; accurate to about {about(shape.expected)}"
         judged = stability_row(part.strip, stability(part.strip.rod))
         used, word = 100 * part.strip.strain_verdict.used, re.split("[:;]", judged.text)[0]
@@ -210,9 +210,9 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     )
     if deviation_row := _row_of_largest_deviation(contents):
         say_row(deviation_row)
-    if contents.held:
-        worst = max(contents.held, key=lambda name: contents.held[name].expected)
-        row = accuracy_row(contents.held[worst])
+    if held:
+        worst = max(held, key=lambda name: held[name].expected)
+        row = accuracy_row(held[worst])
         say_row(replace(row, text=f"{worst} deviates most: {row.text}"))
     _print_notes(contents, kit, output)
     details = [

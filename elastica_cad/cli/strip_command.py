@@ -43,7 +43,7 @@ from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.summary import size_row, strip_rows
+from elastica_cad.strip.summary import not_computed_row, size_row, strip_rows
 
 MOST_NAMES = 3
 """Largest number of cutting files whose names are printed, if the command makes several strips."""
@@ -227,10 +227,10 @@ def _is_output_occupied(requested: RequestedCurve, chosen: Mapping[str, Any]) ->
 
 def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     strip = result.strip
-    if result.spec.compensate or result.spec.law is not None or strip.rod.acting:
+    if result.spec.compensate or result.spec.law is not None:
         return
     with suppress(NotConvergedError):
-        if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
+        if not not_computed_row(strip) and strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
             # compensation reduces the computed deviation, but it can increase the expected deviation, which
             # includes errors of the sheet and of the cut

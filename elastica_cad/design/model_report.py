@@ -32,7 +32,7 @@ def report_model(
     cut_list: CutList,
     nests: Sequence[NestedSheet],
     files: Mapping[str, str],
-    held: Mapping[str, HeldShape],
+    held: Mapping[str, HeldShape] | None,
     entries: Sequence[StripEntry] = (),
 ) -> dict[str, Any]:
     """Return the report of a model as plain data for JSON.
@@ -45,15 +45,14 @@ def report_model(
     nests : sequence of NestedSheet
     files : mapping
         Description of each file, by file name.
-    held : mapping
-        Shapes of the strips as cut, in their holders, by name. Without them, the report has no quantities to
-        measure.
+    held : mapping or None
+        Shapes of the strips as cut, in their holders, by name. If None, the report has no quantities to measure.
     entries : sequence of StripEntry
         Entries of the strips in the design. The report gives the deviations of the strips from their curves.
     """
     require_record(model, Model, "the model", "a Model")
     require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
-    for value, what in ((files, "files"), (held, "held")):
+    for value, what in ((files, "files"), (held or {}, "held")):
         require_record(value, Mapping, what, "a mapping from names")
     drawn = {entry.label: entry for entry in entries}
     return {
@@ -77,11 +76,11 @@ def report_model(
                 **(_deviations(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "count": part.count,
-                "measuring": report_measuring(part.strip) if held else None,
+                "measuring": None if held is None else report_measuring(part.strip),
             }
             for part in model.parts
         ],
-        "held": {name: report_held(shape) for name, shape in held.items()},
+        "held": {name: report_held(shape) for name, shape in (held or {}).items()},
         "joints": [
             {
                 "strips": [model.single_name_of(i) for i in joint.members],

@@ -28,7 +28,7 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import farthest_move, instability, instability_in_plane
+from elastica_cad.strip.summary import farthest_move, instability, instability_in_plane, not_computed_row
 
 STATIONS = 201
 """Number of evenly spaced stations at which a varying natural curvature is reported."""
@@ -392,12 +392,11 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 def _held(strip: Strip) -> dict[str, Any] | None:
     """Return the shape of the strip as cut, with its ends at their designed positions and angles.
 
-    Return None if no shape near the design is found, or if the strip has rails, pins, ties or point forces.
+    Return None if no shape near the design is found, if the strip has rails, pins, ties or point forces, or if it
+    can snap into another shape.
     """
-    if strip.rod.acting:
-        return None
     try:
-        return report_held(strip.held())
+        return None if not_computed_row(strip) else report_held(strip.held())
     except NotConvergedError:
         return None
 

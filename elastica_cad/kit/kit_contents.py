@@ -29,6 +29,7 @@ from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, tips_below
 from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import FieldName, Length, Listed, note, number_text, sentences
+from elastica_cad.strip.clamp_errors import can_snap
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
@@ -52,7 +53,7 @@ class KitContents:
     """Holders of the strips: bases, rails, ribs and fixtures."""
     entries: tuple[StripEntry, ...] = ()
     """Entries of the design file from which the strips were made, if there is a design file."""
-    held: dict[str, HeldShape] = field(default_factory=dict)
+    held: dict[str, HeldShape] | None = None
     """Shape of each finished strip in its holders, by the name of the strip, if requested."""
     notes: tuple[str, ...] = ()
     """Notes for the user, such as on strips that rock in their holders, or on parts that cannot be cut."""
@@ -141,7 +142,7 @@ def kit_contents(
     messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
     messages += _unheld_messages(model, unheld)
-    held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else ({}, ())
+    held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else (None, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
@@ -367,9 +368,16 @@ def _shapes_in_holders(
                 strips=Listed(on_elements),
             )
         )
+    if snapping := [names[k] for k in free if can_snap(model.placed[k].strip)]:
+        notes.append(
+            note(
+                "The shape as made is not computed for strips that can snap into another shape: {strips}.",
+                strips=Listed(snapping),
+            )
+        )
     for k, shape in zip(free, hold_each(placed, holders), strict=True):
         name = names[k]
-        if k in unheld:
+        if k in unheld or name in snapping:
             continue
         if isinstance(shape, NotConvergedError):
             notes.append(f"{name}: {shape}")

@@ -18,6 +18,11 @@ ROBUST_MARGIN = 60.0
 The arches of the examples have margins of 80 to 110."""
 
 
+def can_snap(strip: Strip) -> bool:
+    """Return True if a strip is unstable, or if a usual error of a clamp lets it snap."""
+    return not stability(strip.rod).stable or clamp_warning(strip) is not None
+
+
 def clamp_warning(strip: Strip) -> Refusal | None:
     """Return the warning that a usual error of a clamp lets a stable strip snap, or None."""
     error = strip.tolerance.clamps

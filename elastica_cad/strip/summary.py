@@ -23,7 +23,7 @@ from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
-from elastica_cad.strip.clamp_errors import clamp_warning
+from elastica_cad.strip.clamp_errors import can_snap, clamp_warning
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import (
@@ -96,7 +96,7 @@ def strip_rows(
             *_mounting_rows(strip),
         ]
         with suppress(NotConvergedError):
-            rows.append(not_computed_row() if strip.rod.acting else accuracy_row(strip.held()))
+            rows.append(not_computed_row(strip) or accuracy_row(strip.held()))
         with suppress(NotConvergedError):
             rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
@@ -495,9 +495,13 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     )  # fmt: skip
 
 
-def not_computed_row() -> Row:
-    """Return the row on accuracy of a strip with rails, pins, ties or point forces: "not computed"."""
-    return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
+def not_computed_row(strip: Strip) -> Row | None:
+    """Return the row on accuracy of a strip whose accuracy is not computed, with the reason, or None."""
+    if strip.rod.acting:
+        return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
+    if can_snap(strip):
+        return Row(note("Accuracy"), note("not computed, because the strip can snap into another shape"))
+    return None
 
 
 def accuracy_row(held: HeldShape) -> Row:

@@ -8,6 +8,8 @@ import pytest
 from scipy.integrate import solve_bvp
 
 import elastica_cad as ec
+from elastica_cad.design.reports import report_strip
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.strip.summary import strip_rows
 from tests.command_line import run
 
@@ -68,6 +70,8 @@ def test_a_strip_that_snaps_at_an_error_of_a_clamp_is_not_called_stable(tmp_path
     assert report["stability"]["word"] == "low"
     assert said.startswith(report["stability"]["meaning"])
     assert report["stability"]["meaning"] in report["warnings"]
+    assert re.search(r"^Accuracy +not computed, because the strip can snap", printed, re.M)
+    assert report["held"] is None
     (curve,) = ec.read_curves(tmp_path / "wave.txt")
     spec = ec.StripSpec(curve, SHEET, max_width=WIDTH, limits=ec.Limits(margin=5.0), keep=ec.Keep())
     strip = spec.make()
@@ -80,5 +84,19 @@ def test_arches_stay_stable_under_usual_errors(rise):
     strip = ec.make_strip(
         ec.PlaneCurve.spline([(0, 0), (100, rise), (300, rise), (400, 0)], degree=3), SHEET, max_width=WIDTH
     )
-    (row,) = (row for row in strip_rows(strip) if row.label == "Stability")
-    assert row.text.startswith("stable")
+    rows = {row.label: row.text for row in strip_rows(strip)}
+    assert rows["Stability"].startswith("stable")
+    assert rows["Accuracy"].startswith("about")
+
+
+def test_no_accuracy_is_stated_of_an_unstable_strip():
+    wave = ec.PlaneCurve.spline([(0, 0), (80, 120), (140, -120), (220, 140), (300, -80), (380, 20)], degree=4)
+    strip = ec.StripSpec(wave, SHEET, max_width=20, limits=ec.Limits(ratio=5.0)).make()
+    rows = {row.label: row.text for row in strip_rows(strip)}
+    assert rows["Stability"].startswith("unstable")
+    assert rows["Accuracy"] == "not computed, because the strip can snap into another shape"
+    assert report_strip(strip, name="wave", files={})["held"] is None
+    contents = kit_contents(ec.Model([ec.Placed(strip)]), effects=True)
+    assert not contents.held
+    assert "not computed for strips that can snap into another shape" in " ".join(contents.notes)
+    assert contents.report["parts"][0]["measuring"]

@@ -46,6 +46,7 @@ from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import instruction
+from elastica_cad.strip.summary import not_computed_row
 
 BODY = "PartDesign::Body"
 
@@ -279,13 +280,13 @@ def show_held(obj: Any) -> None:
     """Write into the results how far the strip in its holders deviates from its curve.
 
     The computation takes as long as all other results together, so it follows the recompute. Strips with
-    rails, pins, ties or point forces have no such result.
+    rails, pins, ties or point forces have no such result, nor have strips that can snap into another shape.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
     try:
         strip = strip_of(obj)
-        if strip.rod.acting:
+        if not_computed_row(strip):
             return
         shape = held_shape(strip)
         message = (

@@ -4,6 +4,7 @@
 """Definitions of the panels of all features."""
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -34,6 +35,7 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
+from elastica_cad.errors import ElasticaError
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Length, note
@@ -75,8 +77,9 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    if strip.rod.acting:
-        return not_computed_row()
+    with suppress(ElasticaError):  # the stability can be undecided
+        if row := not_computed_row(strip):
+            return row
     shape = held_shape(strip) if obj.Held else None
     return Row(note("Accuracy"), "-" if obj.Held else LATER) if shape is None else accuracy_row(shape)
 
