@@ -1,7 +1,9 @@
 """The table of a design file for a surface of revolution: its meridian, strips and rings."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import ceil
 from typing import Annotated, Any, TypeAlias
 
 import numpy as np
@@ -19,19 +21,22 @@ from elastica_cad.model.held_tabs import tab_seats
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plates import Border
-from elastica_cad.model.revolution_model import revolve
+from elastica_cad.model.revolution_model import revolve, revolved_strip
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, note
+from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, note, sentences
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 Pair: TypeAlias = tuple[float, float]
 
+TestedChange: TypeAlias = tuple[str, str]
+"""Name of what was tested, and the instruction that makes strips and rings possible, or ""."""
+
 OPENING_STEPS = (4, 16, 32)
 """Increases of the radius of both openings, mm, that are tested if the rings cannot be made."""
 
-STRIP_FRACTIONS = (0.8, 0.65, 0.5)
-"""Numbers of strips, as fractions of the requested number, that are tested if the rings cannot be made."""
+TESTED_COUNTS = 6
+"""Smaller numbers of strips, at equal steps down to half the requested number, that are tested then."""
 
 NEAR_MM, NEAR_SHARE = 0.05, 1e-3
 """Distances, in mm and as a fraction of the length. A meridian that deviates by less than both is not reported."""
@@ -132,17 +137,19 @@ class RevolutionTable:
         except InputError as problem:
             if self.rings is None or self.meridian.at_pole or self._breaks_without_tabs:
                 raise
-            tested = (self._without_ends(), self._larger_opening(), self._fewer_strips())
-            edits = Either(edit for edit in tested if edit is not None)
+            tested = [*self._without_ends(), *self._larger_openings(), *self._fewer_strips()]
+            if not tested:
+                raise
+            edits = Either(edit for _, edit in tested if edit)
             text = (
                 "{problem} A tested change makes strips and rings possible: {edits}."
                 if edits
-                else "{problem} Larger openings and smaller numbers of strips were tested, but none of these "
-                "changes is enough alone."
+                else "{problem} These changes were tested, but none of them alone makes strips and rings "
+                "possible within the strain limit: {tested}."
             )
-            found = problem.refusal
+            found, names = problem.refusal, sentences(name for name, _ in tested)
             raise type(problem)(
-                text, problem=found, edits=edits, kind=found.kind, where=found.where
+                text, problem=found, edits=edits, tested=names, kind=found.kind, where=found.where
             ) from problem
 
     @property
@@ -154,69 +161,97 @@ class RevolutionTable:
             return isinstance(problem, StrainError)
         return False
 
-    def _without_ends(self) -> str | None:
-        if self.ends is None or not replace(self, ends=None)._is_made:
-            return None
-        return note("leave out {field}", field=FieldName("ends"))
+    def _without_ends(self) -> Iterator[TestedChange]:
+        if self.ends is not None:
+            edit = note("leave out {field}", field=FieldName("ends"))
+            yield note("tabs of the default size"), edit if self._works(ends=None) else ""
 
-    def _larger_opening(self) -> str | None:
-        """Return an instruction that moves one end point of the meridian, or both, away from the axis."""
+    def _larger_openings(self) -> Iterator[TestedChange]:
+        """Yield the change that moves one end point of the meridian, or both, away from the axis."""
         points, widest = self.points, max((x for x, _ in self.points), default=0.0)
 
-        def moved(ends: tuple[int, ...], step: int) -> "RevolutionTable":
+        def moved(ends: tuple[int, ...], step: int) -> tuple[Pair, ...]:
             places = [*points]
             for k in ends:
                 places[k] = (points[k][0] + step, points[k][1])
-            return replace(self, points=tuple(places))
+            return tuple(places)
+
+        def works(ends: tuple[int, ...], step: int) -> bool:
+            return self._works(points=moved(ends, step))
 
         steps = [
             step for step in OPENING_STEPS if points and points[0][0] + step < widest > points[-1][0] + step
         ]
-        enough = next((step for step in steps if moved((0, -1), step)._is_made), None)
+        if not steps:
+            return
+        tested = note("openings larger by {steps} in radius", steps=Listed(map(Length, steps)))
+        enough = next((step for step in steps if works((0, -1), step)), None)
         if enough is None:
-            return None
-        ends = next((one for one in ((0,), (-1,)) if moved(one, enough)._is_made), (0, -1))
+            yield tested, ""
+            return
+        ends = next((one for one in ((0,), (-1,)) if works(one, enough)), (0, -1))
         too_small = 0
         while enough - too_small > 1:
             middle = (enough + too_small) // 2
-            enough, too_small = (middle, too_small) if moved(ends, middle)._is_made else (enough, middle)
-        return note(
-            "move the point {olds} of the meridian to {news}"
-            if len(ends) == 1
-            else "move the points {olds} of the meridian to {news}",
-            olds=Listed(Point(points[k]) for k in ends),
-            news=Listed(Point(moved(ends, enough).points[k]) for k in ends),
+            enough, too_small = (middle, too_small) if works(ends, middle) else (enough, middle)
+        yield (
+            tested,
+            note(
+                "move the point {olds} of the meridian to {news}"
+                if len(ends) == 1
+                else "move the points {olds} of the meridian to {news}",
+                olds=Listed(Point(points[k]) for k in ends),
+                news=Listed(Point(moved(ends, enough)[k]) for k in ends),
+            ),
         )
 
-    def _fewer_strips(self) -> str | None:
-        counts = dict.fromkeys(int(fraction * self.strips) for fraction in STRIP_FRACTIONS)
-        tested = (count for count in counts if count >= 3 and replace(self, strips=count)._is_made)
-        count = next(tested, None)
-        return None if count is None else note("use {count} strips", count=count)
+    def _fewer_strips(self) -> Iterator[TestedChange]:
+        step = ceil(self.strips / (2 * TESTED_COUNTS))
+        counts = [count for k in range(1, TESTED_COUNTS + 1) if (count := self.strips - k * step) >= 3]
+        works = next((count for count in counts if self._works(strips=count)), None)
+        if works is not None:  # between the steps, a smaller change may be enough
+            more = range(works + step - 1, works, -1)[:TESTED_COUNTS]
+            works = next((count for count in more if self._works(strips=count)), works)
+        if counts:
+            edit = "" if works is None else note("use {count} strips", count=works)
+            yield note("{counts} strips", counts=Listed(counts)), edit
 
-    @property
-    def _is_made(self) -> bool:
-        """True if strips and rings can be made, and no tab rocks between two rings."""
+    def _works(self, **changes: Any) -> bool:
+        """Return True if strips and rings can be made with these changes, and no tab rocks between two rings.
+
+        The strain must be within its limit, unless it exceeds the limit also without the changes.
+        """
+        changed = replace(self, **changes)
         try:
-            plates = self._model("").plates
-            return self.gap is None or not any(seat.rocks for seat in tab_seats(plates).values())
+            plates = changed._model("").plates
+            rocks = self.gap is not None and any(seat.rocks for seat in tab_seats(plates).values())
+            return not rocks and (changed._is_within_limit or not self._is_within_limit)
         except (InputError, NotConvergedError):
             return False
+
+    @cached_property
+    def _is_within_limit(self) -> bool:
+        """True if the strain of the strips is within its limit, or no strip can be made."""
+        try:
+            strip = revolved_strip(self.meridian, self.strips, **self._strip_options)
+        except InputError:
+            return True
+        return strip.strain_verdict.allowed
+
+    @property
+    def _strip_options(self) -> dict[str, Any]:
+        return {key: getattr(self, key) for key in ("sheet", "ends", "rings", "gap", "shop")}
 
     def _model(self, name: str) -> Model:
         return revolve(
             self.meridian,
             self.strips,
-            sheet=self.sheet,
-            ends=self.ends,
-            rings=self.rings,
-            gap=self.gap,
             spacers=self.spacers,
             border=self.border,
             holes=self.holes,
             name=name,
-            shop=self.shop,
             ignore_limits=self.ignore_limits,
+            **self._strip_options,
         )
 
     @property

@@ -284,6 +284,21 @@ def revolve(
     return Model(placed, name=name, plates=plates, reports=reports)
 
 
+def revolved_strip(
+    meridian: Meridian,
+    strips: int,
+    *,
+    sheet: Sheet,
+    ends: tuple[Tab, Tab] | None,
+    rings: Sheet | None,
+    gap: float | None,
+    shop: FabricationLimits,
+) -> Strip:
+    """Return the strip of `revolve` without its checks."""
+    request = _Request(strips, sheet, ends, rings, gap, None, BORDER, None, shop, ignore_limits=True)
+    return request._placed(meridian)[0].strip
+
+
 @dataclass(frozen=True)
 class _Request:
     strips: int

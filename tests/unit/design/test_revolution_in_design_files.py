@@ -119,6 +119,51 @@ def test_tabs_that_meet_in_a_ring_can_be_left_to_the_program(read):
     assert len(read(lamp).model().plates) == 2
 
 
+SLIM = "[[50, 0], [60, 40], [64, 90], [60, 140], [50, 180]]"
+
+
+@pytest.mark.parametrize(("count", "width"), [(12, 26), (14, 20), (26, 12)])
+def test_the_largest_number_of_strips_that_works_is_suggested(read, count, width):
+    def body(strips):
+        return read(
+            f"[revolution]\nsheet = 'polypropylene-0.8'\nrings = 'mdf-3'\nstrips = {strips}\n"
+            f"points = {SLIM}\nends = {{ length = 9, width = {width} }}\n"
+        ).model()
+
+    with pytest.raises(InputError, match=r"use \d+ strips\.$") as refused:
+        body(count)
+    most = int(re.findall(r"use (\d+) strips", str(refused.value))[0])
+    assert len(body(most).plates) == 2
+    with pytest.raises(InputError):
+        body(most + 1)
+
+
+def test_only_tested_changes_are_named_as_tested(read, tmp_path):
+    """The openings of a drawn profile are not tested."""
+    profile = ec.meridian_through([(15, 0), (75, 45), (68, 95), (40, 140), (15, 175)])
+    ec.write_curves([profile.curve], tmp_path / "profile.json")
+    pear = "[revolution]\nsheet = 'polypropylene-0.8'\nrings = 'mdf-3'\nstrips = 30\n"
+    with pytest.raises(InputError) as refused:
+        read(f"{pear}curve = 'profile.json'\naxis_x = 0\n").model()
+    assert "opening" not in str(refused.value)
+    assert str(refused.value).endswith("within the strain limit: 27, 24, 21, 18, 15 and 12 strips.")
+
+
+def test_a_suggested_change_keeps_to_the_strain_limit(read):
+    """Fewer strips are wider, and on tabs of the same width they exceed the limit."""
+
+    def vase(strips):
+        return read(
+            f"[revolution]\nsheet = 'polypropylene-0.8'\nrings = 'mdf-3'\nstrips = {strips}\n"
+            "points = [[50, 0], [69, 40], [74, 90], [69, 140], [50, 180]]\nends = { length = 9, width = 20 }\n"
+        ).model()
+
+    with pytest.raises(InputError, match="A tested change makes strips and rings possible") as refused:
+        vase(14)
+    assert not re.findall(r"use \d+ strips", str(refused.value))
+    assert not vase(12).strips[0].strain_verdict.allowed
+
+
 def test_no_tab_is_advised_that_is_wider_than_its_ring_allows(read):
     """The strip alone would need tabs almost as wide as its ends; neighbours leave less room in the ring."""
     bulb = (
