@@ -60,6 +60,7 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
         },
         "shape": [list(point) for point in measuring.shape],
         "tips": measuring.tips,
+        "can_snap": measuring.can_snap,
     }
 
 
@@ -108,6 +109,7 @@ def measuring_of(record: Mapping[str, Any]) -> Measuring:
         causes,
         tuple((_number(x), _number(y)) for x, y in record["shape"]),
         None if record.get("tips") is None else _number(record["tips"]),
+        record.get("can_snap") is True,
     )
     if not (
         causes.keys() <= MEANINGS.keys() and all(causes.values()) and min(measuring.uncertain.values()) > 0

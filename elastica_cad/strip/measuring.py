@@ -8,11 +8,13 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
+from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.holding_template import MARKS, distance_of_tips, heights_of_marks, held_ends, upward
 from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.summary import instability_in_plane
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
 """Names of the measured quantities: distance of the ends, heights of marks, and angles of tabs.
@@ -82,6 +84,13 @@ SLIPS: Mapping[str, str] = {
 }
 """Message for each mistake in taking the readings."""
 
+UNEXPLAINED = "No single cause explains the differences. Measure again, and check the sheet and its side."
+
+SNAPPED = (
+    "No single cause explains the differences. The strip may have snapped into another shape, because it is "
+    "unstable or close to snapping. Compare its shape with the drawing. If it has the drawn shape, measure again."
+)
+
 MM_PER_UNIT = {"centimetres": 10.0, "inches": 25.4}
 
 EXCHANGES: Mapping[str, Mapping[str, str]] = {
@@ -117,6 +126,8 @@ class Measuring:
         Evenly spaced points of the curve, mm.
     tips : float or None
         Distance between the tips of the tabs, mm.
+    can_snap : bool
+        True if the strip is unstable or close to snapping.
 
     Examples
     --------
@@ -136,6 +147,7 @@ class Measuring:
     causes: Mapping[str, Sequence[Mapping[str, float]]]
     shape: tuple[tuple[float, float], ...] = ()
     tips: float | None = None
+    can_snap: bool = False
 
     @classmethod
     def of(cls, strip: Strip) -> "Measuring":
@@ -194,6 +206,7 @@ class Measuring:
             {cause: tuple(change_list) for cause, change_list in causes.items()},
             tuple(map(tuple, np.column_stack(shape).tolist())),
             distance_of_tips(held_ends(strip)),
+            instability_in_plane(strip, stability(strip.rod)) is not None,
         )
 
     def compare(
@@ -277,12 +290,7 @@ class Measuring:
             texts = [text for rest, text in likely if rest < likely[0][0] + LIKELY]
             return [warning_row(text, "Or" if k else "Verdict") for k, text in enumerate(texts)]
         if squares > chdtri(len(errors), CHANCE):
-            return [
-                warning_row(
-                    "No single cause explains the differences. Measure again, and check the sheet and its side.",
-                    "Verdict",
-                )
-            ]
+            return [warning_row(SNAPPED if self.can_snap else UNEXPLAINED, "Verdict")]
         return [
             Row(
                 "Verdict",

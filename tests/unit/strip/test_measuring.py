@@ -302,6 +302,7 @@ def test_what_no_cause_explains_is_told(strip):
     verdict, _, *values = measuring.compare(odd)
     assert verdict.stops
     assert "No single cause" in verdict.text
+    assert "snapped" not in verdict.text
     assert [value.label for value in values[:2]] == ["Chord", "Height 1"]
     assert "mm expected: difference -" in values[1].text
     assert "difference" not in values[0].text
