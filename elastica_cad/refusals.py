@@ -421,6 +421,17 @@ def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
     )
 
 
+def ended(message: str) -> str:
+    """Return a message with a full stop at its end, so that another sentence can follow.
+
+    Examples
+    --------
+    >>> print(ended(note("it breaks")), ended(note("It breaks.")))
+    it breaks. It breaks.
+    """
+    return message if message.endswith((".", "?", "!")) else note("{sentence}.", sentence=message)
+
+
 def _with_places(text: str, where: Mapping[str, Any]) -> str:
     for name in (str(where[place]) for place in reversed(PLACES) if where.get(place)):
         text = text if text.startswith(name) else f"{name}: {text}"

@@ -36,7 +36,7 @@ from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
-from elastica_cad.refusals import note
+from elastica_cad.refusals import ended, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
 
@@ -145,7 +145,9 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(note("{said} This section is left out.", said=reason) for reason in map(str, failed))
+        without = tuple(
+            note("{said} This section is left out.", said=ended(problem.refusal)) for problem in failed
+        )
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -342,7 +344,7 @@ def _read_strips(
         raise failed[0]
     return entries, (
         *reports,
-        *(note("{problem} This section is left out.", problem=problem) for problem in failed),
+        *(note("{problem} This section is left out.", problem=ended(problem.refusal)) for problem in failed),
     )
 
 

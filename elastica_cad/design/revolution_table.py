@@ -23,7 +23,7 @@ from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plates import Border
 from elastica_cad.model.revolution_model import revolve, revolved_strip
 from elastica_cad.model.spacers import Spacers
-from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, note, sentences
+from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, ended, note, sentences
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
@@ -149,7 +149,7 @@ class RevolutionTable:
             )
             found, names = problem.refusal, sentences(name for name, _ in tested)
             raise type(problem)(
-                text, problem=found, edits=edits, tested=names, kind=found.kind, where=found.where
+                text, problem=ended(found), edits=edits, tested=names, kind=found.kind, where=found.where
             ) from problem
 
     @property

@@ -14,7 +14,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.formats.source_file import LARGEST_NUMBER
-from elastica_cad.refusals import Refusal, note, sentences
+from elastica_cad.refusals import Refusal, ended, note, sentences
 
 Value: TypeAlias = "float | FloatArray"
 
@@ -323,8 +323,7 @@ class Slips:
         elif left > 1:
             listed.append(note("{left} more errors. Correct these first", left=left))
         *others, last = listed
-        ended = (part if part.endswith((".", "?")) else sentences([part], end=".") for part in others)
-        return sentences([*ended, last], " Also: ")
+        return sentences([*map(ended, others), last], " Also: ")
 
     def refuse(self) -> None:
         """Raise InputError with all errors, if there are any."""

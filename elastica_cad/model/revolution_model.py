@@ -24,7 +24,7 @@ from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import add_second_plates
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.model.spacers import add_spacers
-from elastica_cad.refusals import Length, sentences
+from elastica_cad.refusals import Length, ended, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
 from elastica_cad.strip.strip import Placed, Strip
@@ -435,7 +435,7 @@ def _results_of(checks: Sequence[Callable[[], Any]]) -> list[Any]:
         except InputError as problem:
             problems.append(problem)
     if len(problems) > 1:
-        first, text = problems[0], sentences([problem.refusal for problem in problems], " ")
+        first, text = problems[0], sentences([ended(problem.refusal) for problem in problems], " ")
         raise type(first)(text, kind=first.refusal.kind, where=first.refusal.where) from first
     if problems:
         raise problems[0]

@@ -9,6 +9,7 @@ import elastica_cad as ec
 from elastica_cad import InputError, NotConvergedError
 from elastica_cad.design import read_design
 from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.words import Translated
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
 POINTS = "points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, '100 + 40']]"
@@ -147,6 +148,20 @@ def test_only_tested_changes_are_named_as_tested(read, tmp_path):
         read(f"{pear}curve = 'profile.json'\naxis_x = 0\n").model()
     assert "opening" not in str(refused.value)
     assert str(refused.value).endswith("within the strain limit: 27, 24, 21, 18, 15 and 12 strips.")
+
+
+@pytest.mark.parametrize(
+    ("gap", "advice"), [(7, "reduce the gap to 4 mm."), (12, "let the strips meet the plate more steeply.")]
+)
+def test_a_full_stop_precedes_the_tested_changes(read, gap, advice):
+    bowl = (
+        f"[revolution]\nsheet = 'polypropylene-0.8'\nrings = 'polypropylene-0.8'\ngap = {gap}\nstrips = 10\n"
+        "points = [[55, 0], [75, 30], [82, 70], [68, 145], [40, 190]]\nends = { length = 35, width = 14 }\n"
+    )
+    with pytest.raises(InputError) as refused:
+        read(bowl).model()
+    assert f"{advice} " in str(refused.value)
+    assert re.search(r"。(经试算|已试算)", Translated("zh-CN").sentence(refused.value.refusal))
 
 
 def test_a_suggested_change_keeps_to_the_strain_limit(read):
