@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import FaultError, InputError, refuse_unknown, rounded_up
+from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
@@ -461,7 +461,7 @@ STANDS_MM = 0.2
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
     """Return a note if tabs extend below all plates of a base, so that the model would stand on their tips."""
     lowest = min(plates, key=lambda plate: float(plate.frame.origin @ plate.frame.z_axis))
-    thickness, depths, lengths = lowest.sheet.thickness, [], []
+    thickness, depths = lowest.sheet.thickness, []
     for slot in lowest.slots:
         if (tab := slot.tab) is not None:
             # a load bends the tab towards the middle of its slot, which has been moved accordingly
@@ -471,14 +471,13 @@ def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
             depth = -float(start[2]) - tab.length * steepness - thickness
             if depth > STANDS_MM and steepness < 0:
                 depths.append(depth)
-                lengths.append(depth / -steepness)
     if not depths:
         return ()
     return (
         note(
             "{name}: the tips of the tabs are up to {depth:.1f} below the plate, so the model would stand on them. "
-            "Shorten the tabs by {length:.1f}, or put feet under the plate.",
-            name=lowest.name, depth=Mm(max(depths)), length=Mm(rounded_up(max(lengths), 2)),
+            "Put feet under the plate, or file the tips after the assembly.",
+            name=lowest.name, depth=Mm(max(depths)),
         ),
     )  # fmt: skip
 

@@ -221,11 +221,14 @@ def test_tabs_below_the_lowest_ring_have_a_note(read):
     assert single.startswith("ring-bottom: ")
     assert double.startswith("ring-bottom-outer: ")
     assert not notes("ends = { length = 3, width = 20 }\n")
-    (note,) = notes("ends = { length = 14, width = 20 }\n")
-    shorter = float(re.search(r"Shorten the tabs by ([\d.]+) mm", note)[1])  # along the tab
-    assert shorter > float(re.search(r"up to ([\d.]+) mm below", note)[1])
-    assert not notes(f"ends = {{ length = {14 - shorter}, width = 20 }}\n")
-    assert notes(f"ends = {{ length = {14 - shorter + 1}, width = 20 }}\n")
+    assert not any("horten" in text for text in (single, double))  # plates may need tabs of this length
+    depths = [
+        float(
+            re.search(r"up to ([\d.]+) mm below", *notes(f"ends = {{ length = {length}, width = 20 }}\n"))[1]
+        )
+        for length in (14, 19)
+    ]
+    assert 0 < depths[1] - depths[0] < 5  # the tabs are inclined
 
 
 def test_constants_and_other_strips_beside_it(read):
