@@ -247,6 +247,9 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
         warn("Before you cut:", in_notes=False)
     for text in printed:
         say_row(warning_row(text, "Note"))
+    if unstable := _unstable_requests(contents):
+        change = f"set limits.margin = {SAFE_MARGIN:g} in the table of {Listed(unstable)}"
+        say_row(Row("Change", f"{change} for the nearest stable curve"))
     named = set[str]().union(*(text.fields for text in printed if isinstance(text, Refusal)))
     if keys := sorted(named & {key.name for key in fields(StripSpec)}):
         warn(
@@ -255,6 +258,13 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
         )
     if len(messages) > len(printed):
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
+
+
+def _unstable_requests(contents: KitContents) -> list[str]:
+    rods = ((part.strip, part.strip.rod) for part in contents.model.parts)
+    unstable = (strip for strip, rod in rods if not (stability(rod).stable or rod.acting))
+    requested = {entry.label for entry in contents.entries}
+    return [label for label in dict.fromkeys(strip.label for strip in unstable) if label in requested]
 
 
 def _warnings(contents: KitContents) -> Iterator[Refusal]:

@@ -10,6 +10,7 @@ from typing import Any
 
 import click
 
+from elastica_cad._text import quote_words
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_argument, requested_curves
 from elastica_cad.cli.settings import FileKeys
 from elastica_cad.cli.strip_options import grouped, spec_from_options, strip_options, table_of, typed_change
@@ -131,9 +132,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
             if len(curves) > 1 and not voice().verbose:
-                _report_briefly(result, written, alike)
+                _report_briefly(result, requested, written, alike)
             else:
-                _report(result, written, files.cutting, several=len(curves) > 1)
+                _report(result, requested, written, files.cutting, several=len(curves) > 1)
             reports.append(kit.report)
             solved.append(requested)
             wrong += strict and not result.strip.strain_verdict.allowed
@@ -246,8 +247,18 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
                 )
 
 
+def _stable_rows(result: StripResult, requested: RequestedCurve) -> Iterator[Row]:
+    # limits cannot be combined with rails, pins, ties and point forces
+    if not (result.stability.stable or result.strip.rod.acting):
+        options = quote_words([*requested.which, "--stable"])
+        yield Row("Change", f"use {options} for the nearest stable curve")
+
+
 def _report_briefly(
-    result: StripResult, written: Sequence[Path], alike: dict[str, list[tuple[str, Row]]]
+    result: StripResult,
+    requested: RequestedCurve,
+    written: Sequence[Path],
+    alike: dict[str, list[tuple[str, Row]]],
 ) -> None:
     strip, near = result.strip, result.near
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
@@ -256,6 +267,8 @@ def _report_briefly(
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
     say_row(Row(strip.label, f"{size_row(strip).text}{moved}"))
+    for row in _stable_rows(result, requested):
+        say_row(row)
     voice().files += map(str, written)
 
 
@@ -272,7 +285,14 @@ def _rows(result: StripResult) -> tuple[Row, ...]:
     )  # fmt: skip
 
 
-def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, several: bool) -> None:
+def _report(
+    result: StripResult,
+    requested: RequestedCurve,
+    written: Sequence[Path],
+    cutting: Cutting,
+    *,
+    several: bool,
+) -> None:
     strip = result.strip
     rows = _rows(result)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
@@ -283,8 +303,7 @@ def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, s
         for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
         if joint
     ]
-    if not result.stability.stable:
-        rows = (*rows, Row("Change", "use --stable for the nearest stable curve"))
+    rows = (*rows, *_stable_rows(result, requested))
     ends = [Row("Ends", text) for text in (*more, *joined) if text]
     other = [row for row in rows if row.text != tabs]
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):

@@ -148,6 +148,23 @@ def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
     done = run("model", design, *quick, "-o", tmp_path / "kit")
     assert "! Note      W: unstable: the strip snaps into another shape" in done.stderr
     assert "snaps into another shape" in (tmp_path / "kit" / "index.html").read_text()
+    assert "Change      set limits.margin = 5 in the table of W for the nearest stable curve" in done.stdout
+    design.write_text(design.read_text() + "limits.margin = 5\n")
+    again = run("model", design, *quick, "-o", tmp_path / "again")
+    assert "unstable" not in again.output
+    assert "limits.margin" not in again.output
+
+
+def test_one_of_several_curves_is_made_stable(tmp_path):
+    x = np.linspace(0, 2 * np.pi, 60)
+    wave, arch = np.column_stack([45 * x, 11 * np.sin(x)]), np.column_stack([45 * x, 60 * np.sin(x / 2)])
+    rows = [f"{u:.3f},{v:.3f}" for u, v in wave], [f"{u:.3f},{v:.3f}" for u, v in arch]
+    (tmp_path / "two.csv").write_text("\n\n".join("\n".join(lines) for lines in rows) + "\n")
+    options = ("--sheet", "card-200gsm", "--max-width", 11, "--no-pictures", "--no-step")
+    done = run("strip", tmp_path / "two.csv", "--all", *options, "-o", tmp_path / "out")
+    (change,) = re.findall(r"^Change +use (.*) for the nearest stable curve$", done.stdout, re.M)
+    again = run("strip", tmp_path / "two.csv", *change.split(), *options, "-o", tmp_path / "again")
+    assert "unstable" not in again.output
 
 
 @pytest.mark.campaign
