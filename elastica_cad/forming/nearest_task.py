@@ -164,6 +164,21 @@ class NearestTask:
         """Bending stiffness, N mm2, where the relative stiffness K is 1; 1 without a section law."""
         return 1.0 if self.section is None else self.section.scale
 
+    @property
+    def least_stiffness(self) -> float:
+        """Least stiffness K: 1, or the K of the least width if the scale is fixed and this K is larger."""
+        section, width = self.section, self.limits.width
+        if not self.keeps_scale or section is None:
+            return 1.0
+        # limits of a strip include its stiffening in their least width, the width of a section law does not
+        law, least = (
+            (section.law, section.law.limits[0]) if width is None else (section.law.bent(0.0), width[0])
+        )
+        if least <= 0:
+            return 1.0
+        narrowest = float(np.max(law.bending_stiffness(least)))
+        return float(np.clip(narrowest / section.scale, 1.0, self.limits.largest_ratio))
+
     def scaled_by(self, share: float) -> "NearestTask":
         """Return the task with the stiffness of its sections multiplied by `share`."""
         if self.section is None:

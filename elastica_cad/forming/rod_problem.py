@@ -378,7 +378,7 @@ def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, Floa
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:
-        return low, high
+        return task.least_stiffness * low, high
     s = np.linspace(0, 1, 20 * task.coefficients + 1)
     support = task.basis.at(s) > 0
     below, above = task.limits.stiffness_bounds

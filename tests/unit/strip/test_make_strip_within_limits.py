@@ -21,6 +21,13 @@ ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 WAVE = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)
 
 
+def _pieces(poles):
+    """Return the curve of cubic Bezier pieces."""
+    count = (len(poles) - 1) // 3
+    inner = [knot for knot in range(1, count) for _ in range(3)]
+    return PlaneCurve([0] * 4 + inner + [count] * 4, poles, 3)
+
+
 def test_limits_allow_the_curve_to_move():
     with pytest.raises(NotRealizable):
         make_strip(WAVE, "card-200gsm", max_width=20)
@@ -75,6 +82,27 @@ def test_a_steel_strip_is_not_narrower_than_the_workshop_can_cut(poles, width, m
     curve = PlaneCurve.spline([tuple(map(float, pole.split(","))) for pole in poles.split()], degree=3)
     strip = make_strip(curve, "spring-steel-0.2", max_width=width, limits=Limits(margin=margin))
     assert 3 <= strip.width.extremes[0] < 3.1
+
+
+def test_a_stable_strip_is_not_narrower_than_the_workshop_can_cut():
+    """The search with a margin narrows the whole strip by 1 % or more, and the strip was refused as too narrow."""
+    waves = _pieces(
+        [(0, 0), (38, 0), (52, 62), (92, 62), (132, 62), (140, -12), (180, -12), (232, -12), (240, 112),
+         (300, 112), (358, 112), (372, -2), (420, -2), (450, -2), (472, 30), (490, 40)]
+    )  # fmt: skip
+    strip = make_strip(waves, "pom-1", max_width=43, limits=Limits(margin=5.0))
+    assert 3 <= strip.width.extremes[0] < 3.1
+    assert strip.width.extremes[1] <= 43
+
+
+@pytest.mark.parametrize(("sheet", "least"), [("pom-1", 7), ("spring-steel-0.2", 4)])
+def test_a_stable_strip_is_not_narrower_than_its_least_width(sheet, least):
+    bend = _pieces(
+        [(140, 0), (118, 55), (30, 55), (30, -20), (30, -105), (155, -80), (155, -165), (155, -250),
+         (45, -250), (20, -185)]
+    )  # fmt: skip
+    strip = make_strip(bend, sheet, min_width=least, limits=Limits(margin=5.0))
+    assert strip.width.extremes[0] == pytest.approx(least, rel=1e-5)
 
 
 def test_limits_of_another_thickness_are_refused():
