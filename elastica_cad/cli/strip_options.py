@@ -22,7 +22,7 @@ from elastica_cad.defaults import KERF
 from elastica_cad.design.records import Reader, paths_of, put
 from elastica_cad.design.strip_table import read_request
 from elastica_cad.design.tables import Table, merged
-from elastica_cad.errors import Change, InputError
+from elastica_cad.errors import Change, InputError, rounded_up
 from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability import SAFE_MARGIN
@@ -86,6 +86,9 @@ def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = 
     Without an option for the change, return an instruction.
     """
     words = _arguments_of(suggestion.change)
+    if suggestion.change.field == "size":
+        # the key `length` includes the straight ends of the curve
+        words = "--set", f"length={rounded_up(suggestion.requests[0].curve.length, 4):g}"
     if suggestion.width is not None and "--max-width" not in options:
         options = *options, *_arguments_of(suggestion.width)
     return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title

@@ -4,6 +4,7 @@ import shutil
 import sys
 from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -73,6 +74,13 @@ def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
                     at = remaining.index(name)
                     del remaining[at : at + 2]
                 remaining = [word for word in remaining if not word.startswith(f"{name}=")]
+    for name, setting in pairwise(added):
+        key = setting.partition("=")[0]
+        for at in reversed(
+            [at for at, words in enumerate(pairwise(remaining)) if words[0] == name == "--set"]
+        ):
+            if remaining[at + 1].partition("=")[0] == key:
+                del remaining[at : at + 2]
     return remaining
 
 

@@ -176,7 +176,7 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
-    sheet, nearest = suggested_commands(refused.output)
+    sheet, scaled, nearest = suggested_commands(refused.output)
     assert shlex.split(sheet).count("--sheet") == 1
     ((scale, length),) = re.findall(
         r"^Change +Draw the curve ([0-9.]+) times as large \(a strip ([0-9]+) mm long",
@@ -184,6 +184,14 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
         re.MULTILINE,
     )
     run(*shlex.split(sheet), "--no-step", "--no-pictures")
+    shutil.rmtree("out")
+    made = run(*shlex.split(scaled), "--no-step", "--no-pictures").output
+    assert float(re.search(r"^Size +([\d.]+) mm long", made, re.M)[1]) == pytest.approx(
+        float(length), rel=0.005
+    )
+    options = ("--sheet", "oak-3", "--max-width", 12, "--set", "length=150", "-o", "again")
+    again = run("strip", "arc.json", *options, code=1)
+    assert suggested_commands(again.output)[1].count("length=") == 1
     assert nearest.endswith("--nearest --stable")
     assert "(another shape, up to " in refused.output.splitlines()[-1]
     larger = ec.PlaneCurve.arc((0, 0), 60 * float(scale), 0, 3)
