@@ -223,9 +223,10 @@ class RevolutionTable:
         """
         changed = replace(self, **changes)
         try:
-            plates = changed._model("").plates
-            rocks = self.gap is not None and any(seat.rocks for seat in tab_seats(plates).values())
-            return not rocks and (changed._is_within_limit or not self._is_within_limit)
+            model = changed._model("")
+            rocks = self.gap is not None and any(seat.rocks for seat in tab_seats(model.plates).values())
+            allowed = model.placed[0].strip.strain_verdict.allowed
+            return not rocks and (allowed or not self._is_within_limit)
         except (InputError, NotConvergedError):
             return False
 

@@ -1,16 +1,17 @@
 """Models of surfaces of revolution, and widths with which neighbouring strips meet without gaps."""
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
 from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
-from elastica_cad.errors import InputError
+from elastica_cad.errors import FaultError, InputError
 from elastica_cad.forming.meridians import Meridian
 from elastica_cad.forming.meridians import meridian as make_meridian
 from elastica_cad.geometry.frame import Frame
@@ -177,8 +178,11 @@ TAB_GAP_MM = 0.5
 TRIED_RINGS = 60
 """Number of ring sizes that are tried if the requested ring cannot be made."""
 
-BRIDGE_ALLOWANCE = 1.02
-"""Factor on the least width of material between slots, as an allowance for rounding errors."""
+BRIDGE_ROOM_MM = 0.1
+"""Width, mm, that default tabs add to the least width of material between slots."""
+
+NARROWER_MM = (0.5, 1.5, 4.0)
+"""Reductions of the width of default tabs, mm, that are tested if the slots of bent tabs are too close."""
 
 
 def revolution(
@@ -299,6 +303,9 @@ def revolved_strip(
     return request._placed(meridian)[0].strip
 
 
+Made: TypeAlias = tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]
+
+
 @dataclass(frozen=True)
 class _Request:
     strips: int
@@ -311,9 +318,26 @@ class _Request:
     holes: PlateHoles | None
     shop: FabricationLimits
     ignore_limits: bool
+    narrower: float = 0.0
 
-    def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
+    def made(self, meridian: Meridian) -> Made:
         """Return the strips, the plates and the warnings.
+
+        The load of a strip bends its tabs between two rings, and their slots follow. If the slots of default tabs
+        are then too close, narrower tabs are tested.
+        """
+        try:
+            return self._made(meridian)
+        except FaultError:
+            if self.gap is None or self.ends is not None:
+                raise
+            for narrower in NARROWER_MM:
+                with suppress(InputError):
+                    return replace(self, narrower=narrower)._made(meridian)
+            raise
+
+    def _made(self, meridian: Meridian) -> Made:
+        """Return the result of `made` for tabs of one width.
 
         Problems of the strips and of the ring at each end are independent, so one error states all of them.
         """
@@ -397,8 +421,7 @@ class _Request:
             # a bridge is measured along the side of a slot, which is inclined by half the angle between slots
             gap = (
                 2 * PLAY
-                + BRIDGE_ALLOWANCE
-                * self.shop.bridge_for(self.rings)
+                + (BRIDGE_ROOM_MM + self.shop.bridge_for(self.rings))
                 / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [
@@ -406,7 +429,7 @@ class _Request:
                 for r, angle in zip(ends.position[:, 0], outward, strict=True)
             ]
             near = np.minimum(near, inner)
-        room = 2 * np.tan(np.pi / self.strips) * near - gap
+        room = 2 * np.tan(np.pi / self.strips) * near - gap - self.narrower
         first, last = (
             Tab(float(long), width=float(wide) if wide >= self.shop.width_for(self.sheet) else None)
             for long, wide in zip(lengths, room, strict=True)
