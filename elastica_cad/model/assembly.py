@@ -252,7 +252,8 @@ def engraved_marks(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
         yield note("A strip without a label has the numbers 1 and 2 at its start and its end.")
     if any(isinstance(holder, EndFixture | BasePlate) and not isinstance(holder, Ring)
            for holder in single_holders(holders)):  # fmt: skip
-        yield note("Each slot and block has the name of its end, such as A:1.")
+        first = tab_name(model.name_of(0), ENDS[0])
+        yield note("Each slot and block has the name of its end, such as {name}.", name=first)
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:

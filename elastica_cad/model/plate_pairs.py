@@ -630,10 +630,16 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
         normals.append(-np.sign(axes[2] @ down) * axes[2])
     fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
     if not any(fit):
+        flattest = max(-float((outs @ n).max()) for n in normals)
         raise InputError(
-            "{name}: the tabs point in too many directions for one plate: hold them with fixtures, or make "
+            "{name}: the tabs meet the plate at {lean:.3g} degrees, but slots need more than {steep:.0f} degrees. "
+            "Hold the tabs with fixtures, or let the strips meet the plate more steeply."
+            if flattest > 0
+            else "{name}: the tabs point in too many directions for one plate: hold them with fixtures, or make "
             "the directions of the ends more similar",
             name=name,
+            lean=np.degrees(np.arcsin(np.clip(flattest, 0.0, 1.0))),
+            steep=np.degrees(FLATTEST_RAD),
         )
     spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
     better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM

@@ -217,7 +217,7 @@ class BasePlate:
         """Return the plate with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         require_flat(self.sheet)
-        _refuse_meetings(self.slots, self.name)
+        _refuse_meetings(self.slots, self.name, in_ring=isinstance(self, Ring))
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         called += [] if self.opening is None else [note("the opening")]
         drilled = [hole_name(hole) for hole in self.holes]
@@ -255,12 +255,13 @@ class BasePlate:
         works = (width for width in widths if self._has_bridge(options, replace(holes, bridge=width)))
         width = next(works, None)
         return note(
-            "{name}: the bridge has no effect, because the plate has no opening. Leave out {field}."
+            "{name}: the bridge has no effect, because the plate has no opening. Leave out the bridge."
             if width is None
-            else "{name}: the bridge has no effect, because the spacers fill the opening. Leave out {field}."
+            else "{name}: the bridge has no effect, because the spacers fill the opening. Leave out the bridge."
             if width == given
-            else "{name}: the bridge has no effect, because its hub fills the opening. Use a {field} of {width:g}.",
-            name=self.name, field=FieldName("holes.bridge"), width=Mm(width or 0.0),
+            else "{name}: the bridge has no effect, because its hub fills the opening. "
+            "Use a bridge {width:g} wide.",
+            name=self.name, width=Mm(width or 0.0),
         )  # fmt: skip
 
     def _has_bridge(self, options: PlateOptions, holes: PlateHoles) -> bool:
@@ -579,7 +580,8 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
     return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness, tab)
 
 
-def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
+def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> None:
+    """Refuse slots that overlap. `in_ring` is True for the strips of a surface of revolution."""
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
     boxes = boxes_about(corners)
     near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
@@ -587,7 +589,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     for i, j in met[:1].tolist():
         middle = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs, or move "
+            "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs."
+            if in_ring
+            else "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs, or move "
             "the strips apart.",
             name=name,
             tabs=both_names(slots[j].name, slots[i].name),

@@ -116,6 +116,7 @@ def test_tabs_that_meet_in_a_ring_can_be_left_to_the_program(read):
     with pytest.raises(InputError, match=r"rings possible: leave out ends") as refused:
         read(f"{lamp}ends = {{ length = 9, width = 36 }}\n").model()
     assert [f"ring-{end}: the slots of" in str(refused.value) for end in ("bottom", "top")] == [True, True]
+    assert "apart" not in str(refused.value)  # the axis and the number of strips fix their positions
     assert len(read(lamp).model().plates) == 2
 
 

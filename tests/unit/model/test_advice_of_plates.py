@@ -9,8 +9,10 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import InputError
 from elastica_cad.model import revolve, rocking_tabs
-from elastica_cad.model.plate_pairs import end_plates
-from elastica_cad.model.plates import tips_below
+from elastica_cad.model.assembly import engraved_marks
+from elastica_cad.model.fixtures import tabs_to_hold
+from elastica_cad.model.plate_pairs import end_plates, tab_plane
+from elastica_cad.model.plates import base_plate, tips_below
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed
 
@@ -159,3 +161,29 @@ def test_suggestions_hold_for_both_rings_of_a_revolution(latitudes, gap, tabs):
         ends = tuple(Tab(float(length), width=float(width) if width else tab.width) for tab in tabs)
         assert len(rings(ends=ends).plates) == 4
     assert len(rings(gap=float(nearer[1]) if nearer else None).plates) == (4 if nearer else 2)
+
+
+@pytest.mark.parametrize("lean", [9.5, 12.0])
+def test_flat_tabs_around_an_axis_are_refused_with_their_angle(lean):
+    arch = ec.make_strip(
+        ec.PlaneCurve.arc((60, 0), 80, np.pi / 2 - np.radians(lean), 2.6),
+        "birch-plywood-0.8",
+        max_width=12,
+        ends=Tab(15),
+    )
+    turns = np.arange(7) * 2 * np.pi / 7
+    placed = [Placed(arch, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turns]
+    with pytest.raises(
+        InputError, match=f"ring: the tabs meet the plate at {lean:g} degrees, .* more than 15"
+    ):
+        tab_plane(tabs_to_hold(placed, ["start"]), "ring")
+
+
+@pytest.mark.parametrize("label", ["R", "rib 4"])
+def test_the_example_of_an_engraved_end_is_an_end_of_the_model(label):
+    arch = ec.make_strip(
+        ec.PlaneCurve.arc((0, 0), 60, 0.3, 2.8), "birch-plywood-0.8", max_width=12, ends=Tab(12), label=label
+    )
+    placed = [Placed(arch, (0, y, -17), (1, 0, 0), (0, 0, 1)) for y in (0, 60)]
+    base = base_plate(placed, "mdf-3")
+    assert any(f"such as {label}:1." in text for text in engraved_marks(ec.Model(placed), [base]))

@@ -154,9 +154,7 @@ def test_a_bridge_without_effect_is_reported(ribs):
     filled, plain = rings(ribs, side="top", **wide), rings(ribs, bulb=20, bridge=10)
     text = "the bridge has no effect"
     assert filled[0].warnings == ()
-    (advice,) = (
-        re.search(f"{text}, .* Use a holes.bridge of (\\d+) mm", note) for note in filled[1].warnings
-    )
+    (advice,) = (re.search(f"{text}, .* Use a bridge (\\d+) mm wide", note) for note in filled[1].warnings)
     narrow = rings(ribs, side="top", bulb=70, bridge=int(advice[1]))[1]
     assert narrow.warnings == ()
     assert sum(len(hole.segments) > 1 for hole in narrow.holes) == 2
