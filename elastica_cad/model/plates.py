@@ -23,7 +23,7 @@ from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, ref
 from elastica_cad.refusals import FieldName, Point, both_names, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.strip.lettering import Text, engravable, text_width
+from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.solids import FlatSolid, convex_corners
@@ -683,9 +683,6 @@ SAME_LEVEL_MM = 1.0
 
 NAME_TURNS = np.radians(sorted(range(-165, 181, 15), key=abs))
 """Angles, rad, by which the name of a plate is turned around its middle, in the order of preference."""
-
-LEAST_LABEL_MM = 1.5
-"""Least height of engraved names, mm. Smaller names would not be legible and are omitted."""
 
 
 @dataclass(frozen=True, eq=False)

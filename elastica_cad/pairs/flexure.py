@@ -46,7 +46,7 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.flat_pattern import in_short_pieces
-from elastica_cad.strip.lettering import Text, centred_text, engravable, fit_label, text_width
+from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, centred_text, engravable, fit_label, text_width
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
@@ -543,14 +543,23 @@ class Flexure:
     def drawing(self) -> Drawing:
         """Return the cutting drawing of the unloaded part."""
         paths = [LayeredPath(CUT_INNER, hole) for hole in self.holes]
-        texts: tuple[Text, ...] = ()
-        if self.label:
-            near, far = self.hole_places(self.centre)[0]
-            room = float(np.hypot(*(far - near))) - self.pad.hole - 2
-            middle = (near + far) / 2
-            texts = (fit_label(self.label, (float(middle[0]), float(middle[1])), angle=0.0, room=room,
-                               across=self.pad_width - 2),)  # fmt: skip
-        return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
+        return Drawing(
+            self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), self._label_texts
+        )
+
+    @property
+    def _label_texts(self) -> tuple[Text, ...]:
+        near, far = self.hole_places(self.centre)[0]
+        along, across = float(np.hypot(*(far - near))) - self.pad.hole - 2, self.pad_width - 2
+        x, y = ((near + far) / 2).tolist()
+        right, up = (near - far).tolist()  # from the tip of the pad to the strip
+        angle = float(np.arctan2(up, right))
+        texts = (
+            fit_label(self.label, (x, y), angle=angle, room=along, across=across),
+            fit_label(self.label, (x, y), angle=angle + np.pi / 2, room=across, across=along),
+        )
+        text = max(texts, key=lambda text: text.height)
+        return (text,) if self.label and text.height >= LEAST_LABEL_MM else ()
 
     def holder(self) -> Drawing:
         """Return a plate with holes for both pads.
@@ -901,6 +910,11 @@ class Flexure:
             if side.needs_guiding:
                 messages.append(note("{name}: {side}", severity="warning", name=name, side=str(side)))
         messages += self.rest_warnings
+        if self.label and not self._label_texts:
+            messages.append(
+                note("The label {label} is not engraved, because the pad has no room for letters {height} high. "
+                     "Write the name on the part.", label=self.label, height=Length(LEAST_LABEL_MM))
+            )  # fmt: skip
         try:
             travel = self.travel
         except NotConvergedError as error:

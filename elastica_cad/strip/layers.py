@@ -265,7 +265,7 @@ def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
     if layout.pattern is None:
-        return (label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None)),)
+        return label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None))
     length = width.length
     spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
     tabs = [

@@ -15,6 +15,7 @@ from elastica_cad.geometry.path import Path
 
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
 LABEL_MM = 5.0  # largest height of the label of a strip, mm
+LEAST_LABEL_MM = 1.5  # least height of engraved names, mm; smaller names would not be legible and are omitted
 LABEL_SHARE = 0.4  # largest height of a label as a fraction of the available height
 _GAP = 1.6
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))

@@ -329,15 +329,15 @@ class Splice:
         text = f"{called if self.strip.engrave is None else self.strip.engrave}{name.removeprefix(called)}"
         label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
-        mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
+        mates = mating_marks(slots, whole.width, holes, (*marks, *ends), label)
         known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
-        numbers = end_numbers(whole.width, cuts, (label, *mates), known)
+        numbers = end_numbers(whole.width, cuts, (*label, *mates), known)
         paths = (
             *(LayeredPath(MARK, mark) for mark in marks),
             *(LayeredPath(CUT_INNER, hole) for hole in holes),
             LayeredPath(CUT_OUTER, outline),
         )
-        return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
+        return Piece(name, Drawing(name, paths, (*label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
         joint = next(at for at in whole.joints if at in (low, high))

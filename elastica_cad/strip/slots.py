@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import product
+from itertools import islice, product
 from typing import Annotated, Literal
 
 import numpy as np
@@ -24,7 +24,9 @@ from elastica_cad.strip.drawing import ENGRAVE, MARK
 from elastica_cad.strip.lettering import (
     LABEL_MM,
     LABEL_SHARE,
+    LEAST_LABEL_MM,
     Text,
+    centred_text,
     engravable,
     fit_label,
     text_span,
@@ -534,28 +536,30 @@ def end_numbers(
     return tuple(numbers)
 
 
-def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
-    """Return the label on the centre line of a strip, as near to the middle as possible and clear of all cuts.
+def label_off_cuts(
+    label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None
+) -> tuple[Text, ...]:
+    """Return the label on the centre line of a strip, as large as possible and clear of all cuts.
 
-    The label is made smaller if necessary. If no position is clear, the label is in the middle. `span` is the
-    allowed range along the strip, mm; by default the whole bent part.
+    Of places for equally large letters, the nearest to the middle is chosen. The label is omitted if no place is
+    clear for letters of `LEAST_LABEL_MM`. `span` is the allowed range along the strip, mm; by default the whole
+    bent part.
     """
     low, high = span or (0.0, width.length)
-    length = high - low
-    step = max(LABEL_STEP_MM, length / 2 / LABEL_STEPS)
-    steps = step * np.arange(1, max(int(length / 2 / step), 1))
-    ways = [0.0, *(float(v) for off in steps for v in (off, -off))]
-
-    def text(off: float, share: float) -> Text:
-        x = low + length / 2 + off
-        across = share * min(float(width(x)), LABEL_MM / LABEL_SHARE)
-        return fit_label(label, (x, 0.0), angle=0.0, room=share * length, across=across)
-
+    step = max(LABEL_STEP_MM, (high - low) / 2 / LABEL_STEPS)
+    steps = step * np.arange(1, max(int((high - low) / 2 / step), 1))
+    places = (low + high) / 2 + np.concatenate([[0.0], np.column_stack([steps, -steps]).ravel()])
+    along = max(text_width(engravable(label), 1.0), 1e-9)
+    largest = np.minimum(LABEL_SHARE * width(places), min(LABEL_MM, 0.8 * (high - low) / along))
+    heights = np.outer(LABEL_SHARES, largest).ravel()
+    order = [int(k) for k in np.argsort(-heights.round(1), kind="stable") if heights[k] >= LEAST_LABEL_MM]
     tried = (
-        (text(off, share), near) for near in LABEL_DISTANCES_MM for share in LABEL_SHARES for off in ways
+        (centred_text(label, (float(places[k % places.size]), 0.0), float(heights[k]), np.inf), near)
+        for near in LABEL_DISTANCES_MM
+        for k in order
     )
-    clear = (candidate for candidate, near in tried if _clear(_text_box(candidate, near), width, (), cuts))
-    return next(clear, text(0.0, 1.0))
+    clear = (text for text, near in tried if _clear(_text_box(text, near), width, (), cuts))
+    return tuple(islice(clear, 1))
 
 
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:

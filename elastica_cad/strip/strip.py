@@ -71,7 +71,7 @@ from elastica_cad.strip.element_cuts import (
 )
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
 from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
-from elastica_cad.strip.lettering import require_engravable
+from elastica_cad.strip.lettering import LEAST_LABEL_MM, engravable, require_engravable
 from elastica_cad.strip.outline import SHOULDER_MM, USUAL_TABS, Ends, Tab, pair_of_tabs
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
@@ -807,7 +807,22 @@ class Strip:
         if self.layout.size is not None:
             return warnings
         creeps = _warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
-        return (*warnings, *_warn_of_plywood(self.layers, self.strains, self._bends), *creeps)
+        return (
+            *warnings,
+            *_warn_of_plywood(self.layers, self.strains, self._bends),
+            *creeps,
+            *self._label_notes,
+        )
+
+    @property
+    def _label_notes(self) -> Iterator[str]:
+        texts = {text.text for text in self.drawing().texts} if self.engraved else {""}
+        if not any(text.startswith(engravable(self.engraved)) for text in texts):
+            yield note(
+                "The label {label} is not engraved, because no place on the strip has room for letters {height} "
+                "high. Write the name on the strip.",
+                label=self.engraved, height=Length(LEAST_LABEL_MM),
+            )  # fmt: skip
 
     @cached_property
     def crept(self) -> Creep | None:
