@@ -166,18 +166,20 @@ class NearestTask:
 
     @property
     def least_stiffness(self) -> float:
-        """Least stiffness K: 1, or the K of the least width if the scale is fixed and this K is larger."""
-        section, width = self.section, self.limits.width
+        """Least stiffness K: 1, or the K of the least width if the scale is fixed.
+
+        The K of the least width can be below 1 only if the widths alone limit the stiffness ratio.
+        """
+        section, width, ratio = self.section, self.limits.width, self.limits.largest_ratio
         if not self.keeps_scale or section is None:
             return 1.0
         # limits of a strip include its stiffening in their least width, the width of a section law does not
         law, least = (
             (section.law, section.law.limits[0]) if width is None else (section.law.bent(0.0), width[0])
         )
-        if least <= 0:
-            return 1.0
-        narrowest = float(np.max(law.bending_stiffness(least)))
-        return float(np.clip(narrowest / section.scale, 1.0, self.limits.largest_ratio))
+        narrowest = float(np.max(law.bending_stiffness(least))) / section.scale if least > 0 else 1.0
+        by_widths = width is not None and ratio >= width[1] / width[0]
+        return min(narrowest if by_widths else max(1.0, narrowest), ratio)
 
     def scaled_by(self, share: float) -> "NearestTask":
         """Return the task with the stiffness of its sections multiplied by `share`."""

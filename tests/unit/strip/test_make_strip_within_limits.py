@@ -84,13 +84,15 @@ def test_a_steel_strip_is_not_narrower_than_the_workshop_can_cut(poles, width, m
     assert 3 <= strip.width.extremes[0] < 3.1
 
 
+WAVES = _pieces(
+    [(0, 0), (38, 0), (52, 62), (92, 62), (132, 62), (140, -12), (180, -12), (232, -12), (240, 112),
+     (300, 112), (358, 112), (372, -2), (420, -2), (450, -2), (472, 30), (490, 40)]
+)  # fmt: skip
+
+
 def test_a_stable_strip_is_not_narrower_than_the_workshop_can_cut():
     """The search with a margin narrows the whole strip by 1 % or more, and the strip was refused as too narrow."""
-    waves = _pieces(
-        [(0, 0), (38, 0), (52, 62), (92, 62), (132, 62), (140, -12), (180, -12), (232, -12), (240, 112),
-         (300, 112), (358, 112), (372, -2), (420, -2), (450, -2), (472, 30), (490, 40)]
-    )  # fmt: skip
-    strip = make_strip(waves, "pom-1", max_width=43, limits=Limits(margin=5.0))
+    strip = make_strip(WAVES, "pom-1", max_width=43, limits=Limits(margin=5.0))
     assert 3 <= strip.width.extremes[0] < 3.1
     assert strip.width.extremes[1] <= 43
 
@@ -103,6 +105,15 @@ def test_a_stable_strip_is_not_narrower_than_its_least_width(sheet, least):
     )  # fmt: skip
     strip = make_strip(bend, sheet, min_width=least, limits=Limits(margin=5.0))
     assert strip.width.extremes[0] == pytest.approx(least, rel=1e-5)
+
+
+def test_a_stable_strip_may_be_narrower_than_without_the_margin():
+    """With a margin, the search kept the narrowest place of the strip without it, 3.26 mm."""
+    poles = [(62, -30), (118, 40), (190, -35), (254, -59), (328, 65), (398, 6), (462, 38)]
+    strip = make_strip(
+        PlaneCurve.spline(poles, degree=3), "spring-steel-0.2", max_width=25, limits=Limits(margin=5.0)
+    )
+    assert 3 <= strip.width.extremes[0] < 3.1
 
 
 def test_limits_of_another_thickness_are_refused():
