@@ -75,11 +75,11 @@ def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
                     del remaining[at : at + 2]
                 remaining = [word for word in remaining if not word.startswith(f"{name}=")]
     for name, setting in pairwise(added):
+        if name != "--set":
+            continue
         key = setting.partition("=")[0]
-        for at in reversed(
-            [at for at, words in enumerate(pairwise(remaining)) if words[0] == name == "--set"]
-        ):
-            if remaining[at + 1].partition("=")[0] == key:
+        for at in reversed(range(len(remaining) - 1)):
+            if remaining[at] == "--set" and remaining[at + 1].partition("=")[0] == key:
                 del remaining[at : at + 2]
     return remaining
 

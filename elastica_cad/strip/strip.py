@@ -816,8 +816,10 @@ class Strip:
 
     @property
     def _label_notes(self) -> Iterator[str]:
-        texts = {text.text for text in self.drawing().texts} if self.engraved else {""}
-        if not any(text.startswith(engravable(self.engraved)) for text in texts):
+        if not self.engraved:
+            return
+        label = engravable(self.engraved)
+        if not any(text.text.startswith(label) for text in self.drawing().texts):
             yield note(
                 "The label {label} is not engraved, because no place on the strip has room for letters {height} "
                 "high. Write the name on the strip.",
