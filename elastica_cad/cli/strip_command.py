@@ -109,8 +109,11 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         split=which.get("split_corners", False),
         how="--curve 1 .. --curve {count} or --curve ID, or all with --all",
     )
-    if chosen["save_design"] is not None:
-        check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
+    if design := chosen["save_design"]:
+        output = chosen["output"].resolve()
+        if design.resolve() in (output, *output.parents):
+            raise InputError("{path} is a folder: give the name of a file in it", path=design)
+        check_folder(design.parent, [design.name], force=chosen["force"])
     reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
@@ -122,7 +125,14 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             result = _solve(requested, spec)
             say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
-            places = (chosen["output"] / file.name for file in kit.files)
+            places = [chosen["output"] / file.name for file in kit.files]
+            if design and design.resolve() in [path.resolve() for path in (requested.path, *places)]:
+                raise InputError(
+                    "{design} is also the drawn curve or a file of the strip. Choose another name for the "
+                    "design, such as {other}.",
+                    design=design,
+                    other=design.with_name("design.toml"),
+                )
             if any(os.path.exists(path) and path.samefile(requested.path) for path in places):
                 raise InputError(
                     "{kept} contains the drawn curve and is not overwritten. Choose another folder, such as "

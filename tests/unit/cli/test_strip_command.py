@@ -464,3 +464,22 @@ def test_a_loop_warns_once_that_the_strip_crosses_itself(tmp_path, changes):
     width = ("--sheet", "pom-0.5", "--max-width", 60)
     printed = run("strip", path, *width, *changes, "--ignore-limits", "-o", tmp_path / "out").output
     assert printed.count("crosses itself") == 1
+
+
+@pytest.mark.parametrize(
+    ("design", "message"),
+    [
+        ("out", "is a folder"),
+        ("out/arch.svg", "Choose another name for the design"),
+        ("arch.csv", "Choose another name for the design"),
+    ],
+)
+def test_a_design_is_not_saved_over_the_folder_the_files_or_the_drawn_curve(tmp_path, design, message):
+    drawn = tmp_path / "arch.csv"
+    drawn.write_text("0,0\n40,30\n110,55\n190,40\n240,0\n")
+    before = drawn.read_bytes()
+    wishes = "--sheet birch-plywood-0.8 --max-width 20 --no-step --no-pictures --force -o out"
+    done = run(f"strip arch.csv {wishes} --save-design {design}", cwd=tmp_path, code=2)
+    assert message in " ".join(done.stderr.split())
+    assert [path.name for path in tmp_path.iterdir()] == ["arch.csv"]
+    assert drawn.read_bytes() == before
