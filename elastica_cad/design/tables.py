@@ -83,6 +83,10 @@ class Formula:
         return frozenset(variables - set(CONSTANTS))
 
     @property
+    def _shown(self) -> str:
+        return self.text[:LONGEST_FORMULA]
+
+    @property
     def _tree(self) -> ast.expr:
         return self._parsed[0]
 
@@ -102,14 +106,14 @@ class Formula:
             raise InputError(
                 "{place}: the formula {typed!r} is incomplete at {at}. Complete it.",
                 place=self.where,
-                typed=self.text,
+                typed=self._shown,
                 at=at,
             ) from error
         except (ValueError, RecursionError, MemoryError) as error:
             raise InputError(
                 "{place}: {typed!r} cannot be read as a formula. Correct it.",
                 place=self.where,
-                typed=self.text[:60],
+                typed=self._shown,
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
@@ -131,7 +135,7 @@ class Formula:
                     "negative number."
                 ),
                 place=self.where,
-                typed=self.text,
+                typed=self._shown,
             )
         return float(result) if result.ndim == 0 else result
 
@@ -144,8 +148,8 @@ class Formula:
         )
         return note(
             "{place}: unknown {thing} {name!r} at character {letter} of {formula!r}; {hint}",
-            place=self.where, thing=kind, name=node.id, letter=node.col_offset + 1, formula=self.text,
-            hint=hint,
+            place=self.where, thing=kind, name=node.id[:LONGEST_KEY], letter=node.col_offset + 1,
+            formula=self._shown, hint=hint,
         )  # fmt: skip
 
 
@@ -166,7 +170,7 @@ def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> Non
         )
     match node:
         case ast.Constant(value=bool() | complex() | str() | bytes() | None):
-            raise _refusal(node, formula, f"{node.value!r} is not a number; write a number")
+            raise _refusal(node, formula, f"{repr(node.value)[:LONGEST_KEY]} is not a number; write a number")
         case ast.Constant(value=int() | float() as number):
             if abs(number) > LARGEST_RESULT:
                 raise _refusal(
@@ -213,7 +217,7 @@ def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
     return InputError(
         "{place}: {typed!r}, character {col_offset}: {fault}",
         place=formula.where,
-        typed=formula.text[:80],
+        typed=formula._shown,
         col_offset=node.col_offset + 1,
         fault=fault,
     )
@@ -251,7 +255,10 @@ LONGEST_LIST = 800
 """Length, in characters, after which a list of errors ends."""
 
 LONGEST_KEY = 60
-"""Number of characters of an unknown key that a message shows."""
+"""Number of characters of an unknown key, name or text that a message shows."""
+
+LONGEST_FORMULA = 200
+"""Number of characters of a formula that a message shows."""
 
 OTHER_WORDS = {
     "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",

@@ -176,7 +176,8 @@ def judged(said, folder, ended):
     if mib > MOST_MIB:
         found.append(f"{mib} MiB")
     left = [path.name for path in (folder / "out").rglob("*")] if (folder / "out").is_dir() else []
-    if code == 2 and left:
+    others_made = re.search(r"of \d+ curves cannot be made|of \d+ is left out", out + err)
+    if code == 2 and left and not others_made:
         found.append(f"left behind: {left[:5]}")
     hidden = [path.name for path in folder.rglob(".*") if path.name not in (".out", ".err")]
     if hidden:

@@ -82,6 +82,9 @@ def test_thirty_levels_are_not_too_deep(nested):
         ("(" * 500 + "1", "is incomplete"),
         ("1 + " * 1000 + "1", "4001 characters is too long"),
         ("\x00", "is incomplete"),
+        ("degrees" * 250, "unknown name 'degrees"),
+        ("'" + "degrees" * 250 + "'", "is not a number"),
+        ("1 / " + "0" * 1500, "is not finite"),
     ],
 )
 def test_whatever_is_no_arithmetic_is_refused(text, message):
@@ -89,6 +92,7 @@ def test_whatever_is_no_arithmetic_is_refused(text, message):
         Formula(text, "design.toml: strips[3]: x")(x=2.0)
     assert str(caught.value).startswith("design.toml: strips[3]: x")
     assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 600
 
 
 def test_names_of_functions_and_constants_do_not_clash():
