@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import (
     EqualByValue,
+    alike,
     as_floats,
     is_number,
     is_whole,
@@ -193,6 +194,7 @@ class Weight:
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return alpha and beta (n,), N/mm, of the weight per length alpha + beta K at arc lengths `s` (n,)."""
+        s = numbers(s, "s")
         alpha, beta = (
             value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
             for value in (self.alpha, self.beta)
@@ -208,6 +210,11 @@ class Weight:
             raise InputError(
                 "only optimal_rod can compute the strip's own weight: give the weight per length as `beta`, "
                 "in N/mm, and `own` as False"
+            )
+        s, stiffness, node_lengths = alike(s=s, stiffness=stiffness, node_lengths=node_lengths)
+        if s.ndim != 1 or s.size < 2:
+            raise InputError(
+                "s is {given}: give the arc lengths of at least two nodes, in mm", given=quoted(s)
             )
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import numbers
+from elastica_cad._values import numbers, require_number
 from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
@@ -156,6 +156,9 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     (809.0, 91, 9.5)
     """
     require_curve(curve)
+    sheet = Sheet.of(sheet)
+    if require_number(hole, "hole", "mm") < 0:
+        raise InputError("hole is {hole:g}. Give a diameter in mm, or 0 for no hole.", hole=hole)
     chord = float(np.hypot(*(curve.survey.position[-1] - curve.survey.position[0])))
     least = LEAST_SLACK * curve.length
     if chord < least:
@@ -168,7 +171,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
         tab = Tab(max(TAB_LENGTH, hole / 2 + _least_beside(sheet, fields.get("shop"))))
         fields = {"ends": (tab, tab)} | fields
     if _has_constant_section(**fields):
-        strip = _strip_of_constant_section(curve, Sheet.of(sheet), **fields)
+        strip = _strip_of_constant_section(curve, sheet, **fields)
     else:
         level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
         wide = room_for_hole(hole, sheet, **fields) if fields.get("limits") or fields.get("keep") else {}

@@ -254,6 +254,7 @@ class Flexure:
         object.__setattr__(self, "sheet", require_flat(Sheet.of(self.sheet)))
         require_record(self.pad, Pad, "the pad", "a Pad")
         require_flag(self.printed, "printed")
+        require_flag(self.ignore_limits, "ignore_limits")
         if self.least_thickness is not None:
             require_positive(self.least_thickness, "the least thickness")
         if not is_number(self.fillet) or self.fillet:

@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias, cast
 import numpy as np
 
 from elastica_cad._types import EMPTY, Takes
-from elastica_cad._values import EqualByValue, is_number, is_one_of, require_record, several
+from elastica_cad._values import EqualByValue, is_number, is_one_of, is_series, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
@@ -101,11 +101,9 @@ def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight 
 
 
 def _direction(direction: object) -> tuple[float, ...]:
-    row = (
-        tuple(direction)
-        if isinstance(direction, Sequence | np.ndarray) and not isinstance(direction, str)
-        else ()
-    )
+    row: tuple[Any, ...] = ()
+    if isinstance(direction, Sequence | np.ndarray) and is_series(direction):
+        row = tuple(direction)
     if len(row) not in (2, 3) or not all(is_number(number) for number in row) or not any(row):
         raise InputError(
             f"gravity is {direction!r}: give True, a Gravity record, or the direction in which things "

@@ -166,7 +166,7 @@ def expected(layout: Any, hidden: set[str], *placed: Any) -> Iterator[tuple[Any,
         if one.dxf.get("layer", "0").lower() in hidden or one.dxf.get("invisible", 0):
             continue
         if one.dxftype() == "INSERT":
-            with suppress(ezdxf.DXFError):  # an insertion without a name
+            with suppress(ezdxf.DXFError, TypeError):  # an insertion without a name or a place
                 for copy in one.multi_insert() if one.mcount > 1 else (one,):
                     yield from expected(one.block() or (), hidden, copy.matrix44(), *placed)
         elif one.dxftype() in KINDS:

@@ -30,6 +30,7 @@ from elastica_cad import (
     Tab,
     Weight,
     bend,
+    bow,
     meridian,
     nearest_rods,
     read_curves,
@@ -190,3 +191,24 @@ def test_one_record_stands_for_a_row_of_it():
 def test_whole_numbers_beyond_all_floats_are_refused(make):
     with pytest.raises(InputError, match="give"):
         make(10**400)
+
+
+ARC = PlaneCurve.arc((0, 0), 500, 0.8 * np.pi, 0.2 * np.pi)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: Weight().along("0a"), "s cannot be '0a'"),
+        (lambda: Weight().lumped((1, 2, 3), ["a"], 1), "stiffness cannot be"),
+        (lambda: Weight().lumped((1, 2, 3), (1, 2), 1), "do not match"),
+        (lambda: Weight().lumped(3, 1, 1), "at least two nodes"),
+        (lambda: bow(ARC, "pom-3", hole=[[0, 1], [2, 3]]), "hole is"),
+        (lambda: bow(ARC, "pom-3", hole=-1.0), "or 0 for no hole"),
+        (lambda: bow(ARC, ["a", "b"], hole="x"), "the sheet is a list"),
+        (lambda: StripSpec(ARC, "pom-3", max_width=20, gravity=np.array(1.0)), "gravity is array"),
+    ],
+)
+def test_arrays_and_texts_where_one_number_belongs(call, message):
+    with pytest.raises(InputError, match=message):
+        call()
