@@ -44,6 +44,11 @@ def main(arguments: list[str] | None = None) -> None:
             code = _run(arguments, process)
     except KeyboardInterrupt:
         code = INTERRUPTED
+    except RuntimeError as error:
+        # Python 3.11 reports a Ctrl-C so if it arrives while a class of an imported module is made
+        if not isinstance(error.__cause__, KeyboardInterrupt):
+            raise
+        code = INTERRUPTED
     except BrokenPipeError:
         code = OUTPUT_CLOSED
     finally:

@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from elastica_cad import cli
 from elastica_cad._process import interrupts_held
 from elastica_cad.cli.voice import Voice, progress_shown
 
@@ -70,3 +71,17 @@ main(["sheets"])
 def test_ctrl_c_in_the_first_imports_ends_a_command_quietly():
     run = subprocess.run([sys.executable, "-c", PRESSED], check=False, capture_output=True)
     assert (run.returncode, run.stdout, run.stderr) == (130, b"", b"")
+
+
+def test_ctrl_c_while_a_class_is_made_ends_the_command_without_a_traceback(monkeypatch):
+    class Pressed:
+        def __set_name__(self, owner, name):
+            raise KeyboardInterrupt
+
+    def interrupted(*_):
+        type("Imported", (), {"place": Pressed()})
+
+    monkeypatch.setattr(cli, "_run", interrupted)
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["--version"])
+    assert ended.value.code == 130
