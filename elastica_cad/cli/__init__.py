@@ -45,7 +45,7 @@ def main(arguments: list[str] | None = None) -> None:
     except KeyboardInterrupt:
         code = INTERRUPTED
     except RuntimeError as error:
-        # Python 3.11 reports a Ctrl-C so if it arrives while a class of an imported module is made
+        # Python 3.11 raises a RuntimeError for a Ctrl-C that arrives while a class is created
         if not isinstance(error.__cause__, KeyboardInterrupt):
             raise
         code = INTERRUPTED
