@@ -150,7 +150,6 @@ def main() -> None:
     random.Random(wanted.seed).shuffle(curves)
     programs = {kernel: program(kernel) for kernel in wanted.kernels}
     end = time.monotonic() + 60 * wanted.minutes
-    asked_now = {"operations": 0, "succeeded": 0}
     for curve, style, kernel in product(curves, wanted.styles, wanted.kernels):
         body = kernel, style, curve
         apart = SHARED if kernel == "cadquery" and "build123d" in wanted.kernels else ()
@@ -165,13 +164,11 @@ def main() -> None:
         with log.open("a") as file:
             file.writelines(json.dumps(row) + "\n" for row in found)
         keep(found)
+        rows += found
         good = sum(row["answer"] == "ok" for row in found)
         print(f"{kernel}, {style}, {curve}: {good} of {len(found)}", flush=True)
-        asked_now = {
-            "operations": asked_now["operations"] + len(found),
-            "succeeded": asked_now["succeeded"] + good,
-        }
-    print(json.dumps(asked_now))
+    succeeded = sum(row["answer"] == "ok" for row in rows)
+    print(json.dumps({"operations": len(rows), "succeeded": succeeded}))
 
 
 if __name__ == "__main__":
