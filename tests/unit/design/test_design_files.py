@@ -92,6 +92,7 @@ def test_an_ellipse_above_the_ground_ends_on_it(read):
         + "[[strips]]\ncurve.ellipse = { center = [3, 20], semi_axes = [75, 112.5], rotation = 0.7, above = 1 }\n"
     )
     (entry,) = design.entries
+    assert entry.frame.origin.tolist() == [0, 0, 0]
     ends = entry.curve.evaluate(np.array(entry.curve.domain))
     assert ends[:, 1] == pytest.approx([1, 1], abs=1e-9)
     inside = entry.curve.sample(101).position[1:-1]
@@ -385,6 +386,12 @@ def test_missing_designs_are_told(tmp_path):
 def test_faults_of_a_strip_name_it(read):
     with pytest.raises(InputError, match=r"^thin: .*min_width"):
         read(HEAD + f"min_width = 19.9\n[[strips]]\nlabel = 'thin'\n{ARC}\n").model()
+
+
+def test_faults_of_two_strips_are_told_together(read):
+    faults = "".join(f"[[strips]]\nlabel = '{name}'\nmin_width = 19.9\n{ARC}\n" for name in ("thin", "lean"))
+    with pytest.raises(InputError, match=r"(?s)thin: .*min_width.*lean: .*min_width"):
+        read(HEAD + faults).model()
 
 
 DOME = 'sections = { mesh = "dome.obj", tolerance = 0.2, '

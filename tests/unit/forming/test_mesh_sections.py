@@ -247,9 +247,12 @@ def test_split_at_corners():
     assert first.points.tolist() == [[0, 0], [10, 1], [20, 0]]
     assert second.points.tolist() == [[20, 0], [20, 10], [21, 20], [20, 31]]
     assert bent.split_at_corners(2.0) == (bent,)
-    square = SectionLine(np.array([(0, 0), (5, 0), (9, 0), (9, 9), (0, 9), (0, 0)]), UPRIGHT, "well")
-    sides = square.split_at_corners(1.0)
-    assert sorted(side.length for side in sides) == [9, 9, 9, 9]
+    for corners in (
+        [(0, 0), (5, 0), (9, 0), (9, 9), (0, 9), (0, 0)],
+        [(0, 0), (9, 0), (9, 9), (0, 9), (0, 0)],
+    ):
+        sides = SectionLine(np.array(corners), UPRIGHT, "well").split_at_corners(1.0)
+        assert sorted(side.length for side in sides) == [9, 9, 9, 9]
 
 
 def test_smoothing_halves_a_wave_and_keeps_ends():

@@ -17,10 +17,13 @@ from elastica_cad.forming.curve_distance import (
 )
 from elastica_cad.forming.rod_map import SectionScale, StiffnessBasis, StripGrid
 from elastica_cad.mechanics import WidthLaw
+from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 
 pytestmark = pytest.mark.core
 
 EDGES = 81
+CAST = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.37)
+GLUED = BoundedBacking(LaminatedSection(CAST, CAST), np.array(40.0), (0.0, 40.0))
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +56,7 @@ CONSTRAINTS = [
     limits.MarginLimit(limit=5.0),
     limits.MarginLimit(limit=-2.0, name="margin of a rod with a pinned end"),
     limits.CurvatureLimit(limit=4.0),
+    limits.StrainLimit(section=SectionScale(GLUED, 25e3, 8.0), strain=0.02, size=200.0),
     limits.KeepOut(region=HalfPlane((0, 10), (0.3, 1)), size=100.0, origin=(1.0, 2.0)),
     limits.KeepOut(region=Box((-500, -20), (40, 2)), size=100.0, origin=(1.0, 2.0)),
     limits.LeastStiffness(),
@@ -77,8 +81,7 @@ def test_rows_are_derivatives(constraint, grid, z):
 @pytest.mark.parametrize("kind", ["margin", "largest section"])
 def test_rows_of_strips_that_follow_their_bend(kind, rest, grid, z):
     """By differences, which round off the kinks that a blank has where its bend changes sides."""
-    sheet = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.37)
-    section = SectionScale(WidthLaw(sheet, 0.0, 60.0), sheet.bending_stiffness(40.0), 3.0)
+    section = SectionScale(WidthLaw(CAST, 0.0, 60.0), CAST.bending_stiffness(40.0), 3.0)
     grid, of = replace(grid, natural_curvature=rest), {"section": section, "rest": rest, "size": 200.0}
     constraint = limits.FollowedMarginLimit(limit=5.0, **of)
     if kind != "margin":

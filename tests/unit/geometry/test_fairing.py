@@ -261,3 +261,9 @@ def test_a_curve_that_smoothing_gives_more_inflections_stays_as_drawn():
     faired = fair_curve(drawn, usual_tolerance(drawn)).curve
     assert (len(drawn.inflections), len(faired.inflections)) == (3, 5)
     assert smooth_curve(drawn).curve is drawn
+
+
+def test_a_curve_without_kinks_stays_within_the_tolerance():
+    smooth = PlaneCurve.spline([(0, 0), (30, 60), (80, 70), (120, 40), (160, 10)], degree=4)
+    assert not smooth.breaks
+    assert fair_curve(smooth, 0.1).moved <= 0.1

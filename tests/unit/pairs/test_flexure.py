@@ -119,9 +119,11 @@ def test_the_pads_carry_the_holes_and_one_plate_takes_them(clip, stand):
     assert apart == pytest.approx(Pad().length - 2 * Pad().inset)
 
 
-def test_a_fillet_gives_as_much_as_the_strip_it_replaces(clip):
+@pytest.mark.parametrize("r", [0.4, 1.0, 2.5])
+def test_a_fillet_gives_as_much_as_the_strip_it_replaces(clip, r):
     """The compliance of the thickened root, summed by trapezia, is that of the strip up to the drawn end."""
-    h, r = float(clip.thickness_at(np.zeros(1))[0]), clip.fillet
+    clip = replace(clip, fillet=r)
+    h = float(clip.thickness_at(np.zeros(1))[0])
     x = np.linspace(0, r, 20001)
     wide = h + 2 * (r - np.sqrt(r**2 - x**2))
     give = np.sum((h / wide) ** 3) * (x[1] - x[0])
@@ -358,8 +360,11 @@ def test_force_and_moment_on_the_moved_end_do_the_work_between_two_settings():
     assert travel.direction[travel.force.argmax()] == pytest.approx(part.force_direction)
 
 
-def test_names_of_settings_have_one_height_beside_the_holes(stand):
-    holder = replace(stand, state_names=("for reading in bed", "flat")).holder()
+@pytest.mark.parametrize(
+    "first", ["for reading in bed", "for reading in bed, with the lamp turned down to the page"]
+)
+def test_names_of_settings_have_one_height_beside_the_holes(stand, first):
+    holder = replace(stand, state_names=(first, "flat")).holder()
     assert {text.height for text in holder.texts} == {3.0}
     holes = [path.points(0.01).mean(axis=0) for path in holder.on("CUT_INNER")]
     (plate,) = holder.on("CUT_OUTER")
