@@ -30,8 +30,11 @@ BANK_S = 6.0
 VARYING = re.compile(
     r"[\w/]*/tmp\w{8}\b|\d{4}-\d\d-\d\dT[\d:]+|\d+\.\d+[.\d]* @ [\d-]*T?[\d:.+]+"
     r"|\{[0-9A-F]{8}(?:-[0-9A-F]{4}){3}-[0-9A-F]{12}\}|\b\d+\.\d\d s(?=  )"
+    r"|#\d+(?=[ =,)])|OCCURRENCE\('\d+'"
 )
-"""What differs between two runs of the same program: folders, dates and ids in files, the seconds a step took."""
+"""What differs between two runs of the same program: folders, dates and ids in files, the seconds a step took.
+
+OpenCASCADE numbers what it writes into a STEP file in an order of its own."""
 
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 EPOCH = "1700000000"

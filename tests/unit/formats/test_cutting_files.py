@@ -6,6 +6,7 @@ import ezdxf
 import numpy as np
 import pytest
 import svgelements
+from ezdxf.path import make_path
 from scipy.interpolate import BSpline
 
 from elastica_cad import Drawing, InputError, MissingDependencyError, Path, PlaneCurve
@@ -125,6 +126,12 @@ def test_one_entity_a_loop_where_there_is_one(tmp_path):
     # OpenSCAD reads no POLYLINE of R12: loops are chains there, open strokes stay whole
     assert {e.dxftype() for e in space.query("*[layer=='CUT_OUTER']")} == {"LINE", "ARC"}
     assert {e.dxftype() for e in space} == {"CIRCLE", "LINE", "ARC", "POLYLINE"}
+    for layer in ("CUT_OUTER", "CUT_INNER", "MARK"):
+        lines = [one.flattening(1e-3) for one in map(make_path, space.query(f"*[layer=='{layer}']"))]
+        read = sum(
+            np.hypot(*np.diff(np.array(list(map(tuple, line)))[:, :2], axis=0).T).sum() for line in lines
+        )
+        assert read == pytest.approx(sum(path.length for path in drawing().on(layer)), rel=2e-3)
 
 
 def test_loop_of_several_entities_is_a_group(tmp_path):

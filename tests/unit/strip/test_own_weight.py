@@ -80,6 +80,15 @@ def test_upright_strips_are_warned_of(frame):
     assert any(STANDS in text for text in strip.warnings)
 
 
+def test_hinges_give_way_to_less_weight_than_clamps():
+    """The whole strip weighs less than E I / length^2, below which strips with clamped ends have no warning."""
+    hinged = ec.Supports("pinned", "pinned")
+    bow = ec.bend(ec.Rod.straight(400, samples=201), end=(0, 320), supports=hinged).curve
+    for supports in (hinged, None):
+        strip = ec.make_strip(bow, "birch-plywood-0.8", max_width=15, supports=supports)
+        assert any(STANDS in text for text in strip.warnings) == (supports is hinged)
+
+
 def test_level_strips_small_strips_and_bows_have_no_warning():
     curve = ec.PlaneCurve.spline(ARCH, degree=3)
     level = ec.make_strip(curve, "birch-plywood-0.8", max_width=60, frame=ec.Frame())
