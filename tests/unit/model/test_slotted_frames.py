@@ -69,6 +69,25 @@ def test_tongues_fill_their_slots(frame):
             assert np.sort(reach)[:3] == pytest.approx([6.0, 6.0, 6.0 + SHOULDER_MM])
 
 
+def test_tongues_are_as_wide_as_their_slots_in_both_rails_of_a_pair():
+    """Cut through half the thickness of each rail, which the inner rails make narrower."""
+    frame = row(100, 96, 92).slotted_frame(MDF, ribs=2, border=7, gap=12)
+    widths = set()
+    for rib in frame.ribs:
+        solid = shapely.Polygon(rib.outline.points(1e-3))
+        assert solid.is_valid
+        for rail in frame.rails:
+            (slot,) = [slot for slot in rail.slots if slot.name == rib.name]
+            low, high = slot.corners[np.argsort(slot.corners @ (slot.corners[1] - slot.corners[0]))][[0, -1]]
+            middle = slot.corners.mean(axis=0)
+            ends = [
+                rib.frame.local(rail.frame.point((*(middle + k * (high - low)), -1.5)))[:2] for k in (-1, 1)
+            ]
+            widths.add(round(slot.size[0], 6))
+            assert solid.intersection(shapely.LineString(ends)).length == pytest.approx(slot.size[0] - 0.6)
+    assert len(widths) == 2
+
+
 @pytest.mark.campaign
 def test_slots_keep_apart_and_inside(frame, check_drawing):
     for rail in frame.rails:
