@@ -30,10 +30,6 @@ A *rod* is a strip as it is computed, at points along it (*nodes*, *samples*). T
 is nearest to a curve that no strip can take within the limits.
 """
 
-CALLS = """*First call*: measured once, without warm-up. *Later call*: `stability` reuses intermediate
-results of the same rod. Ratios of these rows are of later calls."""
-"""Remark on rows that have the entry "call"; a new run has none."""
-
 PEERS = {
     "test_nearest_against_ipopt.py::test_sixteen_light_curves_against_ipopt": (
         "`nearest_rod`: all sixteen curves of the Flower Pot without weight (ratio: their median)",
@@ -224,8 +220,6 @@ def page(kept: dict[str, Any]) -> str:
         else ""
     )
     parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}\n"]
-    if any("call" in one for one in found.values()):
-        parts.append(f"{CALLS}\n")
     parts += table(
         "Compared with other solvers",
         ["task", "other solver", "our time", "ratio"],
@@ -296,8 +290,7 @@ def seconds(one: dict[str, Any]) -> str:
         return f"{told(one['megabytes'])} MB"
     median = one["median_s"]
     size, unit = next(unit for unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if median >= unit[0])
-    call = f" ({one['call']})" if "call" in one else ""
-    return f"{told(median / size)} {unit}{call}"
+    return f"{told(median / size)} {unit}"
 
 
 def ratio(one: dict[str, Any]) -> str:
