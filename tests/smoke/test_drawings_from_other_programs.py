@@ -76,11 +76,14 @@ def test_freecad_saves_one_curve_as_a_drawing_and_as_a_model(tmp_path):
 
 
 AT_LIBRECAD = """
-librecad "$1" & program=$!
-for look in $(seq 600); do
-    window=$(xdotool search --onlyvisible --name "LibreCAD - " | head -1)
-    [ -n "$window" ] && break
-    sleep 0.5
+for start in 1 2 3 4; do  # once it showed no window within five minutes: it is then started again
+    librecad "$1" & program=$!
+    for look in $(seq 150); do
+        window=$(xdotool search --onlyvisible --name "LibreCAD - " | head -1)
+        [ -n "$window" ] && break 2
+        sleep 0.5
+    done
+    kill $program
 done
 for try in $(seq 15); do  # a window that is shown does not take keys at once: type until an arc is in the file
     xdotool windowfocus "$window" key Escape Escape ctrl+m  # keys go to the command line, as by a click on it
