@@ -49,8 +49,8 @@ OpenCASCADE, not this program. These failures are in the column *simpler body fa
 in the column *ours only*, and are listed at the end.
 
 The styles are: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
-(the backing, which is the glued layer). For CadQuery, meshes and checks are not repeated, because its bodies are
-those of build123d 0.12 in the same version of OpenCASCADE.
+(the backing, which is the glued layer). For CadQuery, meshes, STEP files and checks are not repeated, because its
+bodies are those of build123d 0.12 in the same version of OpenCASCADE.
 """
 
 

@@ -76,7 +76,7 @@ def test_freecad_saves_one_curve_as_a_drawing_and_as_a_model(tmp_path):
 
 
 AT_LIBRECAD = """
-for start in 1 2 3 4; do  # once it showed no window within five minutes: it is then started again
+for start in 1 2 3 4; do  # LibreCAD once showed no window for five minutes: start it again after 75 s
     librecad "$1" & program=$!
     for look in $(seq 150); do
         window=$(xdotool search --onlyvisible --name "LibreCAD - " | head -1)

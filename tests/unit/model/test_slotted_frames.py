@@ -78,11 +78,8 @@ def test_tongues_are_as_wide_as_their_slots_in_both_rails_of_a_pair():
         assert solid.is_valid
         for rail in frame.rails:
             (slot,) = [slot for slot in rail.slots if slot.name == rib.name]
-            low, high = slot.corners[np.argsort(slot.corners @ (slot.corners[1] - slot.corners[0]))][[0, -1]]
-            middle = slot.corners.mean(axis=0)
-            ends = [
-                rib.frame.local(rail.frame.point((*(middle + k * (high - low)), -1.5)))[:2] for k in (-1, 1)
-            ]
+            middle, along = slot.corners.mean(axis=0), slot.corners[1] - slot.corners[0]
+            ends = [rib.frame.local(rail.frame.point((*(middle + k * along), -1.5)))[:2] for k in (-1, 1)]
             widths.add(round(slot.size[0], 6))
             assert solid.intersection(shapely.LineString(ends)).length == pytest.approx(slot.size[0] - 0.6)
     assert len(widths) == 2
