@@ -26,7 +26,7 @@ from elastica_cad.errors import (
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import SPELLING
+from elastica_cad.refusals import SPELLING, Either
 
 COMMANDS = {
     "new": "new_command:new",
@@ -200,34 +200,34 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     word, words = typed.lstrip("-"), [option.lstrip("-") for option in options]
     if near := near_names(word, words, cutoff=NEAR_OPTION):
         return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
-    if name == "scale" and context is not None and context.info_name in ("strip", "check"):
-        return (
-            f"`{command}` has no option {typed}. Use `elastica strip` with --set length=VALUE: "
-            "`elastica help length` explains it"
-        )
     if (new := ALIKE.get(name)) is not None:
         typed_new = option_name(new)
         if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):
             return f"{typed} is called {typed_new}"
-        name = new
-    for record in _records_of(context):
-        from elastica_cad.cli.settings import DEEPEST
-        from elastica_cad.design.records import near_path, paths_of
+    from elastica_cad.cli.settings import CommandKeys
+    from elastica_cad.design.records import is_settable, meant_paths, paths_of
+    from elastica_cad.design.tables import OTHER_WORDS
 
+    for record in _records_of(context):
         keys = paths_of(record)
-        printed_keys = [path for path in keys if path.count(".") <= DEEPEST]
-        path = near_path(name, printed_keys)
-        if near_names(name, [path.rpartition(".")[2]], cutoff=NEAR_OPTION):
-            key = f"pair.{path}" if context is not None and context.info_name == "pair" else path
-            if path.rpartition(".")[2] == name:
-                return f"use --set {path}=VALUE instead of {typed}: `elastica help {key}` explains it"
-            return (
-                f"`{command}` has no option {typed}. Did you mean --set {path}=VALUE? "
-                f"`elastica help {key}` explains it."
+        if paths := meant_paths(name, keys):
+            key = f"pair.{paths[0]}" if context is not None and context.info_name == "pair" else paths[0]
+            instead = Either(
+                own
+                if (own := option_name(path.rpartition(".")[2])) in options
+                else f"--set {path}=VALUE"
+                if is_settable(path, keys)
+                else f"{path} in the design file"
+                for path in paths
             )
+            if name in OTHER_WORDS or paths[0].rpartition(".")[2] == name:
+                return f"use {instead} instead of {typed}: `elastica help {key}` explains it"
+            return f"`{command}` has no option {typed}. Did you mean {instead}? `elastica help {key}` explains it."
     near = near_names(word, words)
-    strip_has = any(typed in parameter.opts for parameter in _imported("strip").params)
-    has = f"; `elastica strip` has {typed}" if strip_has else ""
+    strip_has = typed if any(typed in param.opts for param in _imported("strip").params) else ""
+    if not strip_has and (new := OTHER_WORDS.get(name)) in paths_of(CommandKeys):
+        strip_has = f"--set {new}"
+    has = f"; `elastica strip` has {strip_has}" if strip_has else ""
     advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists all options."
     return f"`{command}` has no option {typed}{has}. {advice}"
 

@@ -1,7 +1,7 @@
 """Conversion of tables of design files to records, and access to keys by their path."""
 
 import tomllib
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from inspect import signature
@@ -22,7 +22,7 @@ from elastica_cad.declared import (
 )
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, cutting_keys
-from elastica_cad.design.tables import Formula, Table
+from elastica_cad.design.tables import OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -30,6 +30,7 @@ from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.refusals import Either
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
@@ -497,29 +498,56 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
 
 MOST_LISTED_KEYS = 20
 
+NEAR_KEY = 0.75
+"""Least similarity of a mistyped key to a key that is suggested, 0 to 1."""
+
 
 def require_path_of(path: str, record: Record) -> Field:
     """Return the field at a dotted path."""
     known = paths_of(record)
     if path not in known:
-        near = near_path(path, known)
+        meant = meant_paths(path, known)
         tables = [name for name in known if "." not in name]
         listed = (
             f"the keys here are {', '.join(tables)}"
             if len(tables) <= MOST_LISTED_KEYS
             else "`elastica help` lists them"
         )
-        hint = f"did you mean {near}?" if near else listed
+        hint = f"did you mean {Either(meant)}?" if meant else listed
         raise InputError("The key {path} does not exist: {hint}", path=quoted(path), hint=hint)
     return known[path]
 
 
-def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the known path that was probably meant, or "": it has the same last name or a similar spelling."""
-    ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
-    last = path.rpartition(".")[2]
-    near = near_names(path, known) or near_names(last, ends)
-    return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")
+def meant_paths(typed: str, known: Mapping[str, Field]) -> list[str]:
+    """Return the known paths for which an unknown path may stand.
+
+    A word of `OTHER_WORDS` stands for its key only. Other names stand for the paths with the same last name or, if
+    there are none, with a last name of similar spelling. Keys in a list of tables, which `--set` cannot set, are
+    returned only if there are no others.
+
+    Examples
+    --------
+    >>> from elastica_cad.design.model_tables import DesignKeys
+    >>> [meant_paths(typed, paths_of(DesignKeys)) for typed in ("kerf", "limits.ration", "boarder")]
+    [['cut.kerf'], ['limits.ratio'], ['revolution.border', 'base.border', 'rings.border', 'frame.border']]
+    """
+    word = OTHER_WORDS.get(typed)
+    if word or typed in known:
+        return [path for path in (word, typed) if path is not None and path in known][:1]
+    last = typed.rpartition(".")[2]
+    names = dict.fromkeys(path.rpartition(".")[2] for path in known)
+    near = [last] if last in names else near_names(last, names, cutoff=NEAR_KEY)
+    alike = [path for path in known if path.rpartition(".")[2] in near]
+    if "." in typed:
+        return near_names(typed, alike) or alike
+    alike = [path for path in alike if path.count(".") == min(path.count(".") for path in alike)]
+    return [path for path in alike if is_settable(path, known)] or alike
+
+
+def is_settable(path: str, known: Mapping[str, Field]) -> bool:
+    """Return True if `--set` can set a key, which is not in a list of tables such as `strips`."""
+    head = path.partition(".")[0]
+    return head == path or written(known[head].kind).name != "list"
 
 
 def help_with_unit(help: str, unit: str) -> str:

@@ -261,9 +261,16 @@ LONGEST_FORMULA = 200
 """Number of characters of a formula that a message shows."""
 
 OTHER_WORDS = {
-    "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
+    "file": "curve", "path": "curve", "material": "sheet", "width": "max_width", "scale": "length",
+    "curve": "strips.curve", "label": "strips.label", "style": "style.kind",
+    "pages": "extras.pages", "paper": "extras.pages", "kerf": "cut.kerf", "outer_width": "style.width",
+    "tab": "ends.length", "start": "supports", "end": "supports", "rail": "between", "pin": "between",
+    "tie": "between", "point_mass": "loads", "point_force": "loads", "down": "gravity",
+    "ratio": "limits.ratio", "margin": "limits.margin", "stable": "limits.margin", "nearest": "limits",
+    "keep_strain": "limits.strain", "keep_ends": "keep.ends", "keep_tangents": "keep.tangents",
+    "keep_length": "keep.length",
 }  # fmt: skip
-"""Correct key for words that users may write instead and that are spelled quite differently."""
+"""Correct key for words that users may write instead, such as the options of `elastica strip`."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -371,7 +378,7 @@ class Table:
         for key in self.data:
             if key not in keys:
                 meant = OTHER_WORDS.get(key.lower(), "")
-                near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys, cutoff=0.5)
+                near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys)
                 hint = (
                     note("did you mean {near}?", near=near[0])
                     if near

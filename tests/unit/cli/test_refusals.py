@@ -13,6 +13,9 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import write_curves
+from elastica_cad.cli.options import option_name
+from elastica_cad.cli.settings import CommandKeys, parsed_settings
+from elastica_cad.cli.strip_options import OPTIONS
 from elastica_cad.cli.suggestions import cures_of
 from elastica_cad.strip import suggestions
 from tests.command_line import run, suggested_commands
@@ -418,12 +421,11 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
         ("strip arch.csv --max-widht 1", "Did you mean --max-width?"),
         (
             "strip arch.csv --scale 2",
-            "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
+            "use --set length=VALUE instead of --scale: `elastica help length` explains it.\n",
         ),
-        (
-            "check arch.csv --scale 2",
-            "Use `elastica strip` with --set length=VALUE: `elastica help length` explains it.\n",
-        ),
+        ("check arch.csv --scale 2", "no option --scale; `elastica strip` has --set length."),
+        ("strip arch.csv --width 40", "use --max-width instead of --width:"),
+        ("bend arch.csv --kerf 0.2", "no option --kerf; `elastica strip` has --kerf."),
         ("bend arch.csv --to 380", "--to needs 2 values, X Y. New position of the end, in mm of the drawing"),
         ("pair arch.csv arch.csv birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
         ("pair arch.csv arch.csv pom-1 --sheet pom-2", "'pom-1' is an extra argument. Leave it out"),
@@ -435,6 +437,31 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
             "pair arch.csv --sheet pom-1 --max-width 20",
             "no option --max-width; `elastica strip` has --max-width. `elastica pair --help` lists all options.\n",
         ),
+        *(
+            (f"model design.toml --{option} 1", f"use --set {key}=VALUE instead of --{option}: ")
+            for option, key in {
+                **{
+                    option_name(name)[2:]: path
+                    for path, name in OPTIONS.items()
+                    if path not in ("label", "ignore_limits")
+                },
+                "start": "supports",
+                "end": "supports",
+                "keep-strain": "limits.strain",
+                "stable": "limits.margin",
+                "rail": "between",
+                "pin": "between",
+                "tie": "between",
+                "point-mass": "loads",
+                "scale": "length",
+            }.items()
+        ),
+        ("model design.toml --label A", "use strips.label in the design file instead of --label: "),
+        ("model design.toml --curve 2", "use strips.curve in the design file instead of --curve: "),
+        (
+            "model design.toml --gap 2",
+            "--set base.gap=VALUE, --set rings.gap=VALUE, or --set frame.gap=VALUE ",
+        ),
         ("sheets birch", "use one of birch-plywood-0.6, birch-plywood-0.8, "),
     ],
 )
@@ -443,6 +470,20 @@ def test_a_wrong_word_is_a_row_with_one_instruction(tmp_path, words, advice):
     assert refused.stderr.startswith("! Error ")
     assert advice in refused.stderr
     assert refused.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("setting", "hint"),
+    [
+        ("kerf=2", "did you mean cut.kerf?"),
+        ("start=pinned", "did you mean supports?"),
+        ("gap=2", "`elastica help` lists them"),
+        ("ends.lenght=2", "did you mean ends.length?"),
+    ],
+)
+def test_an_unknown_key_is_not_replaced_by_likeness_alone(setting, hint):
+    with pytest.raises(ec.InputError, match=re.escape(hint)):
+        parsed_settings([setting], CommandKeys)
 
 
 def test_an_option_is_explained_like_a_key(tmp_path):
