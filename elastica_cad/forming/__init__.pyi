@@ -1,6 +1,12 @@
 from elastica_cad.forming.fairing_request import smooth_curve as smooth_curve
 from elastica_cad.forming.leaf_ends import lay_leaves as lay_leaves, LeafedRod as LeafedRod
-from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
+from elastica_cad.forming.limits import (
+    Binding as Binding,
+    Box as Box,
+    HalfPlane as HalfPlane,
+    Keep as Keep,
+    Limits as Limits,
+)
 from elastica_cad.forming.many_rods import (
     nearest_rods as nearest_rods,
     stream_nearest_rods as stream_nearest_rods,
@@ -10,7 +16,7 @@ from elastica_cad.forming.meridians import (
     meridian as meridian,
     meridian_through as meridian_through,
 )
-from elastica_cad.forming.nearest_record import Binding as Binding, NearestRod as NearestRod, Status as Status
+from elastica_cad.forming.nearest_record import NearestRod as NearestRod, Status as Status
 from elastica_cad.forming.nearest_search import nearest_rod as nearest_rod
 from elastica_cad.forming.plane_sections import Mesh as Mesh, mesh_sections as mesh_sections
 from elastica_cad.forming.section_lines import (

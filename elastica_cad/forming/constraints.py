@@ -8,14 +8,17 @@ from math import hypot
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.limits import Binding, Box, HalfPlane, LimitUnit
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
+from elastica_cad.refusals import note
 
 # largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
 # threads at 64 rows
 MOST_ROWS = 56
+
+STRAIN_TITLE = "the strain limit of the sheet (use a thinner sheet)"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,6 +31,10 @@ class Constraint(ABC):
     ----------
     name : str
         Name in messages.
+    title : str or None
+        Name in suggestions to relax the constraint; "" if it cannot be relaxed. By default, `name`.
+    unit : "number", "length", "angle" or ""
+        Unit of the limit; see `Binding`.
     one_sided : bool
         True if the values must be at least 0; False if they must be 0.
     penalty : float
@@ -36,10 +43,37 @@ class Constraint(ABC):
         True if the constraint is only meaningful for rods nearly in equilibrium.
     """
 
-    name: str
+    name: str = ""
+    title: str | None = None
+    unit: LimitUnit = ""
     one_sided: bool = False
     penalty: float = 100.0
     near_balance_only: bool = False
+
+    def bound(self, size: float) -> float | None:
+        """Return the limit in its unit if it is one number. `size` is the length of the target, mm."""
+        _ = size
+        return None
+
+    def slope(self, size: float) -> float:
+        """Return the change of the values if the limit is relaxed by 1 in its unit."""
+        return 1 / size if self.unit == "length" else 1.0
+
+    def binding(self, values: FloatArray, multipliers: FloatArray, size: float, per: float) -> Binding:
+        """Return the effect of the constraint on the distance.
+
+        `values` and `multipliers` (k,) belong to the nearest rod, `per` is the decrease of the distance, mm, by a
+        unit decrease of the objective.
+        """
+        if self.one_sided:
+            broken, total = np.maximum(-values, 0), float(np.abs(multipliers).sum())
+        else:
+            broken, total = np.abs(values), float(np.linalg.norm(multipliers))
+        title = note(self.name if self.title is None else self.title)
+        return Binding(
+            self.name, self.bound(size), per * total * self.slope(size), float(broken.max(initial=0.0)),
+            title, self.unit,
+        )  # fmt: skip
 
     @abstractmethod
     def values(self, rod: MappedRod) -> FloatArray:
@@ -79,6 +113,8 @@ class EndPosition(Constraint):
     """Condition that the last node of the rod is at `target`."""
 
     name: str = "end position"
+    title: str | None = ""
+    unit: LimitUnit = "length"
     target: tuple[float, float] = (0.0, 0.0)
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -95,6 +131,7 @@ class EndAngle(Constraint):
     """Condition that the angle at the end of the rod is `target`, rad."""
 
     name: str = "end tangent"
+    unit: LimitUnit = "angle"
     target: float = 0.0
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -111,6 +148,7 @@ class EndMoment(Constraint):
     """Condition that the moment is 0 at an end that is free to turn."""
 
     name: str = "free end angle"
+    title: str | None = ""
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -127,6 +165,7 @@ class EndForce(Constraint):
     """Condition that the force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
 
     name: str = "free end position"
+    title: str | None = ""
     axis: int = 0
     scale: float = 1.0
 
@@ -150,6 +189,8 @@ class Through(Constraint):
     """Condition that the rod passes through `target`, near the fraction `place` (0..1) of the rod's length."""
 
     name: str = "points"
+    title: str | None = "the kept points"
+    unit: LimitUnit = "length"
     target: tuple[float, float] = (0.0, 0.0)
     place: float = 0.5
 
@@ -198,6 +239,7 @@ class InflectionLine(Constraint):
     """
 
     name: str = "inflection line"
+    title: str | None = "the inflection line"
     point: tuple[float, float] = (0.0, 0.0)
     direction: tuple[float, float] = (1.0, 0.0)
     scale: float = 1.0
@@ -229,6 +271,7 @@ class MiddleOfMirror(Constraint):
     """
 
     name: str = "symmetry"
+    title: str | None = "the symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
     axis: tuple[float, float] = (0.0, 1.0)
     angle: float = 0.0
@@ -268,6 +311,7 @@ class MiddleOfTurn(Constraint):
     """
 
     name: str = "symmetry"
+    title: str | None = "the symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
     scale: float = 1.0
 
@@ -314,6 +358,8 @@ class MarginLimit(Constraint):
 
     limit: float
     name: str = "margin"
+    title: str | None = "the stability margin"
+    unit: LimitUnit = "number"
     one_sided: bool = True
     penalty: float = 1.0
     near_balance_only: bool = True
@@ -322,6 +368,16 @@ class MarginLimit(Constraint):
     def scale(self) -> float:
         """Difference between limit and margin that is scaled to a violation of 1."""
         return max(10.0, abs(self.limit))
+
+    def bound(self, size: float) -> float:
+        """Return the limit of the margin."""
+        _ = size
+        return self.limit
+
+    def slope(self, size: float) -> float:
+        """Return the change of the value by a unit change of the limit."""
+        _ = size
+        return 1 / self.scale
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
         """Return the rod with its tangent stiffness: the derivative of the moment by the curvature.
@@ -410,6 +466,7 @@ class LargestSection(Constraint):
     rest: float | FloatArray
     size: float
     name: str = "largest section"
+    title: str | None = ""
     one_sided: bool = True
     penalty: float = 1.0
 
@@ -479,6 +536,16 @@ class CurvatureLimit(BendLimit):
 
     limit: float
     name: str = "curvature"
+    title: str | None = "the curvature limit"
+    unit: LimitUnit = "number"
+
+    def bound(self, size: float) -> float:
+        """Return the limit of the curvature, 1/mm."""
+        return self.limit / size
+
+    def slope(self, size: float) -> float:
+        """Return the change of the values by a change of the limit by 1/mm."""
+        return size / self.limit
 
     def share(self, stiffness: FloatArray) -> FloatArray:
         """Return 1 / `limit` at the nodes (n+1,)."""
@@ -493,6 +560,8 @@ class StrainLimit(BendLimit):
     strain: float | None
     size: float
     name: str = "strain"
+    title: str | None = STRAIN_TITLE
+    unit: LimitUnit = "number"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
         """Return the strain, divided by the strain limit, for a curvature changed by 1 / length of the target.
@@ -515,6 +584,8 @@ class KeepOut(Constraint):
     origin: tuple[float, float]
     kept: tuple[bool, bool] = (False, False)
     name: str = "keep-out"
+    title: str | None = "the keep-out regions"
+    unit: LimitUnit = "length"
     one_sided: bool = True
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -541,6 +612,7 @@ class LeastStiffness(Constraint):
     """Condition that the least stiffness of the rod is 1, so that bounds are multiples of the least stiffness."""
 
     name: str = "stiffness bounds"
+    title: str | None = "the stiffness bounds"
     one_sided: bool = True
     penalty: float = 1.0
 

@@ -15,11 +15,43 @@ from elastica_cad.mechanics.sheets import Sheet
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
+LimitUnit: TypeAlias = Literal["number", "length", "angle", ""]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # largest violation of a limit that counts as met; see `Binding.broken` for its units
 # distance from the drawn curve, as a fraction of its diagonal, above which a rod counts as a different curve
 FAR_SHARE = 0.03
+
+
+@dataclass(frozen=True)
+class Binding:
+    """Limit or kept property without which the rod would be nearer to the drawn curve.
+
+    Attributes
+    ----------
+    name : str
+        "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
+        "start position", "start tangent", "points", "inflection line", "symmetry", ...
+    limit : float or None
+        Value of the limit if it is a single number; curvatures are in 1/mm, lengths in mm.
+    cost : float
+        First-order estimate of the decrease of the distance, mm, per unit by which the limit is relaxed. For a
+        kept property, the decrease is per mm or per rad.
+    broken : float
+        Violation of the limit: in rad for angles, as a fraction of the drawn curve's length for positions and
+        lengths, and otherwise as a fraction of the limit.
+    title : str
+        Limit in suggestions to relax it, such as "the ratio limit"; "" if it cannot be relaxed.
+    unit : "number", "length", "angle" or ""
+        Unit of the limit: a number without unit or a curvature, mm, or rad; "" if it is not a number.
+    """
+
+    name: str
+    limit: float | None
+    cost: float
+    broken: float = 0.0
+    title: str = ""
+    unit: LimitUnit = ""
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,11 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
-from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limits
+from elastica_cad.forming.limits import MET, Binding, Keep, Limits, Measure, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Either, FieldName, Length, note, sentences
+from elastica_cad.refusals import Either, Length, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.forming.nearest_task import SearchPoint
@@ -44,31 +44,6 @@ def judge_search(violation: float, deviation: float, settled: bool) -> Status:
     if deviation > _UNLIKE:
         return Status.FAR
     return Status.MET if settled else Status.UNSETTLED
-
-
-@dataclass(frozen=True)
-class Binding:
-    """Limit or kept property without which the rod would be nearer to the drawn curve.
-
-    Attributes
-    ----------
-    name : str
-        "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
-        "start position", "start tangent", "points", "inflection line", "symmetry", ...
-    limit : float or None
-        Value of the limit if it is a single number; curvatures are in 1/mm, lengths in mm.
-    cost : float
-        First-order estimate of the decrease of the distance, mm, per unit by which the limit is relaxed. For a
-        kept property, the decrease is per mm or per rad.
-    broken : float
-        Violation of the limit: in rad for angles, as a fraction of the drawn curve's length for positions and
-        lengths, and otherwise as a fraction of the limit.
-    """
-
-    name: str
-    limit: float | None
-    cost: float
-    broken: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +211,6 @@ _MOST_ADVICE = 4
 _SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
 _LEAST_REPORTED = 1e-4
-_IN_LENGTHS = ("end position", "points", "keep-out")
 
 
 def _advise(near: NearestRod) -> Iterator[str]:
@@ -248,25 +222,23 @@ def _advise(near: NearestRod) -> Iterator[str]:
             "Draw the curve closer to the intended shape.",
             count=len(near.ties),
         )
-    named = [(binding, name) for binding in near.binding if (name := _limit_name(near, binding))][
-        :_MOST_ADVICE
-    ]
+    named = [binding for binding in near.binding if binding.title][:_MOST_ADVICE]
     if near.status is Status.NOT_MET:
         yield from (
             _violation_sentence(near, binding) for binding in near.binding if binding.broken > _LEAST_REPORTED
         )
         if named:
-            yield note("Relax {limits}.", limits=Either(name for _, name in named))
+            yield note("Relax {limits}.", limits=Either(binding.title for binding in named))
     elif near.distance > _SLIGHT_DIAGONALS * _diagonal(near):
-        for binding, name in named:
+        for binding in named:
             step, size = _step(binding)
             if not size:
-                yield note("Relax {limits}.", limits=name)
+                yield note("Relax {limits}.", limits=binding.title)
             elif binding.cost * size > _NEGLIGIBLE * near.distance:
                 yield note(
                     ("To come nearer to the drawn curve, relax {limit}: a change of {step} reduces the "
                      "{distance} by about {saved:.3g}."),
-                    limit=name, step=step, saved=Length(binding.cost * size),
+                    limit=binding.title, step=step, saved=Length(binding.cost * size),
                     distance=note("largest distance" if near.measure == "max" else "mean distance"),
                 )  # fmt: skip
 
@@ -276,47 +248,14 @@ def _step(binding: Binding) -> tuple[str | Length, float]:
 
     The number is 0 for a limit that is not a number, such as the symmetry.
     """
-    if binding.name.endswith("tangent"):
-        return note("1 degree"), float(np.radians(1))
-    if binding.name in ("ratio", "margin", "curvature", "strain"):
-        return "10 %", 0.1 * abs(1.0 if binding.limit is None else binding.limit)
-    return Length(1), float(binding.name in (*_IN_LENGTHS, "length"))
-
-
-_NAMES = {
-    "margin": "the stability margin",
-    "strain": "the strain limit of the sheet (use a thinner sheet)",
-    "keep-out": "the keep-out regions",
-    "stiffness bounds": "the stiffness bounds",
-    "points": "the kept points",
-    "inflection line": "the inflection line",
-    "symmetry": "the symmetry",
-}
-
-
-def _limit_name(near: NearestRod, binding: Binding) -> str:
-    limits, kind = near.limits, binding.name
-    if kind == "ratio":
-        if limits.ratio is None and limits.width is None:
-            return ""
-        if limits.width is None or limits.largest_ratio < limits.width[1] / limits.width[0]:
-            return note("the ratio limit")
-        return note(
-            "the ratio of largest to least width, now {most:.3g} ({widest}; {narrowest} or {workshop})",
-            most=limits.largest_ratio, widest=FieldName("max_width"), narrowest=FieldName("min_width"),
-            workshop=FieldName("shop.least_width"),
-        )  # fmt: skip
-    if kind == "curvature":
-        return note(
-            "the curvature limit" if limits.curvature == limits.largest_curvature else _NAMES["strain"]
-        )
-    if kind == "length":
-        return note("the length" if near.keep.length else "the range of lengths")
-    if kind.endswith("tangent"):
-        end = int(kind == "end tangent")
-        is_kept = near.keep.both_tangents[end]
-        return note("the angle at the {side} end", side=note(_end_name(near, end))) if is_kept else ""
-    return note(_NAMES.get(kind, ""))
+    match binding.unit:
+        case "angle":
+            return note("1 degree"), float(np.radians(1))
+        case "length":
+            return Length(1), 1.0
+        case "number":
+            return "10 %", 0.1 * abs(1.0 if binding.limit is None else binding.limit)
+    return "", 0.0
 
 
 def _violation_sentence(near: NearestRod, binding: Binding) -> str:
@@ -335,24 +274,15 @@ def _violation_sentence(near: NearestRod, binding: Binding) -> str:
             radius=radius,
         )
     missed = note(binding.name)
-    if binding.name in _IN_LENGTHS:
+    if binding.unit == "length":
         by = Length(binding.broken * near.target.length)
         return note("The strip violates a limit by {by}: {missed}.", missed=missed, by=by)
-    if binding.name == "end tangent":
+    if binding.unit == "angle":
         angle = np.degrees(binding.broken)
         return note(
             "The strip violates a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle
         )
     return note("The strip violates a limit: {missed}.", missed=missed)
-
-
-def _end_name(near: NearestRod, index: int) -> str:
-    ends = near.target.evaluate(np.array(near.target.domain))
-    off = ends[index] - ends[1 - index]
-    across = 0 if abs(off[0]) >= abs(off[1]) else 1
-    if abs(off[across]) < 1e-3 * _diagonal(near):
-        return ("first", "last")[index]
-    return (("left", "right"), ("lower", "upper"))[across][int(off[across] > 0)]
 
 
 def _diagonal(near: NearestRod) -> float:

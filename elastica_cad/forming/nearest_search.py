@@ -1,7 +1,7 @@
 """Search for the rod nearest to a drawn curve within limits of material and machine, also with gravity."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import partial
 from typing import NamedTuple
 
@@ -10,10 +10,11 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.forming.constraints import Constraint, CurvatureLimit, KeepOut, MarginLimit, StrainLimit
 from elastica_cad.forming.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
-from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limits
-from elastica_cad.forming.nearest_record import Binding, NearestRod, judge_search
+from elastica_cad.forming.limits import MET, Binding, Keep, Limits, Measure, require_limits
+from elastica_cad.forming.nearest_record import NearestRod, judge_search
 from elastica_cad.forming.nearest_task import NearestTask, SearchPoint
 from elastica_cad.forming.rod_map import MappedRod
 from elastica_cad.forming.rod_problem import RodOutcome, RodProblem, Search, list_bindings, pose_problem
@@ -35,7 +36,8 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, require_section
+from elastica_cad.refusals import note
 
 
 class SearchSettings(NamedTuple):
@@ -352,6 +354,10 @@ def _start(
 
 _STRICTER = 6  # largest number of searches for a stack of plies, with stricter and stricter limits
 _BEYOND = 1.2  # a violated limit is tightened by this factor times the violation
+_OF_PLIES = (
+    "ratio", "width", "length", "margin", "curvature", "sheet", "strain", "keep_out", "ends", "tangents",
+)  # fmt: skip
+"""Limits and kept properties that a search for plies meets."""
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
@@ -362,11 +368,14 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     limit, the limits of the taper are tightened.
     """
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
-    if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
-        raise InputError(
-            "a stack of plies cannot meet `stiffness_bounds`, `keep.points`, `keep.symmetry` or "
-            "`keep.line`. Leave out these limits"
-        )
+    unmet = [
+        f"`{name}.{entry.name}`"
+        for name, record in (("limits", limits), ("keep", keep))
+        for entry in fields(record)
+        if entry.name not in _OF_PLIES and getattr(record, entry.name) not in (entry.default, False)
+    ]
+    if unmet:
+        raise InputError(f"a stack of plies cannot meet {' or '.join(unmet)}. Leave out these limits")
     again = partial(_again, request)
     # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
@@ -416,19 +425,23 @@ def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
 def _violated_limits(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
-    shares: dict[str, tuple[float | None, float]] = {}
+    shares: dict[type[Constraint], tuple[float | None, float]] = {}
     if limits.margin is not None:
         scale = max(10.0, abs(limits.margin))
-        shares["margin"] = limits.margin, (limits.margin - stability(rod).margin) / scale
+        shares[MarginLimit] = limits.margin, (limits.margin - stability(rod).margin) / scale
     if limits.curvature is not None:
-        shares["curvature"] = limits.curvature, float(bend.max()) / limits.curvature - 1
+        shares[CurvatureLimit] = limits.curvature, float(bend.max()) / limits.curvature - 1
     if limits.sheet is not None:
         (strain,) = laid.section.strains(bend, laid.section.sheet.thickness * laid.section.counts(s))
-        shares["strain"] = None, strain.largest / (limits.strain or strain.limit) - 1
+        shares[StrainLimit] = None, strain.largest / (limits.strain or strain.limit) - 1
     if limits.keep_out:
         inside = -min(float(region.clearance(rod.position)[0][1:-1].min()) for region in limits.keep_out)
-        shares["keep-out"] = None, inside / rod.length
-    return tuple(Binding(name, limit, 0.0, over) for name, (limit, over) in shares.items() if over > MET)
+        shares[KeepOut] = None, inside / rod.length
+    return tuple(
+        Binding(kind.name, limit, 0.0, over, note(kind.title or ""), kind.unit)
+        for kind, (limit, over) in shares.items()
+        if over > MET
+    )
 
 
 def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
@@ -533,8 +546,8 @@ def nearest_rod(
     supports = require_supports(supports)
     require_natural_curvature(natural_curvature)
     require_limits(limits, keep)
-    if not (section is None or hasattr(section, "bent")):
-        raise InputError(f"section is {section!r}: give a record such as ThicknessLaw, or None")
+    if section is not None:
+        require_section(section)
     if whole_number(samples, "samples", 20) > _MOST_NODES:
         raise InputError(f"samples is {samples!r}: use 20 to {_MOST_NODES}, usually {SEARCH_SAMPLES}")
     if not is_one_of(measure, ("mean", "closest", "max")):

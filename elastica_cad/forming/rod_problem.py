@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.forming.constraints import (
+    STRAIN_TITLE,
     Constraint,
     CurvatureLimit,
     EndAngle,
@@ -28,14 +29,13 @@ from elastica_cad.forming.constraints import (
     Through,
 )
 from elastica_cad.forming.curve_distance import Distance, even_steps, symmetry_frame
-from elastica_cad.forming.limits import MET, Symmetry
-from elastica_cad.forming.nearest_record import Binding
+from elastica_cad.forming.limits import MET, Binding, Limits, Symmetry
 from elastica_cad.forming.nearest_task import NearestTask, SearchPoint, values_along
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
-from elastica_cad.refusals import BareLength, Length
+from elastica_cad.refusals import BareLength, FieldName, Length, note
 
 # largest derivative of an angle with respect to an unknown, rad; with larger ones, products could overflow
 _TOO_SENSITIVE = 1e50
@@ -284,7 +284,7 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         if keep.both_ends[1]:
             constraints.append(EndPosition(target=_pair(target.position[-1])))
         if keep.both_tangents[1]:
-            constraints.append(EndAngle(target=float(target.angle[-1])))
+            constraints.append(EndAngle(target=float(target.angle[-1]), title=_end_title(task, 1)))
         if not end.angle:
             constraints.append(EndMoment(scale=_moment_scale(task)))
         constraints += [
@@ -315,7 +315,8 @@ def _constraints(task: NearestTask) -> list[Constraint]:
     if task.section is not None and limits.sheet is not None:
         constraints.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
     if curvature is not None:
-        constraints.append(CurvatureLimit(limit=curvature * target.size))
+        title = "the curvature limit" if curvature == limits.curvature else STRAIN_TITLE
+        constraints.append(CurvatureLimit(limit=curvature * target.size, title=title))
     constraints += [
         KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
         for region in limits.keep_out
@@ -408,6 +409,8 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
+# distance of both ends, in diagonals of the drawn curve, above which they have sides
+_ENDS_APART = 1e-3
 # an effect below this fraction of the largest effect may be an error of the quadratic program
 _IDLE = 1e-6
 
@@ -422,29 +425,48 @@ def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[Mappe
         per = size
     else:
         per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
-    bindings: list[Binding] = []
-    at_ratio = float(outcome.at_upper[u.stiffness].sum())
-    bindings.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
+    at_ratio, pulls = float(outcome.at_upper[u.stiffness].sum()), outcome.at_upper - outcome.at_lower
+    bindings = [Binding("ratio", limits.largest_ratio, per * at_ratio, 0.0, _ratio_title(limits), "number")]
     if limits.length is not None or task.keep.length:
-        pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
-        bindings.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
-    for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):
-        pull = float(np.linalg.norm(outcome.at_upper[part] - outcome.at_lower[part]))
-        bindings.append(Binding(name, None, per * pull / unit))
+        title: str = note("the length" if task.keep.length else "the range of lengths")
+        length = float(outcome.point.length * size)
+        bindings.append(
+            Binding("length", length, per * abs(float(pulls[u.length])) / size, 0.0, title, "length")
+        )
+    pull = float(np.linalg.norm(pulls[u.position]))
+    bindings.append(Binding("start position", None, per * pull / size, unit="length"))
+    title = _end_title(task, 0) if task.keep.both_tangents[0] else ""
+    bindings.append(Binding("start tangent", None, per * abs(float(pulls[u.angle])), 0.0, title, "angle"))
     values = problem.values(outcome.point)
-    for constraint, y, value in zip(problem.constraints, outcome.multipliers, values, strict=True):
-        broken = float((np.maximum(-value, 0) if constraint.one_sided else np.abs(value)).max(initial=0.0))
-        total = float(np.abs(y).sum()) if constraint.one_sided else float(np.linalg.norm(y))
-        limit: float | None = None
-        if isinstance(constraint, MarginLimit):
-            limit, total = constraint.limit, total / constraint.scale
-        elif isinstance(constraint, CurvatureLimit):
-            limit, total = constraint.limit / size, total / constraint.limit * size
-        elif constraint.name in ("end position", "points", "keep-out"):
-            total /= size
-        bindings.append(Binding(constraint.name, limit, per * total, broken))
+    bindings += [
+        constraint.binding(value, y, size, per)
+        for constraint, y, value in zip(problem.constraints, outcome.multipliers, values, strict=True)
+    ]
     largest = max(b.cost * abs(b.limit or 1.0) for b in bindings)
     kept = [
         b for b in bindings if b.broken > MET or b.cost * abs(b.limit or 1.0) > _IDLE * max(largest, 1e-12)
     ]
     return tuple(sorted(kept, key=lambda b: (-(b.broken > MET), -b.cost * abs(b.limit or 1.0))))
+
+
+def _ratio_title(limits: Limits) -> str:
+    if limits.ratio is None and limits.width is None:
+        return ""
+    if limits.width is None or limits.largest_ratio < limits.width[1] / limits.width[0]:
+        return note("the ratio limit")
+    return note(
+        "the ratio of largest to least width, now {most:.3g} ({widest}; {narrowest} or {workshop})",
+        most=limits.largest_ratio, widest=FieldName("max_width"), narrowest=FieldName("min_width"),
+        workshop=FieldName("shop.least_width"),
+    )  # fmt: skip
+
+
+def _end_title(task: NearestTask, index: int) -> str:
+    target = task.target
+    off = target.position[-index] - target.position[index - 1]
+    across = 0 if abs(off[0]) >= abs(off[1]) else 1
+    if abs(off[across]) < _ENDS_APART * target.diagonal:
+        side = ("first", "last")[index]
+    else:
+        side = (("left", "right"), ("lower", "upper"))[across][int(off[across] > 0)]
+    return note("the angle at the {side} end", side=note(side))

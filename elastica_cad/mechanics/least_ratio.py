@@ -49,7 +49,7 @@ from elastica_cad.mechanics.optimal_balance import balance_of, carried_weight, e
 from elastica_cad.mechanics.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO, STEP_LENGTH
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, require_section
 from elastica_cad.mechanics.theorem1 import (
     AT_END_SHARE,
     EquilibriumCheck,
@@ -366,11 +366,7 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
             "nearest curve ({field})",
             field=FieldName("limits"),
         )
-    missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
-    if missing:
-        raise InputError(
-            f"section is {section!r}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
-        )
+    require_section(section)
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
     settled = any(
         value is not None for value in (request.bending_stiffness, request.largest_stiffness, request.law)

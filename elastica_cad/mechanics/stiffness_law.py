@@ -9,11 +9,11 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, numbers, require_number
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength, Length
+from elastica_cad.refusals import BareLength, FieldName, Length
 
 MOST_LEAVES = 50
 """Largest number of plies; with more plies a stack would be as smooth as a taper."""
@@ -397,6 +397,15 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
         """Return the effect of bending on the stiffness for parameters (n,), mm, or None without an effect."""
+
+
+def require_section(section: object, name: str = "section") -> None:
+    """Raise InputError for a value that is not a `BoundedLaw`. The message calls it `name`."""
+    if not all(hasattr(section, part) for part in ("limits", "bent", "bending_stiffness")):
+        raise InputError(
+            "{name} is {given}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
+            name=FieldName(name), given=quoted(section), where={"field": name},
+        )  # fmt: skip
 
 
 class BendFactor(Protocol):

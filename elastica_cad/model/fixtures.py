@@ -19,7 +19,7 @@ from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
 from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
-from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
+from elastica_cad.strip.outline import ENDS, StripEnd, Tab
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
 from elastica_cad.strip.strip import Placed, Strip, require_placed, strip_names
 from elastica_cad.strip.tab_seats import TabSeat, lean_against
@@ -46,12 +46,10 @@ class PlacedTab:
         tab, y across the tab, and z away from the strip's upper side.
     length, width, thickness : float
         Size of the tab, mm.
-    holes : tuple of Hole
-        Holes of the tab, in the xy plane of the frame.
+    shape : Tab
+        Tab of the strip, with its holes in the xy plane of the frame.
     name : str
         Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
-    t_slot : TSlot or None
-        Slot for a screw that is inserted at the tip.
     end_width : float
         Width of the strip where the tab begins, mm.
     """
@@ -60,9 +58,8 @@ class PlacedTab:
     length: float
     width: float
     thickness: float
-    holes: tuple[Hole, ...]
+    shape: Tab
     name: str
-    t_slot: TSlot | None = None
     end_width: float = 0.0
 
     @classmethod
@@ -86,9 +83,8 @@ class PlacedTab:
             tab.length,
             tab.width or end_width,
             strip.end_thicknesses[k],
-            tab.holes,
+            tab,
             tab_name(called, end),
-            tab.t_slot,
             end_width,
         )
 
@@ -414,11 +410,11 @@ class EndFixture(EqualByValue):
         frame = self.tab.frame.shifted(z=float(low))
         return [
             FlatSolid(Path.circle((hole.at, hole.across), hole.diameter / 2), (), float(high - low), frame)
-            for hole in self.tab.holes
+            for hole in self.tab.shape.holes
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        slot, tab = self.tab.t_slot, self.tab.frame
+        slot, tab = self.tab.shape.t_slot, self.tab.frame
         if slot is None:
             return []
         tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + CUT_EXTENSION_MM

@@ -809,7 +809,7 @@ def ring_plate(
     holes = tuple(
         Path.circle(frame.local(tab.frame.point((hole.at, hole.across, 0.0)))[:2], hole.diameter / 2)
         for tab in tabs
-        for hole in tab.holes
+        for hole in tab.shape.holes
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)

@@ -40,7 +40,13 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw, WidthRange, anticlastic_factor
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.stiffness_law import (
+    BoundedLaw,
+    LeavesLaw,
+    RoundLaw,
+    ThicknessLaw,
+    require_section,
+)
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
 from elastica_cad.refusals import BareLength, FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
@@ -548,6 +554,7 @@ class StripSpec(EqualByValue):
         ends, slots = pair_of_tabs(self.ends, supports), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
+            require_section(self.law, "law")
             _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif self.material.kind == ROD_KIND:
             raise InputError(

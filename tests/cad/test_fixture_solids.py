@@ -47,7 +47,7 @@ def test_a_block_is_one_body_that_clears_the_strip(strip, measure, end, floor):
         frame=fixture.tab.frame.shifted(z=0.4),
     )
     grip = measure.volume(common(occt.make_solid(tight.solid), occt.make_solid(held)), bent=False)
-    holes = sum(np.pi * hole.diameter**2 / 4 for hole in fixture.tab.holes)
+    holes = sum(np.pi * hole.diameter**2 / 4 for hole in fixture.tab.shape.holes)
     assert grip == pytest.approx(fixture.tab.length * fixture.tab.width - holes, rel=1e-6)
 
 

@@ -289,7 +289,7 @@ def test_a_stack_is_bent_on_other_nodes_with_its_steps():
         (lambda: optimal_rod(ARCH, section=LeavesLaw(LEAF, 3, 20.0)), "change the stiffness in steps"),
         (
             lambda: nearest_rod(ARCH, None, Keep(symmetry="mirror"), section=LeavesLaw(LEAF, 3, 20.0)),
-            "a stack of plies cannot meet `stiffness_bounds`",
+            "a stack of plies cannot meet `keep.symmetry`",
         ),
     ],
 )

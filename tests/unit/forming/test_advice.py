@@ -2,6 +2,7 @@
 
 import pickle
 import re
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from elastica_cad import (
 )
 from elastica_cad.errors import rounded_up
 from elastica_cad.formats import curves_json
+from elastica_cad.forming.constraints import CurvatureLimit
 from elastica_cad.forming.rod_solution import solve_rod
 from tests.command_line import run
 
@@ -134,6 +136,25 @@ def test_nothing_is_advised_where_nothing_binds():
         str(near)
         == f"{Status.MET.value} The strip follows the nearest possible curve, at most 0 mm from the drawn curve."
     )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Radii(CurvatureLimit):
+    """A limit that no list knows."""
+
+    name: str = "radii"
+    title: str | None = None
+
+
+def test_a_limit_names_itself_in_advice():
+    near = nearest_rod(ARCH, Limits(4, curvature=0.02))
+    limit = Radii(limit=0.02 * ARCH.length)
+    binding = limit.binding(np.array([-0.01, 1.0]), np.array([2.0, 0.0]), ARCH.length, 1.0)
+    assert (binding.title, binding.limit, binding.broken) == ("radii", pytest.approx(0.02), 0.01)
+    (advice,) = replace(near, binding=(binding,)).advice
+    assert advice.startswith("To come nearer to the drawn curve, relax radii: a change of 10 %")
+    (broken, relax) = replace(near, binding=(binding,), status=Status.NOT_MET).advice
+    assert (broken, relax) == ("The strip violates a limit: radii.", "Relax radii.")
 
 
 def test_records_travel_with_what_was_asked():

@@ -25,6 +25,7 @@ from elastica_cad import (
     make_strip,
 )
 from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.mechanics import PolynomialLaw
 
 POLES = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 CARD = Sheet.named("card-200gsm")
@@ -229,3 +230,10 @@ def test_strain_is_that_of_the_curve_whatever_the_samples():
     for samples in (12, 200):
         made = make_strip(curve, "birch-plywood-0.8", max_width=20, samples=samples)
         assert made.max_strain == pytest.approx(0.4 * bend, rel=1e-6)
+
+
+@pytest.mark.parametrize("law", [3, "rod", PolynomialLaw(-0.3, curvature_scale=1.0), Limits()])
+@pytest.mark.parametrize("sizes", [{}, {"max_width": 40}])
+def test_a_law_that_is_not_a_section_is_refused_when_it_is_set(law, sizes):
+    with pytest.raises(InputError, match=r"law is .*: give a record with limits"):
+        StripSpec(PlaneCurve.spline(POLES), "card-200gsm", law=law, **sizes)
