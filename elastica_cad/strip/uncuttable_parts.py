@@ -10,16 +10,17 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import SEEN_APART, and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
-from elastica_cad.geometry.segments import Arc
+from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import BareLength, FieldName, Length, Point, both_names, note, sentences
+from elastica_cad.refusals import BareLength, FieldName, Length, Listed, Point, both_names, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
+from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
@@ -196,21 +197,21 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     places = []
     for k in _thinnest_of_each_group(middle, width, least):
         loops = int(loop[i[k]]), int(loop[j[k]])
-        exact = _width_between_circles(
-            *(cuts[number] for number in sorted(loops)), inside=min(loops) < len(outlines)
-        )
-        narrow = float(width[k]) if exact is None else exact
+        other, hole = (cuts[number] for number in sorted(loops))
+        narrow = float(width[k])
+        if hole is not other and isinstance(circle := hole.segments[0], Arc) and circle.is_circle:
+            narrow = _distance(circle.center, [_facing(other, middle[k])]) - circle.radius
         if narrow < least * (1 - SEEN_APART):
             places.append(ThinPlace(float(middle[k, 0]), float(middle[k, 1]), narrow, loops))
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float | None:
-    (first, *others), (second, *more) = circle.segments, hole.segments
-    if circle is hole or others or more or not (isinstance(first, Arc) and isinstance(second, Arc)):
-        return None
-    apart = float(np.hypot(*(first.center - second.center)))
-    return first.radius - apart - second.radius if inside else apart - first.radius - second.radius
+def _facing(path: Path, point: FloatArray) -> Segment:
+    return min(path.segments, key=lambda segment: _distance(point, [segment]))
+
+
+def _distance(point: FloatArray, segments: Iterable[Segment]) -> float:
+    return min(float(distances(segment, point)[0]) for segment in segments)
 
 
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
@@ -543,9 +544,8 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
     layout, width = strip.layout, strip.width
     if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
-    for tab in strip.ends:
-        if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:
-            return False
+    if any(tab != Tab(tab.length) for tab in strip.ends):
+        return False
     # no spline is steeper than its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
     return min(width.extremes[0], strip.rod.length) >= least and bool(
@@ -563,6 +563,14 @@ def _thin_strip(
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
     for place in necks:
+        slots = [slot for slot in strip.slots if abs(slot.at - place.x) < slot.width / 2 + place.width]
+        if slots[1:]:
+            apart = note(
+                "Move the slots at {places} apart",
+                places=Listed(Length(at) for at in sorted(slot.at for slot in slots)),
+            )
+            yield from _faults_at(name, [place], least, layer.sheet, apart, strip=strip)
+            continue
         of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
         (tabs if of_tab else free).append(place)
     if free:
@@ -577,8 +585,9 @@ def _thin_strip(
         )  # fmt: skip
         yield Fault(name, what, note("Make the tab wider"))
     webs = [place for place in places if place.loops != (0, 0) and place.width < web * (1 - SEEN_APART)]
-    for place in webs[:MOST_LISTED]:
-        yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
+    narrowest = {max(place.loops): place for place in reversed(webs)}  # a hole is named once
+    for place in [place for place in webs if place in narrowest.values()][:MOST_LISTED]:
+        yield _thin_web(name, place, strip, layer, web)
 
 
 def _suggestions_for_necks(
@@ -636,28 +645,43 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
     return note("at {s} from the start of the curve", s=Length(place.x))
 
 
-def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
+def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: float) -> Fault:
     wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
-    shift = Length(rounded_up(least - place.width, 2))
-    if 0 in place.loops:
-        what = note(
-            "only {wide:g} of material between a hole and the edge {at}, but {sheet} needs at least {needed:g}",
-            wide=wide, at=at, needed=needed, sheet=sheet.name,
-        )  # fmt: skip
-        return Fault(
-            name,
-            what,
-            note("Move the hole {shift} away from the edge, or make the hole smaller", shift=shift),
-        )
+    between_holes = 0 not in place.loops
     what = note(
-        "only {wide:g} of material between two holes {at}, but {sheet} needs at least {needed:g}",
-        wide=wide, at=at, needed=needed, sheet=sheet.name,
+        "only {wide:g} of material between two holes {at}, but {sheet} needs at least {needed:g}"
+        if between_holes
+        else "only {wide:g} of material between a hole and the edge {at}, but {sheet} needs at least {needed:g}",
+        wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
     )  # fmt: skip
-    return Fault(
-        name,
-        what,
-        note("Move the holes farther apart by {shift}, or make them smaller", shift=shift),
-    )
+    shift = rounded_up(least - place.width, 2)
+    if between_holes:
+        cure = note("Move the holes farther apart by {shift}, or make them smaller", shift=Length(shift))
+        return Fault(name, what, cure)
+    hole = layer.holes[max(place.loops) - 1]
+    others = (layer.outline, *(other for other in layer.holes if other is not hole))
+    edges = [segment for path in others for segment in path.segments]
+    center, radius = hole.bounds.mean(axis=0), float(np.ptp(hole.bounds[:, 0])) / 2
+    away = center - (place.x, place.y)
+    moved = center + shift * away / np.hypot(*away)
+    room = rounded_down(2 * (_distance(center, edges) - least), 3)
+    smaller = note("make the hole at most {most} in diameter", most=Length(room))
+    enough = radius + least
+    k, into = (0, -center[0]) if place.x < 0 else (1, center[0] - strip.rod.length)
+    width, length = rounded_up(2 * (abs(center[1]) + enough), 3), rounded_up(into + enough, 3)
+    if _distance(moved, edges) >= enough - SEEN_APART * least:
+        larger = note("Move the hole {shift} away from the edge", shift=Length(shift))
+    elif into < 0:
+        larger = note("Make the strip wider there")
+    elif length <= strip.ends[k].length:
+        larger = note("Make the tab {width} wide or wider", width=Length(width))
+    else:
+        width = max(width, strip.ends[k].width or strip.end_widths[k])
+        larger = note(
+            "Make the tab {width} wide and {length} long", width=Length(width), length=Length(length)
+        )
+    cures = [larger, smaller] if room > 0 else [larger]
+    return Fault(name, what, sentences(cures, note(", or ")))
 
 
 def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
@@ -688,8 +712,8 @@ def _faults_at(
         more = note(" (and {rest} more places)", rest=rest) if rest > 1 else note(" (and 1 more place)")
         at = (
             _place_on(strip, place)
-            if strip is not None and abs(place.y) < 1e-9
-            else note("at {place} of the flat part", place=Point((place.x, place.y)))
+            if strip is not None and abs(place.y) < 0.005
+            else note("at {place} of the flat part", place=Point(np.round((place.x, place.y), 3)))
         )
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         one, other = sorted(place.loops)
