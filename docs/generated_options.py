@@ -62,7 +62,7 @@ class _Source:
         if origin is Literal:
             self.modules.setdefault("typing", set()).add("Literal")
             return f"Literal[{', '.join(map(repr, inner))}]"
-        if origin is tuple and all(one is ... or inspect.isclass(one) for one in inner):
+        if origin is tuple and (inner[-1] is ... or all(map(inspect.isclass, inner))):
             return self._row(inner)
         if origin is not None:
             named = self._named(Callable if "Callable" in str(origin) else origin)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack, overload
 
 import cadquery as cq
 
@@ -138,6 +138,12 @@ class _StripShape(StripBody, _Moved):
         if not moved:
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame, color=self.color)
+
+    @overload
+    def slider(self, end: Point) -> "Slider": ...
+
+    @overload
+    def slider(self, *, angle: float) -> "Slider": ...
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
         """Return the movement of the end of the strip to a point (mm), or its rotation to an angle (degrees).

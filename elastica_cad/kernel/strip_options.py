@@ -42,11 +42,12 @@ class StripOptions(TypedDict, total=False):
         "Own weight of the strip: true, the direction of gravity, or also its elasto-gravity length.",
     ]
     loads: Annotated[
-        "tuple[PointMass | PointForce] | Weight",
+        "PointMass | PointForce | Sequence[PointMass | PointForce] | Weight",
         "Masses and forces on the strip, or its weight in newtons, own weight included.",
     ]
     between: Annotated[
-        "tuple[Rail | Pin | Tie]", "Rails, pins and ties that hold the strip between its ends."
+        "Rail | Pin | Tie | Sequence[Rail | Pin | Tie]",
+        "Rails, pins and ties that hold the strip between its ends.",
     ]
     supports: Annotated["Supports", "Supports of the start and the end of the curve."]
     natural_curvature: Annotated[

@@ -448,7 +448,7 @@ class Flexure:
     @cached_property
     def states(self) -> tuple["CentreLine", "CentreLine"]:
         """Centre lines of `rods`."""
-        first, second = (CentreLine(rod.s, rod.angle, rod.position[0]) for rod in self.rods)
+        first, second = map(CentreLine.of, self.rods)
         return first, second
 
     @cached_property
@@ -618,12 +618,14 @@ class Flexure:
     def solid_in(self, state: State | None) -> FlatSolid:
         """Return the body of the part, from z = 0 to its depth, in the "first" or "second" state, or unloaded.
 
+        In a state, the body is on the drawn curve; `states` are in the same start clamp instead.
+
         The joints are at half the depth: "start" and "end" on the inner edges of the pads, with x outward, and
         "hole1" to "hole4" at the holes from start to end, with x along the part.
         """
         if not is_one_of(state, (None, *STATES)):
             raise InputError(f'The state is {state!r}. Use "first", "second", or None for the unloaded part.')
-        line = self.centre if state is None else self.states[STATES.index(state)]
+        line = self.centre if state is None else CentreLine.of(self.pair.states[STATES.index(state)])
         corners = self.outline_along(line)
         middle, ends = Frame((0.0, 0.0, self.sheet.thickness / 2)), (0.0, self.pair.length)
         joints, holes, places = {}, [], self.hole_places(line)
@@ -1081,6 +1083,11 @@ class CentreLine:
     s: FloatArray
     angle: FloatArray
     start: FloatArray
+
+    @classmethod
+    def of(cls, rod: Rod) -> "CentreLine":
+        """Return the centre line of a rod."""
+        return cls(rod.s, rod.angle, rod.position[0])
 
     @cached_property
     def _turn(self) -> Any:

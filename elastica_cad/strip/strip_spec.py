@@ -429,21 +429,24 @@ class StripSpec(EqualByValue):
         ),
     ] = None
     loads: Annotated[
-        tuple[PointMass | PointForce, ...] | Weight,
+        Takes[
+            tuple[PointMass | PointForce, ...] | Weight,
+            PointMass | PointForce | Sequence[PointMass | PointForce] | Weight,
+        ],
         Option(
             "Masses and forces on the strip, or its weight in newtons, own weight included.",
             group="weight",
             written=tuple[PointMass | PointForce, ...] | Weight,
         ),
-    ] = ()
+    ] = EMPTY
     between: Annotated[
-        tuple[Rail | Pin | Tie, ...],
+        Takes[tuple[Rail | Pin | Tie, ...], Rail | Pin | Tie | Sequence[Rail | Pin | Tie]],
         Option(
             "Rails, pins and ties that hold the strip between its ends.",
             group="ends",
             written=tuple[Element, ...],
         ),
-    ] = ()
+    ] = EMPTY
     supports: Annotated[
         Supports, Option("Supports of the start and the end of the curve.", group="ends", common=True)
     ] = field(default_factory=Supports)

@@ -79,3 +79,19 @@ def test_saved_as_step_and_dxf(part, tmp_path):
         file = ec.save(part, tmp_path / f"clip-{state}.step", state=state)
         (solid,) = cq.importers.importStep(str(file)).solids().vals()
         assert solid.Volume() == pytest.approx(part.solid_in(state).volume, rel=1e-4)
+
+
+def test_in_each_state_the_ends_are_on_the_drawn_curve():
+    """The part in its second state began along the first one, so its end was elsewhere."""
+    from elastica_cad.build123d import FlexurePart
+    from elastica_cad.cadquery import flexure_solid
+
+    arch = ec.PlaneCurve.spline([(0, 0), (39, 13), (117, 13), (156, 0)], degree=3)
+    down = arch.transformed([[1, 0, 4], [0, -1, 7], [0, 0, 1]])
+    flexure = ec.Flexure(ec.two_state_rod(arch, down), "pom-2")
+    for state, drawn in (("first", arch), ("second", down)):
+        ours, theirs = FlexurePart(flexure, state, mode=bd.Mode.PRIVATE), flexure_solid(flexure, state)
+        for name, end in zip(("start", "end"), drawn.evaluate(np.array(drawn.domain)), strict=True):
+            for place in (tuple(ours.joints[name].location.position), theirs.joints[name].toTuple()[0]):
+                # the inner edge of the pad is just beyond the end of the curve
+                assert np.hypot(*(end - place[:2])) == pytest.approx(flexure.overhang(0.0), rel=1e-3)

@@ -14,7 +14,15 @@ def correct() -> None:
     slider: Slider = rib.slider((3, 4))
     hinge: AngleSlider = rib.slider(angle=30)
     model = ec.Model([BentStrip(arch, "mdf-3", max_width=20, color="red").placed for _ in range(3)])
-    rod = ec.optimal_rod(arch, between=ec.Pin(40))
+    rib = elastic_strip(arch, sheet="mdf-3", max_width=20, loads=ec.PointMass(40, 3), between=ec.Pin(40))
+    rib = elastic_strip(
+        arch, sheet="mdf-3", max_width=20, loads=[ec.PointMass(40, 3), ec.PointForce(60, (0, -1))],
+        between=(ec.Pin(40), ec.Rail(60), ec.Tie(10, 80)),
+    )  # fmt: skip
+    spec = ec.StripSpec(arch, "mdf-3", max_width=20, loads=[ec.PointMass(40, 3)], between=[ec.Pin(40)])
+    alone = ec.StripSpec(arch, "mdf-3", max_width=20, loads=ec.PointForce(40, (0, -1)), between=ec.Rail(40))
+    both: tuple[ec.Rail | ec.Pin | ec.Tie, ...] = spec.between + alone.between
+    rod = ec.optimal_rod(arch, between=both)
     strips = [
         ec.Strip(rod, "mdf-3", max_width=20, ends=tab, slots=ec.Slot(40, 1.2)),
         ec.Strip(rod, ec.Sheet.named("mdf-3"), max_width=20, ends=tabs, slots=[ec.Slot(40, 1.2)]),
@@ -24,4 +32,4 @@ def correct() -> None:
     thickness: float = strips[0].sheet.thickness
     hole: ec.Hole = tab.holes[0]
     first: ec.Placed = model.placed[0]
-    print(flat, face, slider, hinge, model, thickness, hole, first)
+    print(rib, flat, face, slider, hinge, model, thickness, hole, first)

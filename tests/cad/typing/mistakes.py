@@ -20,5 +20,7 @@ def mistakes() -> None:
     EndFixture(arch, "mdf-3", end="left")  # mistake
     good.fixtur("start")  # mistake, by pyright only
     good.fixture("start", wal=3)  # mistake
+    good.slider(end=(3, 4), angle=30)  # mistake
+    elastic_strip(arch, sheet="mdf-3", between=40)  # mistake
     Elastica((0, 0), (70, 0), "100")  # mistake
     print(flat, rib)
