@@ -174,7 +174,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     if least is not None:
         raise InputError("--min-width applies to strips only. Use --rod LEAST:LARGEST instead.")
     sheet = (
-        Sheet("a rod", rod[1], MPA_PER_GPA, density=1.0, max_strain=1.0)
+        Sheet("a rod", rod[1], MPA_PER_GPA, density=1000.0, max_strain=0.4)
         if chosen["sheet"] is None
         else requested_sheet(chosen)
     )

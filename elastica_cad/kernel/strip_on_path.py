@@ -128,9 +128,6 @@ def make_strip_on(
         raise InputError(f"A {kind} is not a curve. Pass {NO_CURVES[kind]}.")
     if sheet is None:
         raise InputError('A strip for a curve needs a sheet. Pass a Sheet or its name, such as "mdf-3".')
-    for material in (sheet, getattr(options.get("style"), "backing", None)):
-        if isinstance(material, Sheet):
-            material.require_plausible()
     if _is_vector(options.get("gravity")):
         options["gravity"] = numbers_of(options["gravity"])
     if isinstance(path, PlaneCurve):

@@ -4,6 +4,7 @@ import os
 import re
 import sys
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cache, lru_cache
@@ -48,7 +49,7 @@ OPTIONAL_UNITS = {
 # lowest and highest plausible value of each key, and its unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
-    "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
+    "youngs_modulus_MPa": (1e-3, 1.5e6, "N/mm2: 9000 for 9 GPa"),
     "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
     "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
     "break_strain": (1e-6, 10.0, "a fraction: 0.02 for 2 %"),
@@ -570,6 +571,9 @@ class Sheet:
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
             )
+        for key, entry in sheet_keys().items():
+            if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
+                plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
@@ -584,11 +588,12 @@ class Sheet:
             )
         return value
 
-    def require_plausible(self) -> None:
-        """Refuse values that are so small or large that their unit must be wrong."""
-        for key, entry in sheet_keys().items():
-            if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
-                plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
+    def with_weight_share(self, share: float) -> "Sheet":
+        """Return the sheet with a fraction of its density, as if only a part of its weight acted."""
+        sheet = copy(self)
+        object.__setattr__(sheet, "density", share * self.density)
+        object.__setattr__(sheet, "density_range", None)
+        return sheet
 
     def _grain_at(self, degrees: float) -> Grain:
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}

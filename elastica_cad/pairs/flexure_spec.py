@@ -95,7 +95,7 @@ class FlexureSpec(EqualByValue):
                 "allows."
             ),
             "mm",
-            least=0,
+            above=0,
             common=True,
         ),
     ] = None

@@ -304,6 +304,10 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     )  # fmt: skip
 
 
+SMALL_RADII = 4
+"""Length of an overstrained strip, in least radii of its sheet, below which the unit of the curve is doubted."""
+
+
 def _warn_of_strains(
     strains: Sequence[LayerStrain], bends: Bends, advice_unloaded: str | None = None
 ) -> Iterator[str]:
@@ -326,9 +330,11 @@ def _warn_of_strains(
                 continue
             yield note(
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
-                "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).",
+                "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).{question}",
                 strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
                 least=Length(least), outcome=note(judged.outcome), severity="warning",
+                question=note(" Lengths are in mm: was the curve drawn in cm, inches or metres?")
+                if 2 * radius < least and bends.place(-1) < SMALL_RADII * least else "",
             )  # fmt: skip
 
 

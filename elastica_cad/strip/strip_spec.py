@@ -786,8 +786,7 @@ class StripSpec(EqualByValue):
         sheet = getattr(law, "sheet", None)
         if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
             return law
-        lighter = replace(sheet, density=share * sheet.density, density_range=None)
-        return cast(BoundedLaw, replace(cast(Any, law), sheet=lighter))
+        return cast(BoundedLaw, replace(cast(Any, law), sheet=sheet.with_weight_share(share)))
 
     @property
     def _makeable_limits(self) -> Limits:

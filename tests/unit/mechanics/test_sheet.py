@@ -350,3 +350,24 @@ def test_rods_are_materials_of_bows_but_no_sheet_to_cut_from():
     assert Sheet.named("carbon-rod-4").youngs_modulus == 127_000
     gentle = PlaneCurve.arc((0, 0), 900, 0, 0.3)
     assert all("rod" not in known.sheet.name for known in sheets_for_curve(gentle))
+
+
+@pytest.mark.parametrize(
+    ("figures", "words"),
+    [
+        ({"youngs_modulus": 9.2e9}, r"youngs_modulus = 9\.2e\+09 looks like the wrong unit; N/mm2"),
+        ({"max_strain": 2}, "max_strain = 2 looks like the wrong unit; a fraction"),
+        ({"density": 0.68}, "density = 0.68 looks like the wrong unit; kg/m3"),
+        ({"thickness": 0.0008}, "thickness = 0.0008 looks like the wrong unit; millimetres"),
+    ],
+)
+def test_figures_in_a_wrong_unit_are_refused_in_python_as_in_files(figures, words):
+    with pytest.raises(InputError, match=words):
+        Sheet("mine", **PLY | figures)
+    with pytest.raises(InputError, match=words):
+        replace(Sheet("mine", **PLY), **figures)
+
+
+def test_a_share_of_the_weight_may_be_as_small_as_it_is():
+    ply = Sheet("mine", **PLY)
+    assert ply.with_weight_share(1e-6).density == pytest.approx(1e-6 * ply.density)

@@ -185,3 +185,15 @@ def _made_of(sheet):
 def test_no_flat_part_is_cut_from_a_rod(part):
     with pytest.raises(ec.InputError, match="glass-rod-4 is a rod, so no flat part can be cut from it"):
         _made_of("glass-rod-4")[part]()
+
+
+@pytest.mark.parametrize("unit_mm", [10.0, 25.4, 1000.0])
+def test_the_unit_of_a_curve_is_asked_where_it_is_far_too_small(unit_mm):
+    arch = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 150), (240, 100), (300, 0)])
+    small = arch.transformed(np.diag([1 / unit_mm, 1 / unit_mm, 1.0]))
+    with pytest.raises(InputError, match="was the curve drawn in cm, inches or metres"):
+        ec.make_strip(small, "birch-plywood-0.8", max_width=40 / unit_mm)
+    tight = ec.PlaneCurve.spline([(0, 0), (200, 0), (220, 10), (200, 20), (0, 20)])
+    with pytest.raises(InputError, match="The strain is") as refused:
+        ec.make_strip(tight, "birch-plywood-0.8", max_width=40)
+    assert "inches" not in str(refused.value)
