@@ -1,16 +1,17 @@
 """How the manual is built: Sphinx with MyST; docs/build.py builds it in every language, a warning is an error."""
 
 import re
-import tomllib
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
 
+from elastica_cad import __version__
+
 DOCS = Path(__file__).parent
 
 project = "elastica_cad"
-release = tomllib.loads((DOCS.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+release = __version__
 copyright = "the elastica_cad engineers, MIT licence"
 
 extensions = ["myst_parser"]

@@ -22,4 +22,5 @@ if (
 
 from elastica_cad._exports import exports
 
+__version__ = "0.1.0"
 __getattr__, __dir__, __all__ = exports(__file__, __name__)

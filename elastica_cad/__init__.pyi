@@ -74,3 +74,5 @@ from elastica_cad.pairs.two_state_rods import (
     TwoStateRod as TwoStateRod,
     two_state_rod as two_state_rod,
 )
+
+__version__: str

@@ -15,6 +15,7 @@ from typing import Any
 from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
+from elastica_cad.errors import missing_library
 
 _ROUNDS = 100  # largest number of steps of Brent's method, which usually needs a dozen
 
@@ -72,10 +73,10 @@ def _compiled_module(package: str, name: str, needed: str) -> Any | None:
     """
     # `find_spec` avoids the slow import of scipy
     scipy = find_spec("scipy")
-    places = None if scipy is None else scipy.submodule_search_locations
-    spec = PathFinder.find_spec(
-        f"scipy.{package}.{name}", [str(Path(path) / package) for path in places or ()]
-    )
+    if scipy is None:
+        raise missing_library("elastica_cad computes with scipy", "scipy")
+    places = scipy.submodule_search_locations or ()
+    spec = PathFinder.find_spec(f"scipy.{package}.{name}", [str(Path(path) / package) for path in places])
     if spec is None or spec.loader is None:
         return None
     try:

@@ -7,7 +7,6 @@ published only if its maintainer and repository are given.
 import argparse
 import re
 import shutil
-import tomllib
 from collections.abc import Iterable
 from datetime import date
 from pathlib import Path
@@ -51,7 +50,8 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
         if element.text and element.text.strip():
             element.text = re.sub(r"^(freecad_workbench/)?resources", f"{WORKBENCH}/resources", element.text)
             element.text = element.text.replace("freecad_workbench/", "")
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    source = (ROOT / "elastica_cad" / "__init__.py").read_text(encoding="utf-8")
+    version = source.partition('__version__ = "')[2].partition('"')[0]
     for name, text in (("version", version), ("date", date.today().isoformat())):
         package.find(f"{{{SPACE}}}{name}").text = text
     if maintainer:

@@ -3,15 +3,14 @@ command line.
 """
 
 import json
-import tomllib
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+import elastica_cad as ec
 
 
 def present_version() -> str:
-    """Version in pyproject.toml."""
-    return str(tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"])
+    """Version of the package."""
+    return ec.__version__
 
 
 def write_list(folder: Path, listed: dict[str, set[str]]) -> None:

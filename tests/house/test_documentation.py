@@ -1,7 +1,6 @@
 """What the documentation names is there: files, functions of the equations, links, commands, public names."""
 
 import re
-import tomllib
 from importlib import import_module
 from operator import attrgetter
 from pathlib import Path
@@ -111,5 +110,5 @@ def test_calls_of_the_three_ways_exist(module, name):
 
 
 def test_the_citation_is_of_this_version():
-    version = tomllib.loads(read("pyproject.toml"))["project"]["version"]
+    version = ec.__version__
     assert f"\nversion: {version}\n" in read("CITATION.cff")

@@ -2,8 +2,13 @@
 
 import subprocess
 import sys
+from importlib.metadata import version
+from pathlib import Path
 
+import numpy
 import pytest
+
+import elastica_cad as ec
 
 ARCH = "examples/arch/arch.dxf"
 STRIP = (
@@ -121,3 +126,24 @@ def test_commands_load_no_module_of_other_requests(command, project_root, tmp_pa
     loaded = set(result.stdout.splitlines()[-1].split()) - COMPILED
     assert "ezdxf" in loaded
     assert [name for name in sorted(loaded) if name.startswith(HEAVY)] == []
+
+
+def test_a_missing_scipy_is_named_with_its_installation(tmp_path, project_root):
+    for installed in Path(numpy.__file__).parents[1].iterdir():
+        if not installed.name.startswith("scipy"):
+            (tmp_path / installed.name).symlink_to(installed)
+    places = [str(project_root), str(tmp_path)]
+    command = f"import sys; sys.path[:0] = {places!r}; from elastica_cad.cli import main; main()"
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", command, "check", project_root / ARCH],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "! Error     elastica_cad computes with scipy: " in done.stderr
+    assert "pip install scipy" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_the_version_is_a_name_of_the_package():
+    assert ec.__version__ == version("elastica-cad")
