@@ -115,8 +115,10 @@ def read_drawing(
                 file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
             )
         if suffix in (".svg", ".svgz"):
-            from elastica_cad.formats.svg_curves import read_svg_drawing
-
+            try:
+                from elastica_cad.formats.svg_curves import read_svg_drawing
+            except ImportError as error:
+                raise missing_library(f"reading {file.name} needs cssselect2", "cssselect2") from error
             return read_svg_drawing(
                 file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
             )

@@ -1,23 +1,24 @@
 """Reader of curves in SVG files. Bezier curves and arcs are read without approximation."""
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from io import BytesIO
+from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
-from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
-from elastica_cad.errors import InputError, missing_library, quoted
+from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
-from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count
-from elastica_cad.formats.svg_path_data import PathData, arc_between, bezier_edge, path_data
-from elastica_cad.formats.svg_tree import CLIPPED, CLONE, MARK, PHYSICAL, Box, SvgTree, read_length, svg_tree
+from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count, half_last_place
+from elastica_cad.formats.svg_path_data import path_data
+from elastica_cad.formats.svg_shapes import Box, Name, Shape, SvgShapes, view_box
+from elastica_cad.formats.svg_tree import PHYSICAL, SvgTree, read_length, svg_tree, tag
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.refusals import Length, Listed, note
 
@@ -35,6 +36,8 @@ _TRANSPARENT = re.compile(
 
 # least size of a user unit, mm
 _LEAST_UNIT = 1e-9
+# condition number of a transform above which a shape is flat
+_FLAT = 1e12
 # limit of numbers, far below the overflow of their products
 _LARGEST = 1e15
 
@@ -62,13 +65,13 @@ def read_svg_drawing(
         )
     to_mm = np.diag(scale * (1.0, -1.0))
     place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
-    shapes = _Shapes(tree)
+    reader = _Reader(SvgShapes(tree))
     drawn = collect_curves(
-        file, _runs(file, shapes, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
+        file, reader.runs(to_mm), reader.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
         nothing="has no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
-    return replace(drawn, unit=known, remarks=(*drawn.remarks, *shapes.remarks()))
+    return replace(drawn, unit=known, remarks=(*drawn.remarks, *reader.remarks()))
 
 
 _IN_POINTS = (
@@ -103,7 +106,7 @@ def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
     Illustrator and Affinity may omit a size in a physical unit. Inkscape before 0.92 may also omit the
     viewBox.
     """
-    sizes = [(text, read_length(text)) for text in tree.size if text]
+    sizes = [(text, read_length(text)) for text in _size(tree) if text]
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
     other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
     if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
@@ -127,7 +130,7 @@ def _is_exported_for_screens(tree: SvgTree) -> bool:
 
     Such a file does not contain the name of Illustrator. Files of Adobe XD are similar, but have a size.
     """
-    if any(tree.size):
+    if any(_size(tree)):
         return "data-name" in tree.root.attrib
     return any(
         "data-name" in element.attrib or _EXPORTED_CLASS.fullmatch(element.get("class", ""))
@@ -135,12 +138,14 @@ def _is_exported_for_screens(tree: SvgTree) -> bool:
     )
 
 
+def _size(tree: SvgTree) -> tuple[str, str]:
+    return tree.root.get("width", ""), tree.root.get("height", "")
+
+
 def _scale(tree: SvgTree) -> FloatArray:
-    size = [read_length(text) for text in tree.size]
-    box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
-    if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
-        return np.full(2, _PX)
-    known = [length[0] / extent for length, extent in zip(size, box[2:], strict=True) if length and length[0]]
+    box = view_box(tree.root)
+    lengths = zip(map(read_length, _size(tree)), box[2:] if box else (), strict=False)
+    known = [length[0] / extent for length, extent in lengths if length and length[0]]
     if not known:
         return np.full(2, _PX)
     aspect = tree.root.get("preserveAspectRatio", "")
@@ -149,136 +154,87 @@ def _scale(tree: SvgTree) -> FloatArray:
     return np.full(2, max(known) if "slice" in aspect else min(known))
 
 
-def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
-    try:
-        from svgelements import SVG, Shape
-    except ImportError as error:
-        raise missing_library(f"reading {path.name} needs svgelements", "svgelements") from error
-    count = 0
-    try:
-        drawing = SVG.parse(BytesIO(_in_user_units(shapes.tree)), reify=False, on_error="raise")
-        for shape in shapes.painted(
-            [element for element in drawing.elements() if isinstance(element, Shape)]
-        ):
-            drawn = shapes.read(shape)
-            if drawn is None:
-                continue
-            matrix = to_mm @ drawn.matrix
-            source = replace(drawn.source, rounding=drawn.source.rounding * float(np.linalg.norm(matrix, 2)))
-            for run in drawn.runs:
-                count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
-                yield tuple(edge.mapped(matrix, to_mm @ drawn.offset, source) for edge in run)
-    except InputError:
-        raise
-    except (
-        ValueError,
-        TypeError,
-        IndexError,
-        KeyError,
-        AttributeError,
-        RecursionError,
-        OverflowError,
-    ) as error:
-        raise InputError(
-            "has incomplete or invalid path data or attributes: export the file again"
-        ) from error
-    shapes.report_left_out()
+# attributes of shapes that hold numbers
+_NUMBERS = ("x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "rx", "ry", "width", "height", "points")
 
 
-class _DrawnShape(NamedTuple):
-    runs: Sequence[Run]
-    source: Source
-    matrix: FloatArray
-    offset: FloatArray
-
-
-class _Shapes:
-    """Reader of the shapes of an SVG tree. It parses a path once for all clones, and counts skipped shapes.
+class _Reader:
+    """Reader of the edges of shapes. It parses a path once for all clones, and counts skipped shapes.
 
     Attributes
     ----------
-    drawn : set of int
-        Indices of visible shapes.
-    unpainted : set of int
-        Indices of shapes without stroke and fill.
+    skipped : Counter
+        Number of skipped items of each kind.
+    drawn : set of Element
+        Visible shapes.
     clipped : dict
-        Names of shapes, as ordered keys, that a clip path or mask may hide in part.
+        Names of shapes, as ordered keys, that a viewport, clip path or mask may hide in part.
     bad : dict
-        Errors of shapes that cannot be read, by index.
+        Errors of shapes that cannot be read.
     """
 
-    def __init__(self, tree: SvgTree) -> None:
-        self.tree = tree
-        self.drawn: set[int] = set()
-        self.bad: dict[int, InputError] = {}
-        self.unpainted: set[int] = set()
+    def __init__(self, shapes: SvgShapes) -> None:
+        self.shapes = shapes
+        self.skipped = Counter(shapes.left_out.values())
+        self.drawn: set[Element] = set()
+        self.bad: dict[Element, InputError] = {}
         self.clipped: dict[str, None] = {}
-        self._paths: dict[int, PathData] = {}
+        self._edges = cache(_edges)
 
-    def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
-        shown = [shape for shape in shapes if not _is_hidden(shape)]
-        visible = [shape for shape in shown if any(_is_painted(shape.values, what) for what in _PAINTS)]
-        if visible:
-            self.unpainted = {int(shape.values[MARK]) for shape in shown} - {
-                int(shape.values[MARK]) for shape in visible
-            }
-        return visible or shapes
+    def runs(self, to_mm: FloatArray) -> Iterator[Run]:
+        """Yield the edges of all visible shapes, mm, and count the other shapes."""
+        shown = [shape for shape in self.shapes.displayed if _is_visible(shape.context.values)]
+        painted = [shape for shape in shown if _is_painted(shape.context.values)] or shown
+        count = 0
+        for shape in painted:
+            for run in self._read(shape, to_mm):
+                count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
+                yield run
+        self._report_left_out({shape.element for shape in shown} - {shape.element for shape in painted})
 
-    def read(self, shape: Any) -> _DrawnShape | None:
-        mark = int(shape.values[MARK])
-        m = shape.transform
-        matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
-        if _is_hidden(shape) or not matrix.any():
-            return None
-        self.drawn.add(mark)
-        if mark in self.bad:
-            return None
+    def _read(self, shape: Shape, to_mm: FloatArray) -> Iterator[Run]:
+        element, _, context = shape
+        is_finite = bool(np.all(np.abs(context.matrix) < _LARGEST))
+        # a shape that is flattened to a line or a point is not displayed
+        if element in self.bad or (is_finite and np.linalg.cond(context.matrix[:2, :2]) > _FLAT):
+            return
+        self.drawn.add(element)
         try:
-            if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
+            if not is_finite:
                 raise InputError(
                     "has a transform with numbers that are not finite or too large: export the file again"
                 )
-            runs, rounding = self._edges(mark, shape)
+            runs, rounding = self._edges(shape.data)
         except InputError as error:
-            self.bad[mark] = error
-            return None
-        clone = next((int(value) for name, value in shape.values.items() if name.startswith(CLONE)), None)
-        drawn = self.tree.shapes[mark]
-        names = [drawn.name] if clone is None else [self.tree.clones[clone], drawn.name]
+            self.bad[element] = error
+            return
+        if tag(element) != "path":
+            written = [text for name in _NUMBERS if "%" not in (text := element.get(name, ""))]
+            rounding = half_last_place(re.findall(NUMBER, " ".join(written)))
+        names = [name for name in (context.clone, Name.of(element)) if name]
+        matrix = to_mm @ context.matrix[:2]
         source = Source(
             "/".join(name.shown for name in names if name.shown),
-            drawn.layer,
-            rounding,
+            context.layer,
+            rounding * float(np.linalg.norm(matrix[:, :2], 2)),
             "/".join(name.id for name in names if name.id),
             is_named=any(name.is_chosen for name in names),
         )
-        if CLIPPED in shape.values or any(_may_be_clipped(runs, *clip) for clip in drawn.clips):
-            self.clipped[source.name or drawn.kind] = None
-        return _DrawnShape(runs, source, matrix, offset)
+        if runs and any(_may_be_clipped(runs, *clip) for clip in context.clips):
+            self.clipped[source.name or tag(element)] = None
+        for run in runs:
+            yield tuple(edge.mapped(matrix[:, :2], matrix[:, 2], source) for edge in run)
 
-    def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
-        source = self.tree.shapes[mark]
-        if source.data is None:
-            return list(_subpaths(shape.segments(transformed=False))), source.rounding
-        if mark not in self._paths:
-            self._paths[mark] = path_data(source.data)
-        path = self._paths[mark]
-        return [_with_polylines(run) for run in path.runs], path.rounding
-
-    def report_left_out(self) -> None:
-        shapes, skipped = self.tree.shapes, self.tree.skipped
-        hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
-        for kind, marks in (
-            ("hidden or empty shape", hidden),
-            ("shape without stroke and fill", self.unpainted),
-        ):
-            if marks:
-                skipped[kind] += len(marks)
+    def _report_left_out(self, unpainted: set[Element]) -> None:
+        hidden = self.shapes.elements - self.drawn - unpainted
+        counts = {"hidden or empty shape": len(hidden), "shape without stroke and fill": len(unpainted)}
+        # adding drops counts of 0
+        self.skipped += Counter(counts)
         if self.bad and len(self.bad) == len(self.drawn):
             raise next(iter(self.bad.values()))
-        for mark, problem in self.bad.items():
-            name = f" {shapes[mark].name.shown}" if shapes[mark].name.shown else ""
-            skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
+        for element, problem in self.bad.items():
+            name = f" {shown}" if (shown := Name.of(element).shown) else ""
+            self.skipped[f"{tag(element)}{name} that {problem}"] += 1
 
     def remarks(self) -> tuple[str, ...]:
         clipped = [note(
@@ -288,101 +244,44 @@ class _Shapes:
         )] if self.clipped else []  # fmt: skip
         unread = [note(
             "the drawing uses styles that are not supported: {styles}. Compare the curves with the drawing",
-            styles=Listed(dict.fromkeys(self.tree.unread)),
-        )] if self.tree.unread else []  # fmt: skip
+            styles=Listed(dict.fromkeys(self.shapes.unread)),
+        )] if self.shapes.unread else []  # fmt: skip
         return (*clipped, *unread)
 
 
-_PAINTS = ("stroke", "fill")
+def _is_visible(values: Mapping[str, str]) -> bool:
+    return values["visibility"].strip().lower() not in ("hidden", "collapse")
 
 
-def _is_hidden(shape: Any) -> bool:
-    return shape.values.get("visibility", "").strip().lower() in ("hidden", "collapse")
+def _is_painted(values: Mapping[str, str]) -> bool:
+    """Return True if a shape has a visible stroke or fill."""
+    for what in ("stroke", "fill"):
+        paint = values[what].strip().lower()
+        is_clear = paint in ("none", "transparent") or _TRANSPARENT.fullmatch(paint)
+        sizes = values[f"{what}-opacity"], values["stroke-width"] if what == "stroke" else "1"
+        if not (is_clear or any(map(_ZERO.fullmatch, sizes))):
+            return True
+    return False
 
 
-def _is_painted(values: Mapping[str, str], what: str) -> bool:
-    paint = values[what].strip().lower()
-    clear = paint in ("none", "transparent") or _TRANSPARENT.fullmatch(paint)
-    sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
-    return not (clear or any(size and _ZERO.fullmatch(size) for size in sizes))
-
-
-def _may_be_clipped(runs: Sequence[Run], box: Box | None, transform: str) -> bool:
-    from svgelements import Matrix
-
+def _may_be_clipped(runs: Sequence[Run], box: Box | None, matrix: FloatArray) -> bool:
     if box is None:
         return True
-    m = Matrix(transform)
-    points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run] or [np.empty((0, 2))])
-    mapped = points @ np.array([[m.a, m.b], [m.c, m.d]], dtype=float) + np.array([m.e, m.f], dtype=float)
+    points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run])
+    mapped = points @ matrix[:2, :2].T + matrix[:2, 2]
     near = 1e-6 * max(box[2] - box[0], box[3] - box[1])
     return bool(np.any(mapped < np.array(box[:2]) - near) or np.any(mapped > np.array(box[2:]) + near))
 
 
-def _in_user_units(tree: SvgTree) -> bytes:
-    """Return the document without viewBox, so that the parser does not scale coordinates."""
-    root = tree.root
-    box = root.get("viewBox", "").replace(",", " ").split()
-    lengths = [read_length(text) for text in tree.size]
-    size = box[2:] if len(box) == 4 else [repr(length[0] / _PX) if length else "100%" for length in lengths]
-    for name in ("viewBox", "preserveAspectRatio", "x", "y"):
-        root.attrib.pop(name, None)
-    root.set("width", size[0])
-    root.set("height", size[1])
-    return bytes(ElementTree.tostring(root, encoding="utf-8"))
-
-
-def _subpaths(segments: Any) -> Iterator[Run]:
-    run: list[Edge] = []
-    for segment in segments:
-        kind = type(segment).__name__
-        if kind == "Move":
-            yield _with_polylines(run)
-            run = []
-        elif segment.start is not None and segment.end is not None:
-            edge = _edge(kind, segment)
-            if edge is not None:
-                run.append(edge)
-    yield _with_polylines(run)
+def _edges(data: str) -> tuple[list[Run], float]:
+    """Return the edges of path data in user units, and half a unit of the last digit."""
+    if re.search("inf|nan", data):
+        raise InputError("has numbers that are not finite or too large: check the size of the drawing")
+    path = path_data(data)
+    return [_with_polylines(run) for run in path.runs], path.rounding
 
 
 def _with_polylines(run: Sequence[Edge]) -> Run:
     if len(run) > 1 and all(edge.degree == 1 for edge in run):
         return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
     return tuple(run)
-
-
-def _edge(kind: str, segment: Any) -> Edge | None:
-    if kind not in ("Line", "Close"):
-        return _arc(segment)
-    ends = _points(segment.start, segment.end)
-    # svgelements rounds the end of an ellipse, so the line that closes it has a length
-    rounded = kind == "Close" and np.ptp(ends, axis=0).max() <= 1e-12 * np.abs(ends).max()
-    return None if rounded else bezier_edge(ends)
-
-
-def _points(*points: Any) -> FloatArray:
-    places = np.array([(p.x, p.y) for p in points], dtype=float)
-    if not np.all(np.abs(places) < _LARGEST):
-        raise InputError("has numbers that are not finite or too large: check the size of the drawing")
-    return places
-
-
-def _arc(segment: Any) -> Edge | None:
-    """Return the exact arc of a segment.
-
-    The centre that svgelements computes for half turns is inaccurate.
-    """
-    start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
-    x_axis, y_axis = px - center, py - center
-    rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))
-    if rx == 0 or ry == 0:
-        return Edge.polyline([start, end]) if np.any(start != end) else None
-    axes = np.column_stack([x_axis, y_axis])
-    if not np.any(start != end):
-        turn = float(segment.sweep)
-        first = np.linalg.solve(axes, start - center)
-        begin = float(np.arctan2(first[1], first[0]))
-        return Edge.arc(center, x_axis, y_axis, begin, begin + turn) if abs(turn) > 1e-9 else None
-    sweep = float(segment.sweep)
-    return arc_between(start, end, axes, large=abs(sweep) >= np.pi, sweep=sweep > 0)

@@ -14,9 +14,23 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, half_last_place
 
-_SPACE = re.compile(r"[\s,]*")
-_NUMBER = re.compile(NUMBER)
-_COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+# the flags of an arc (f) need no separator
+_PARTS = {"n": rf"((?>{NUMBER}))[\s,]*+", "f": r"([01])[\s,]*+"}
+
+
+def _arguments(parts: str) -> re.Pattern[str]:
+    """Return the pattern of the numbers after a command. If numbers are missing, the last groups are None."""
+    pattern = ""
+    for part in reversed(parts):
+        pattern = f"(?:{_PARTS[part]}{pattern})?"
+    return re.compile(rf"[\s,]*+{pattern}")
+
+
+_ARGUMENTS = {
+    "M": _arguments("nn"), "L": _arguments("nn"), "H": _arguments("n"), "V": _arguments("n"),
+    "C": _arguments("nnnnnn"), "S": _arguments("nnnn"), "Q": _arguments("nnnn"), "T": _arguments("nn"),
+    "A": _arguments("nnnffnn"), "Z": _arguments(""),
+}  # fmt: skip
 # largest number of commands of a path with all its subpaths
 _MOST_SEGMENTS = 20 * MOST_PIECES
 
@@ -64,7 +78,7 @@ def path_data(text: str) -> PathData:
     >>> path_data("M0 0 Q 10 20 30 0 S 50 10 60 0").runs[0][1].points.tolist()
     [[30.0, 0.0], [30.0, 0.0], [50.0, 10.0], [60.0, 0.0]]
     """
-    pen, written, count = _Pen(), [], 0
+    pen, written, count = _Pen(), list[str](), 0
     for command, words in _commands(text):
         count = check_count(count + 1, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
         kind = command.upper()
@@ -79,47 +93,20 @@ def path_data(text: str) -> PathData:
     return PathData(tuple(pen.runs), half_last_place(written))
 
 
-def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
-    at = _skip(text, 0)
-    first = True
+def _commands(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+    text = text.lstrip(", \t\r\n\f")
+    at, command, allowed = 0, "", "Mm"
     while at < len(text):
-        command = text[at]
-        if command.upper() not in _COUNTS or (first and command.upper() != "M"):
+        if text[at] in allowed:
+            command, at, allowed = text[at], at + 1, "MmLlHhVvCcSsQqTtAaZz"
+        elif command in "zZ":
             raise _broken(text, at)
-        first = False
-        at = _skip(text, at + 1)
-        if command in "zZ":
-            yield command, []
-            continue
-        again = True
-        while again:
-            words, at = _read_numbers(text, at, command.upper())
-            yield command, words
-            command = {"M": "L", "m": "l"}.get(command, command)
-            again = at < len(text) and text[at] in "+-.0123456789"
-
-
-def _read_numbers(text: str, at: int, kind: str) -> tuple[list[str], int]:
-    """Return the numbers of a command and the position after them. The flags of an arc need no separator."""
-    words = []
-    for position in range(_COUNTS[kind]):
-        if kind == "A" and position in (3, 4):
-            word = text[at : at + 1]
-            if word not in ("0", "1"):
-                raise _broken(text, at)
-        else:
-            match = _NUMBER.match(text, at)
-            if match is None:
-                raise _broken(text, at)
-            word = match[0]
-        words.append(word)
-        at = _skip(text, at + len(word))
-    return words, at
-
-
-def _skip(text: str, at: int) -> int:
-    match = _SPACE.match(text, at)
-    return at if match is None else match.end()
+        match = _ARGUMENTS[command.upper()].match(text, at)
+        if match is None or None in match.groups():
+            raise _broken(text, match.end() if match else at)
+        yield command, match.groups()
+        # numbers without a command repeat the last command, after a move as lines
+        command, at = {"M": "L", "m": "l"}.get(command, command), match.end()
 
 
 def _broken(text: str, at: int) -> InputError:
@@ -163,12 +150,12 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
     elif kind in "CS":
         if kind == "S":
             points = np.vstack([_mirrored_handle(pen, "CS"), points])
-        pen.add(bezier_edge(np.vstack([pen.here, points])))
+        pen.add(_bezier_edge(np.vstack([pen.here, points])))
         handle = points[1]
     else:
         if kind == "T":
             points = np.vstack([_mirrored_handle(pen, "QT"), points])
-        pen.add(bezier_edge(np.vstack([pen.here, points])))
+        pen.add(_bezier_edge(np.vstack([pen.here, points])))
         handle = points[0]
     pen.here, pen.handle = end, handle
 
@@ -184,7 +171,7 @@ def _line(start: FloatArray, end: FloatArray) -> Edge | None:
     return Edge.polyline([start, end]) if np.any(start != end) else None
 
 
-def bezier_edge(points: FloatArray) -> Edge | None:
+def _bezier_edge(points: FloatArray) -> Edge | None:
     """Return the edge of a Bezier piece: a line if it is straight, None if it has no length."""
     if not np.any(points != points[0]):
         return None
@@ -217,13 +204,7 @@ def _arc_edge(
     if radii.min() <= 1e-12 * np.abs(end - start).max():
         return Edge.polyline([start, end])
     c, s = np.cos(turned), np.sin(turned)
-    return arc_between(start, end, np.array([[c, -s], [s, c]]) * radii, large=large, sweep=sweep)
-
-
-def arc_between(
-    start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
-) -> Edge | None:
-    """Return the exact arc between two points; its semi-axes are the columns of `axes` (2, 2), see `_arc_edge`."""
+    axes = np.array([[c, -s], [s, c]]) * radii
     # in units of the semi-axes, the arc is part of a unit circle, centred on the bisector of the chord
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))

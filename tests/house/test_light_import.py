@@ -36,7 +36,7 @@ PAVILION = (
 def test_import_needs_numpy_only(project_root):
     code = (
         "import sys, elastica_cad\n"
-        "heavy = {'scipy', 'highspy', 'ezdxf', 'svgelements', 'click', 'matplotlib', 'OCP', 'shapely'}\n"
+        "heavy = {'scipy', 'highspy', 'ezdxf', 'cssselect2', 'tinycss2', 'click', 'matplotlib', 'OCP', 'shapely'}\n"
         "print(sorted(heavy & {name.split('.')[0] for name in sys.modules}))"
     )
     result = subprocess.run(

@@ -17,8 +17,8 @@ from tests.manual.test_freecad_pages import COMMANDS
 
 WORKBENCH = "docs/freecad.md"
 TREES = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad"
-LIBRARIES = {"highspy", "numpy", "scipy", "ezdxf", "svgelements", "trimesh", "OCP", "matplotlib", "build123d",
-             "cadquery", "click", "FreeCAD"}  # fmt: skip
+LIBRARIES = {"highspy", "numpy", "scipy", "ezdxf", "tinycss2", "cssselect2", "trimesh", "OCP", "matplotlib",
+             "build123d", "cadquery", "click", "FreeCAD"}  # fmt: skip
 
 
 @asks("docs/architecture.md", "package", "what it holds", "libraries")

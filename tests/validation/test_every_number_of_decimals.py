@@ -14,7 +14,7 @@ from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 from tests.command_line import run
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 
 PUBLIC = Path(__file__).parents[1] / "data" / "public" / "svgpathtools"
 UNITS = {"mm": 1.0, "px": 25.4 / 96, "pt": 25.4 / 72}

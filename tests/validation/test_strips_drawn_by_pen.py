@@ -8,7 +8,7 @@ from elastica_cad.files import read_drawing
 from elastica_cad.forming import smooth_curve
 from tests.validation.test_every_number_of_decimals import smooth_path, written
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 
 PINNED = Supports("pinned", "pinned")
 

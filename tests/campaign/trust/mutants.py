@@ -40,7 +40,7 @@ NAMED_S = 120.0
 
 LIBRARIES = (
     "numpy", "scipy.integrate", "scipy.interpolate", "scipy.linalg", "scipy.optimize", "scipy.sparse.linalg",
-    "scipy.spatial", "scipy.sparse", "highspy", "ezdxf", "ezdxf.path", "shapely", "svgelements", "click",
+    "scipy.spatial", "scipy.sparse", "highspy", "ezdxf", "ezdxf.path", "shapely", "tinycss2", "cssselect2", "click",
     "trimesh", "coverage", "click.testing",
 )  # fmt: skip
 """What tests load before they begin, loaded once for all mutants."""

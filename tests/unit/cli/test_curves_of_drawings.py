@@ -10,7 +10,7 @@ import pytest
 
 from tests.command_line import run
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 
 BODY = """
 <g inkscape:groupmode="layer" inkscape:label="Cut">

@@ -13,7 +13,7 @@ from elastica_cad.files import read_drawing
 from elastica_cad.formats import curves_json
 from elastica_cad.formats.source_file import require_file
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 ezdxf = pytest.importorskip("ezdxf")
 
 
@@ -39,10 +39,11 @@ def test_clones_are_counted_before_they_are_made(tmp_path):
     for k in range(1, 6):
         levels.append(f'<g id="g{k}">' + f'<use xlink:href="#g{k - 1}"/>' * 10 + "</g>")
     refused(
-        svg(tmp_path, f"<defs>{''.join(levels)}</defs><use href='#g5'/>"), "100000 shapes, its clones counted"
+        svg(tmp_path, f"<defs>{''.join(levels)}</defs><use href='#g5'/>"),
+        "20001 shapes or more, its clones counted",
     )
     thirty = [levels[0]] + [f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 9 + "</g>" for k in range(1, 30)]
-    refused(svg(tmp_path, f"<defs>{''.join(thirty)}</defs><use href='#g29'/>"), "shapes, its clones counted")
+    refused(svg(tmp_path, f"<defs>{''.join(thirty)}</defs><use href='#g29'/>"), "20001 shapes or more")
 
 
 @pytest.mark.parametrize("body", ["", "<g/>", "<text>A</text>"])
@@ -65,7 +66,7 @@ def test_of_two_groups_of_one_name_clones_show_the_first_and_count_it(tmp_path):
 
 def test_what_stands_beside_a_shape_in_clones_is_counted_too(tmp_path):
     group = '<g id="a"><path d="M0 0C1 2 3 2 4 0"/>' + "<g/>" * 200 + "</g>"
-    refused(svg(tmp_path, group + "<use href='#a'/>" * 1000), "elements, its clones counted")
+    refused(svg(tmp_path, group + "<use href='#a'/>" * 1000), "elements or more, its clones counted")
 
 
 def test_a_clone_of_itself_is_left_out_and_the_rest_is_read(tmp_path):
@@ -73,6 +74,36 @@ def test_a_clone_of_itself_is_left_out_and_the_rest_is_read(tmp_path):
     file = read_drawing(svg(tmp_path, body))
     assert len(file) == 1
     assert file.skipped["clone of itself"] == 1
+
+
+def test_a_style_sheet_without_end_is_refused(tmp_path):
+    arch = '<path class="a" d="M0 0C10 20 30 20 40 0"/>'
+    font = f"@font-face {{src: url(data:font/woff;base64,{'A' * 2 * 10**6})}}"
+    assert len(read_drawing(svg(tmp_path, f"<style>{font}</style>{arch}"))) == 1
+    refused(svg(tmp_path, f"<style>{'.b{}' * 300000}</style>{arch}"), "1200000 characters in a style sheet")
+    for style in (f"fill:{'(' * 9999}", f"stroke-width:{'9' * 9999}"):
+        refused(
+            svg(tmp_path, f'<path style="{style}" d="M0 0C10 20 30 20 40 0"/>'), "has a style with unusable"
+        )
+
+
+@pytest.mark.parametrize(
+    "selector", [f"{'*>' * 999}.a", f"{':not(' * 400}.b{')' * 400}", ":a(b)", "[*|b]", "."]
+)
+def test_selectors_without_end_or_sense_are_named(tmp_path, selector):
+    arch = '<path class="a" d="M0 0C10 20 30 20 40 0"/>'
+    file = read_drawing(
+        svg(tmp_path, f"<style>{selector.replace('>', '&gt;')} {{display: none}}</style>{arch}")
+    )
+    assert "styles that are not supported" in file.remarks[-1]
+
+
+def test_siblings_of_many_shapes_are_compared_without_recursion(tmp_path):
+    shapes = (
+        '<path d="M0 0C10 20 30 20 40 0"/>' + "<g/>" * 3000 + '<path class="b" d="M0 9C10 20 30 20 40 9"/>'
+    )
+    file = read_drawing(svg(tmp_path, f"<style>path ~ .b {{display: none}}</style>{shapes}"))
+    assert len(file) == 1
 
 
 def test_groups_nested_without_end_are_refused(tmp_path):

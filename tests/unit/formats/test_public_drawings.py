@@ -12,7 +12,7 @@ from elastica_cad.forming import smooth_curve
 from elastica_cad.forming.fairing_request import SEEN
 from elastica_cad.mechanics.theorem1 import require_bendable
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 pytest.importorskip("ezdxf")
 
 PUBLIC = Path(__file__).parents[2] / "data" / "public"

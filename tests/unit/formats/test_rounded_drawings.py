@@ -10,7 +10,7 @@ from elastica_cad.files import read_drawing
 from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 
-pytest.importorskip("svgelements")
+pytest.importorskip("cssselect2")
 
 ARCH = [(20, 150), (20, 95.3), (63.1, 50.2), (118.4, 50.2), (171.7, 50.2), (216.9, 88.1), (220.4, 151.3)]
 WAVE = [(10, 100), (52.3, 31.4), (91.8, 22.6), (133.2, 61.1), (164.25, 89.975), (201.7, 141.9), (271.1, 88.8)]

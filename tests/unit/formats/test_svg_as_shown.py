@@ -51,6 +51,10 @@ def line(d, more=""):
         (".away {stroke: rgb(0, 0, 0)}", False),
         (".away {stroke-width: 0px}", True),
         (".away {content: '} .away {display: none'}", False),
+        ("g path:nth-child(2) {display: none}", True),
+        ("path:nth-child(odd), .away:not(.odd) {display: none}", False),
+        ("@media screen {@media print {.away {display: none}}}", False),
+        ("path::before {display: none}", False),
     ],
 )
 def test_rules_of_style_sheets_hide_what_browsers_hide(svg, rules, is_hidden):
@@ -62,10 +66,10 @@ def test_rules_of_style_sheets_hide_what_browsers_hide(svg, rules, is_hidden):
 
 
 def test_rules_that_are_not_evaluated_are_named(svg):
-    rules = "path:nth-child(2) {display: none} .a:hover {x: 1} @media (min-width: 9px) {#b {display: none}}"
+    rules = "path:nth-col(2) {display: none} .a:hover {x: 1} @media (min-width: 9px) {#b {display: none}}"
     found = svg(f"<style>{rules} .c {{color: red}}</style>{line(ARCH)}")
     assert [note.partition(":")[2] for note in found.notes] == [
-        " path:nth-child(2) and #b. Compare the curves with the drawing"
+        " path:nth-col(2) and #b. Compare the curves with the drawing"
     ]
 
 
@@ -90,10 +94,80 @@ def test_a_clip_that_cuts_a_curve_is_reported(svg, clip, is_cut, where):
     assert ["clipped or masked" in note and "arch" in note for note in found.notes] == [True] * is_cut
 
 
+@pytest.mark.parametrize(
+    ("view", "is_cut"),
+    [
+        ('<svg width="80" height="110">{}</svg>', True),
+        ('<svg width="80" height="110" overflow="hidden">{}</svg>', True),
+        ('<svg width="80" height="110" style="overflow: visible">{}</svg>', False),
+        ('<svg width="80" height="110" overflow="auto">{}</svg>', False),
+        ("<svg>{}</svg>", False),
+        ('<svg x="-10" width="140" height="100%">{}</svg>', True),
+        ('<svg x="5" y="4" width="85" height="55" viewBox="0 0 170 110">{}</svg>', False),
+        ('<svg width="85" height="55" viewBox="60 0 85 55">{}</svg>', True),
+        ('<g transform="scale(.5)"><svg width="170" height="110"><svg height="80">{}</svg></svg></g>', True),
+        ('<symbol id="s" viewBox="0 0 100 50">{}</symbol><use href="#s" width="50" height="25"/>', True),
+        ('<symbol id="s" overflow="visible">{}</symbol><use href="#s" width="50" height="25"/>', False),
+        ('<symbol id="s">{}</symbol><use href="#s" width="150" height="90"/>', False),
+    ],
+)
+def test_a_nested_svg_that_cuts_a_curve_is_reported(svg, view, is_cut):
+    """By default, the content of a nested <svg> or of a <symbol> ends at its viewport."""
+    found = svg(view.format(line(ARCH, 'id="arch"')))
+    assert len(found) == 1
+    assert ["clipped or masked" in note and "arch" in note for note in found.notes] == [True] * is_cut
+
+
+def test_a_clip_is_compared_with_each_clone_where_it_is(svg):
+    clip = '<clipPath id="c"><rect width="170" height="100"/></clipPath>'
+    clones = '<use id="u" href="#a" y="-9"/><use id="v" href="#a" transform="translate(0 30)"/>'
+    arch = line(ARCH, 'id="a"')
+    (told,) = svg(f'{clip}<defs>{arch}</defs><g clip-path="url(#c)">{clones}</g>').notes
+    assert "v/a" in told
+    assert "u/a" not in told
+
+
+def test_a_clone_is_on_the_layer_where_it_is(svg):
+    names = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    layers = [f'<g {names} inkscape:groupmode="layer" inkscape:label="L{k}">{{}}</g>' for k in (1, 2)]
+    found = svg(layers[0].format(line(ARCH, 'id="a"')) + layers[1].format('<use id="u" href="#a" y="9"/>'))
+    assert [(curve.name, curve.layer) for curve in found.file] == [("a", "L1"), ("u/a", "L2")]
+
+
+@pytest.mark.parametrize(
+    ("transform", "end"),
+    [
+        ("translate(10mm,5%)", (20 + 10 * 96 / 25.4, 90 + 5.5)),
+        ("rotate (0.25turn)", (-90, 20)),
+        ("rotate(100grad 20 90)", (20, 90)),
+        ("skewX(45)scale(2-1)", (40 - 90, -90)),
+        ("matrix(1 2 3 4 5 6)", (20 + 270 + 5, 40 + 360 + 6)),
+        ("none", (20, 90)),
+    ],
+)
+def test_transforms_are_read_as_in_css(svg, transform, end):
+    (curve,) = svg(line(ARCH, f'transform="{transform}"'))
+    assert curve.evaluate(curve.domain[0]) * (1, -1) == pytest.approx(np.array(end))
+
+
+@pytest.mark.parametrize(
+    "transform", ["scale()", "matrix(1 0 0)", "translate(--1 5)", "rotate(5x)", "turn(3)"]
+)
+def test_a_transform_that_makes_no_sense_is_named(svg, transform):
+    (told,) = svg(line(ARCH) + line(WAVE, f'id="wave" transform="{transform}"')).notes
+    assert "path wave that has a transform with numbers that are not finite or too large" in told
+
+
+def test_what_a_transform_flattens_is_not_shown(svg):
+    (told,) = svg(line(ARCH) + line(WAVE, 'transform="rotate(30) scale(1 0)"')).notes
+    assert told.endswith("1 hidden or empty shape")
+
+
 def test_a_mask_is_reported_and_a_reference_to_nothing_is_not(svg):
     mask = '<mask id="m"><rect width="30" height="110" fill="#fff"/></mask>'
     arch = line(ARCH, 'id="a"')
     found = svg(f'{mask}<defs>{arch}</defs><use id="u" href="#a" mask="url(#m)"/>')
+    assert [curve.provenance.name for curve in found] == ["u/a"]
     assert ["u/a" in note for note in found.notes] == [True]
     assert not svg(line(ARCH, 'clip-path="url(#nothing)" mask="none"')).notes
 

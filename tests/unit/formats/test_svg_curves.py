@@ -204,8 +204,10 @@ def test_other_files_get_one_sentence(tmp_path, data, words):
 
 def test_missing_library_is_said_in_one_sentence(svg, tmp_path, monkeypatch):
     svg(path("M 0 0 L 1 1"))
-    monkeypatch.setitem(sys.modules, "svgelements", None)
-    with pytest.raises(MissingDependencyError, match=r"reading drawn\.svg needs svgelements"):
+    monkeypatch.setitem(sys.modules, "cssselect2", None)
+    for module in ("svg_curves", "svg_shapes", "svg_tree"):
+        monkeypatch.delitem(sys.modules, f"elastica_cad.formats.{module}")
+    with pytest.raises(MissingDependencyError, match=r"reading drawn\.svg needs cssselect2"):
         read_curves(tmp_path / "drawn.svg")
 
 
