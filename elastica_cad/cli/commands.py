@@ -10,7 +10,6 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad import __version__
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, cures_after, refuse_extra_words
@@ -21,6 +20,7 @@ from elastica_cad.errors import (
     ElasticaError,
     InputError,
     NotMetError,
+    installed_version,
     near_names,
 )
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
@@ -72,7 +72,7 @@ FIRST_WORDS: dict[type[ElasticaError], str] = {
 def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:
     if not is_wanted:
         return
-    echo(f"elastica, version {__version__}")
+    echo(f"elastica, version {installed_version('elastica-cad') or 'from a checkout'}")
     ctx.exit()
 
 

@@ -23,8 +23,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from elastica_cad import __version__
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, installed_version
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.refusals import FieldName
 from elastica_cad.web.answers import CHANGED, refused
@@ -137,7 +136,7 @@ class Studio:
         self._hello = page_words() | {
             "do": "hello",
             "starts": start_designs(),
-            "version": __version__,
+            "version": installed_version("elastica-cad") or "from a checkout",
             "file": file,
         }
         self._workers = Workers(path)
