@@ -1,10 +1,8 @@
-"""Access to compiled functions of scipy (LAPACK, Brent's method) without importing their packages.
+"""Access to LAPACK in scipy without importing its package.
 
-`scipy.linalg` and `scipy.optimize` import more than 200 modules each, in 0.2 and 0.3 seconds. Each function used
-here is in one compiled file that loads in milliseconds.
+`scipy.linalg` imports more than 200 modules in 0.2 seconds. LAPACK is one compiled file that loads in milliseconds.
 """
 
-from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from importlib.machinery import PathFinder
@@ -16,8 +14,6 @@ from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import missing_library
-
-_ROUNDS = 100  # largest number of steps of Brent's method, which usually needs a dozen
 
 
 @cache
@@ -42,28 +38,6 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
             "too large"
         )
     return u, sigma, vt
-
-
-def crossing(
-    function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
-) -> float:
-    """Return a zero of a function whose values at `low` and `high` have opposite signs, by Brent's method.
-
-    The error is at most `absolute`, plus `relative` times the magnitude of the zero.
-
-    Examples
-    --------
-    >>> round(crossing(lambda x: x * x - 2, 0.0, 2.0, absolute=1e-12, relative=1e-12), 9)
-    1.414213562
-    """
-    solver = _brent()
-    return float(solver(function, low, high, absolute, relative, _ROUNDS, (), False, True))
-
-
-@cache
-def _brent() -> Any:
-    alone = _compiled_module("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
-    return alone._brentq
 
 
 def _compiled_module(package: str, name: str, needed: str) -> Any | None:

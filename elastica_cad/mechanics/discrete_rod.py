@@ -20,7 +20,7 @@ RANK_TOLERANCE = 1e-9
 """A constraint is linearly dependent if less than this fraction of its norm is independent of the others."""
 
 _FEW = 40
-"""Least number of edges for an iterative search of the lowest mode; with fewer edges, matrices are dense."""
+"""Least number of edges for which compiled code searches for the lowest mode."""
 
 _SMOOTH = 10
 """Number of smooth trial modes with which compiled code starts the search for the lowest mode."""
@@ -203,8 +203,6 @@ def lowest_constrained(
     rank = basis.shape[0]
     if n - rank < count:
         raise NotConvergedError(f"a rod of {n} segments is too coarse for {count} modes: use more samples")
-    if n < _FEW and (rank or terms is None):
-        return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
     if terms is not None:  # the added terms may lower the lowest eigenvalue below the shift
         step = _reach(diagonal, off) / n**2
@@ -224,12 +222,10 @@ def largest_of_inverse(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the largest eigenvalues (count,) and eigenvectors (count, n) of the inverse of a matrix.
 
-    The method is Lanczos iteration. `solve` applies the inverse of the positive definite matrix (n, n) to
-    arrays (n,) or (n, k). `terms` are added to the matrix, which is restricted to the null space of the
-    orthonormal rows `basis` (r, n).
+    The method is Lanczos iteration with full orthogonalisation, which takes about 14 steps for one mode. `solve`
+    applies the inverse of the positive definite matrix (n, n) to arrays (n,) or (n, k). `terms` are added to
+    the matrix, which is restricted to the null space of the orthonormal rows `basis` (r, n).
     """
-    from scipy.sparse.linalg import LinearOperator, eigsh
-
     border, corner = _border_of(basis, terms)
     solved = solve(border.T) if len(border) else border.T
     inner = np.linalg.inv(border @ solved - corner)
@@ -239,10 +235,24 @@ def largest_of_inverse(
         x = x - solved @ (inner @ (border @ x))
         return np.asarray(x - basis.T @ (basis @ x))
 
+    # ARPACK is not used, because its package is slow to load and its calls wake threads of BLAS
+    along: list[float] = []
+    beyond: list[float] = []
+    steps = np.empty((0, n))
     # fixed start vector without symmetry, so that it has a component along every mode
-    start = inverse(np.random.default_rng(0).normal(size=n))
-    theta, vectors = eigsh(LinearOperator((n, n), inverse, dtype=float), count, which="LA", v0=start)
-    return theta[::-1], vectors.T[::-1]
+    x = inverse(np.modf(np.arange(1, n + 1) * 5**0.5)[0])
+    while True:
+        steps = np.vstack([steps, x / np.linalg.norm(x)])
+        x = inverse(steps[-1])
+        along.append(float(steps[-1] @ x))
+        for _ in range(2):
+            x = x - (steps @ x) @ steps
+        theta, shares, _ = lapack().dstev(along, beyond or along)
+        beyond.append(float(np.linalg.norm(x)))
+        errors = beyond[-1] * np.abs(shares[-1, -count:])
+        settled = len(steps) >= count and not errors.max() > _EPS * theta[-1]
+        if settled or len(steps) == n - len(basis):
+            return theta[: -count - 1 : -1], shares.T[: -count - 1 : -1] @ steps
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
@@ -313,19 +323,6 @@ def lowest_weighted(
 def _polynomials(n: int) -> FloatArray:
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
-
-
-def _dense(
-    diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int, terms: Terms | None
-) -> tuple[FloatArray, FloatArray]:
-    full = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
-    if terms is not None:
-        full += terms.on(np.eye(diagonal.size))
-    free = (
-        np.linalg.svd(basis, full_matrices=True)[2][basis.shape[0] :] if basis.size else np.eye(diagonal.size)
-    )
-    values, vectors = np.linalg.eigh(free @ full @ free.T)
-    return values[:count], (free.T @ vectors[:, :count]).T
 
 
 def _reach(diagonal: FloatArray, off: FloatArray) -> float:

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import crossing, lapack
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
@@ -226,10 +226,8 @@ MOST_RIBBON_NUMBER = 80.0
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
-# largest error of an eigenvalue, as a fraction of the largest entry of the matrix
-_POLE_SHARE = 64 * float(np.finfo(float).eps)
-# least distance of a root from the two lowest eigenvalues, as a fraction of their difference
-_SIGN_SHARE = 1e-9
+_FIRST_STEP = 1e-3
+"""First trial for a shift below all eigenvalues of a matrix (n, n), as a fraction of its largest entry over n^2."""
 
 
 @dataclass(frozen=True)
@@ -443,13 +441,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     free = [not (end.x or end.y or end.angle) for end in rod.supports.ends]
     lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
                   edgewise, torsion, free)  # fmt: skip
-    if rod.between:
-        return _lowest_braced(lower, _braces(rod, tangents(angle), free)) / edge * rod.length**2
-    row = None
-    if not any(free):
-        T = tangents(angle)
-        row = left_of(T).ravel()
-    return _lowest(lower / edge, row) * rod.length**2
+    return _lowest(lower, _braces(rod, tangents(angle), free)) / edge * rod.length**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -498,25 +490,32 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
             chord = np.diff(rod.curve.at(action.s).position, axis=0)[0]
             terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
-    if not places and len(terms) == len(taut):
+    if rod.between and not places and len(terms) == len(taut):
         # if only cords hold the strip, it can turn as a whole without a change of energy
         rows += list(np.tile(np.eye(2), n))
     none = np.zeros((0, 2 * n))
     return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
 
 
-def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
-    first, second = _two_lowest(lower)
-    # a shift below the lowest eigenvalue makes the shifted matrix positive definite
-    shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
-    shifted = lower.copy()
-    shifted[0] -= shift
-    factor = lapack().dpbtrf(shifted, lower=1)[0]
+def _lowest(lower: FloatArray, braces: _Braces) -> float:
+    """Return the lowest eigenvalue of the matrix with the lower band `lower` (4, n), on what the braces allow."""
+    largest, n = float(np.abs(lower).max()), lower.shape[1]
+    if not np.isfinite(largest):
+        raise NotConvergedError(
+            "The stability is undecided, because the computation gives numbers that are not finite. Check "
+            "the stiffness and the load of the rod."
+        )
+    # a shift clearly below the lowest eigenvalue makes the matrix positive definite
+    shift, on_diagonal = _FIRST_STEP * largest / n**2, np.eye(len(lower), 1)
+    while lapack().dpbtrf(lower + shift * on_diagonal, lower=1)[1]:
+        shift *= 2
+    shift *= 2
+    factor = lapack().dpbtrf(lower + shift * on_diagonal, lower=1)[0]
     theta, _ = largest_of_inverse(
-        lambda x: lapack().dpbtrs(factor, x, lower=1)[0], lower.shape[1], orthonormal_rows(braces.rows),
+        lambda x: lapack().dpbtrs(factor, x, lower=1)[0], n, orthonormal_rows(braces.rows),
         terms=Terms.of(braces.terms, np.eye(len(braces.terms))),
     )  # fmt: skip
-    return shift + 1 / float(theta[0])
+    return float(1 / theta[0] - shift)
 
 
 def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
@@ -568,50 +567,3 @@ def _band(
     lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
     lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
     return lower
-
-
-def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
-    """Return the lowest eigenvalue mu of the band matrix A subject to <row, v> = 0.
-
-    The eigenvalue is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A without the
-    constraint.
-    """
-    first, second = _two_lowest(lower)
-    if row is None:
-        return first
-    full = np.zeros((10, lower.shape[1]))  # LAPACK needs three additional rows
-    full[6:] = lower
-    for k in (1, 2, 3):
-        full[6 - k, k:] = lower[k, : lower.shape[1] - k]
-
-    def along(mu: float) -> float:
-        shifted = full.copy()
-        shifted[6] -= mu
-        return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
-
-    gap = second - first
-    # keep this distance from both eigenvalues, at which `along` is infinite
-    clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
-    low, high = first + clear, second - clear
-    if low >= high or along(low) >= 0:  # the lowest mode already satisfies the constraint
-        return first
-    if along(high) <= 0:
-        return second
-    return crossing(along, low, high, absolute=1e-13 * abs(first) + 1e-300, relative=1e-12)
-
-
-def _two_lowest(lower: FloatArray) -> tuple[float, float]:
-    if not np.all(np.isfinite(lower)):
-        raise NotConvergedError(
-            "The stability is undecided, because the computation gives numbers that are not finite. Check "
-            "the stiffness and the load of the rod."
-        )
-    result = lapack().dsbevx(
-        lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
-    )
-    if result[-1]:
-        raise NotConvergedError(
-            "The stability is undecided, because the computation of its eigenvalues does not converge. "
-            "Compute the rod with more nodes."
-        )
-    return float(result[0][0]), float(result[0][1])

@@ -1,5 +1,6 @@
 """`import elastica_cad` costs a moment: no library is loaded before it is used."""
 
+import os
 import subprocess
 import sys
 from importlib.metadata import version
@@ -45,7 +46,7 @@ def test_import_needs_numpy_only(project_root):
     assert result.stdout.strip() == "[]", result.stderr
 
 
-COMPILED = {"scipy.linalg._flapack", "scipy.optimize._zeros"}
+COMPILED = {"scipy.linalg._flapack"}
 """Files of scipy that are loaded without their packages."""
 
 
@@ -104,12 +105,13 @@ EOF
 """A drawing of half an arch twice, so that its edges have to be joined."""
 
 
+@pytest.mark.parametrize("pure", ["", "1"], ids=["compiled loops", "Python alone"])
 @pytest.mark.parametrize(
     "command",
     [("check", ARCH), ("check", "two-edges.dxf"), STRIP, PAVILION],
     ids=["check", "two edges", "strip", "model"],
 )
-def test_commands_load_no_module_of_other_requests(command, project_root, tmp_path):
+def test_commands_load_no_module_of_other_requests(command, pure, project_root, tmp_path):
     (tmp_path / "two-edges.dxf").write_bytes(TWO_EDGES)
     command = [word.replace("two-edges.dxf", str(tmp_path / "two-edges.dxf")) for word in command]
     code = (
@@ -120,11 +122,13 @@ def test_commands_load_no_module_of_other_requests(command, project_root, tmp_pa
     )
     words = [*command, *([str(tmp_path)] if command[-1] == "-o" else [])]
     result = subprocess.run(
-        [sys.executable, "-c", code, *words], cwd=project_root, capture_output=True, text=True, check=False
-    )
+        [sys.executable, "-c", code, *words], cwd=project_root, capture_output=True, text=True, check=False,
+        env=os.environ | {"ELASTICA_PURE": pure},
+    )  # fmt: skip
     assert result.returncode == 0, result.stderr
     loaded = set(result.stdout.splitlines()[-1].split()) - COMPILED
     assert "ezdxf" in loaded
+    assert not (pure and "elastica_cad._native.loops" in loaded)
     assert [name for name in sorted(loaded) if name.startswith(HEAVY)] == []
 
 

@@ -1,11 +1,10 @@
-"""A strip follows its curve on one thread: BLAS that is woken for small numbers waits for other programs.
-
-This holds with the compiled loops. ARPACK of scipy, which replaces them elsewhere, has threads of its own.
-"""
+"""A strip follows its curve on one thread: BLAS that is woken for small numbers waits for other programs."""
 
 import os
 import subprocess
 import sys
+
+import pytest
 
 FOLLOW = """
 from glob import glob
@@ -37,10 +36,12 @@ print((others() - before) / 20)
 """
 
 
-def test_following_a_curve_wakes_no_thread_of_blas():
+@pytest.mark.parametrize("pure", ["", "1"], ids=["compiled loops", "Python alone"])
+def test_following_a_curve_wakes_no_thread_of_blas(pure):
     """Milliseconds of processor that other threads took for each strip."""
     threaded = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
     told = subprocess.run(
-        [sys.executable, "-c", FOLLOW], env=threaded, capture_output=True, text=True, check=True, timeout=120
-    )
+        [sys.executable, "-c", FOLLOW], env=threaded | {"ELASTICA_PURE": pure}, capture_output=True, text=True,
+        check=True, timeout=120,
+    )  # fmt: skip
     assert float(told.stdout) < 0.05
