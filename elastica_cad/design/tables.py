@@ -101,19 +101,20 @@ class Formula:
             )
         try:
             return _parsed(self.text)
-        except SyntaxError as error:
-            at = f"character {error.offset}" if error.offset else "its end"
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+            # releases of Python raise different errors; only an error with a place is about missing characters
+            place = getattr(error, "offset", None)
+            if place is None:
+                raise InputError(
+                    "{place}: {typed!r} cannot be read as a formula. Correct it.",
+                    place=self.where,
+                    typed=self._shown,
+                ) from error
             raise InputError(
                 "{place}: the formula {typed!r} is incomplete at {at}. Complete it.",
                 place=self.where,
                 typed=self._shown,
-                at=at,
-            ) from error
-        except (ValueError, RecursionError, MemoryError) as error:
-            raise InputError(
-                "{place}: {typed!r} cannot be read as a formula. Correct it.",
-                place=self.where,
-                typed=self._shown,
+                at=f"character {place}" if place else "its end",
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
