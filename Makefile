@@ -14,10 +14,12 @@ define install
 	else cat $(1)/pip.log; exit 1; fi
 endef
 
-# What the compiled library is made of: an environment is brought up to date where one of these is newer.
+# What the compiled loops are made of: an environment is brought up to date where one of these is newer. Where there are
+# no loops yet, that of the tests is installed again, since a compiler may have come.
 SOURCES := $(wildcard elastica_cad/_native/*.[ch])
+MISSING := $(if $(wildcard elastica_cad/_native/loops.*.so),,missing-loops)
 
-.PHONY: demo docs addon generate test lint programs test-main test-windows test-oldest freecad benchmark clean
+.PHONY: demo docs addon generate test lint programs test-main test-windows test-oldest freecad benchmark clean missing-loops
 
 demo: $(VENV)/demo-installed
 	$(BIN)/elastica strip examples/arch/arch.dxf --sheet birch-plywood-0.8 --max-width 40 \
@@ -39,28 +41,29 @@ generate: $(VENV)/test-installed
 	$(BIN)/python docs/generated_options.py
 	$(BIN)/python docs/plan.py
 
-# The everyday suite. Programs and environments are installed first, beside each other; then two jobs keep two cores busy:
-# FreeCAD and the other programs, which wait much, beside all that is Python alone.
+# The everyday suite. Programs are installed first, among them the compiler that the environments need; then two jobs
+# keep two cores busy: FreeCAD and the other programs, which wait much, beside all that is Python alone.
 test: export OPENBLAS_NUM_THREADS = 1
 test:
-	$(MAKE) --jobs=3 --output-sync=target programs $(VENV)/test-installed $(OLDEST)/installed
+	@$(MAKE) --no-print-directory programs
+	$(MAKE) --jobs=2 --output-sync=target $(VENV)/test-installed $(OLDEST)/installed
 	$(MAKE) --keep-going --jobs=2 --output-sync=target test-windows test-main
 
 programs:
-	tests/freecad/setup.sh
-	tests/smoke/setup.sh
+	@PYTHON="$(PYTHON)" tests/setup.sh
 
 # A file of tests stays on one process: what its tests share is made once.
-test-main: lint test-oldest
+test-main: programs lint test-oldest
 	$(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder --durations=30 --ignore=tests/freecad --ignore=tests/smoke --ignore=tests/oldest --ignore=tests/benchmarks
 
 # FreeCAD's own Python modules are loaded into this process, so it is one of its own.
-test-windows: $(VENV)/test-installed
+test-windows: programs $(VENV)/test-installed
 	$(BIN)/python -m pytest --durations=30 tests/freecad tests/smoke
 
-# The lower bounds of every dependency in pyproject.toml, numpy 1.24 and scipy 1.10 among them, as Debian's FreeCAD has them.
+# The lower bounds of every dependency in pyproject.toml, numpy 1.24 and scipy 1.10 among them, as Debian's FreeCAD has
+# them, and no compiled loops, as in the addon.
 test-oldest: $(OLDEST)/installed
-	PYTHONPATH="$(CURDIR)" $(OLDEST)/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" tests/oldest
+	ELASTICA_PURE=1 PYTHONPATH="$(CURDIR)" $(OLDEST)/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" tests/oldest
 
 lint: $(VENV)/test-installed
 	$(BIN)/ruff check .
@@ -79,7 +82,7 @@ campaign-windows: programs $(VENV)/test-installed
 	$(RECORD) windows $(SUITE) tests/freecad
 
 # FreeCAD 1.0 and 1.1 in folders of their own (needs root), and the newest build123d and CadQuery, each alone.
-campaign-releases: $(VENV)/test-installed .venv-build123d/installed .venv-cadquery/installed
+campaign-releases: programs $(VENV)/test-installed .venv-build123d/installed .venv-cadquery/installed
 	-$(RECORD) "releases: FreeCAD 1.0" tests/freecad/release.sh trixie
 	-$(RECORD) "releases: FreeCAD 1.1" tests/freecad/release.sh sid
 	-ELASTICA_KERNELS=build123d $(RECORD) "releases: newest build123d" .venv-build123d/bin/python -m pytest \
@@ -87,11 +90,15 @@ campaign-releases: $(VENV)/test-installed .venv-build123d/installed .venv-cadque
 	ELASTICA_KERNELS=cadquery $(RECORD) "releases: newest CadQuery" .venv-cadquery/bin/python -m pytest \
 		-o addopts="-q --import-mode=importlib" tests/cad
 
+# README's commands on a Debian that has Python, make, git and the PACKAGES alone (needs root).
+campaign-fresh: $(VENV)/created
+	$(RECORD) fresh tests/campaign/fresh.sh $(PACKAGES)
+
 campaign-oldest: $(VENV)/test-installed $(OLDEST)/installed
 	ELASTICA_PURE=1 $(RECORD) oldest $(OLDEST)/bin/python -m pytest \
 		-o addopts="-q --import-mode=importlib --strict-markers" -m core tests/house tests/unit tests/properties tests/validation
 
-campaign-banks: $(VENV)/test-installed
+campaign-banks: programs $(VENV)/test-installed
 	$(RECORD) banks $(SUITE) -n 2 tests/unit tests/properties tests/validation tests/contract tests/house
 
 campaign-bodies: programs $(VENV)/test-installed
@@ -101,7 +108,7 @@ campaign-galleries: $(VENV)/test-installed
 	$(RECORD) galleries $(SUITE) -n 2 tests/examples
 
 # Sentences are random letters: nobody may read one.
-campaign-letters: $(VENV)/test-installed
+campaign-letters: programs $(VENV)/test-installed
 	$(RECORD) letters $(BIN)/python -m pytest -n 2 -p tests.campaign.letters tests/unit tests/contract tests/properties
 
 campaign-manual: programs $(VENV)/test-installed
@@ -151,7 +158,7 @@ campaign-soak: $(VENV)/test-installed
 
 # FreeCAD with the workbench as it lies here and an example open (0.20 takes options after the file only).
 freecad:
-	tests/freecad/setup.sh
+	@command -v freecad >/dev/null || { $(MAKE) --no-print-directory programs; }
 	freecad freecad_workbench/freecad/elastica_wb/example.py -M "$(CURDIR)"
 
 # Ratios of times in one run, on a machine that does nothing else; docs/explanation/speed.md is written anew.
@@ -174,7 +181,7 @@ $(VENV)/demo-installed: $(VENV)/created pyproject.toml $(SOURCES)
 $(VENV)/docs-installed: $(VENV)/created pyproject.toml $(SOURCES)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)docs]")
 
-$(VENV)/test-installed: $(VENV)/created pyproject.toml $(SOURCES)
+$(VENV)/test-installed: $(VENV)/created pyproject.toml $(SOURCES) $(MISSING)
 	$(call install,$(VENV),--editable ".[plot$(COMMA)dev]" "build123d==0.12.0" "cadquery==2.8.0")
 	@touch $(VENV)/demo-installed
 

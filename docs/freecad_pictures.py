@@ -1,6 +1,6 @@
 """Draws the pictures of the FreeCAD tools: python docs/freecad_pictures.py.
 
-Needs FreeCAD, Xvfb, openbox and ImageMagick (tests/freecad/setup.sh), and a Chinese font (fonts-wqy-microhei).
+Needs FreeCAD, Xvfb, openbox and ImageMagick (tests/setup.sh), and a Chinese font (fonts-wqy-microhei).
 """
 
 import sys

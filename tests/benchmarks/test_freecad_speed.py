@@ -8,7 +8,7 @@ import pytest
 from tests.freecad import launching
 
 pytestmark = pytest.mark.skipif(
-    shutil.which("xvfb-run") is None, reason="FreeCAD is not set up: run tests/freecad/setup.sh"
+    shutil.which("xvfb-run") is None, reason="FreeCAD is not set up: run tests/setup.sh"
 )
 
 

@@ -1,7 +1,6 @@
 """Curves, strips and independent measurements for the CAD tests, and which of these are meant to run."""
 
 import os
-import shutil
 from importlib.util import find_spec
 
 import numpy as np
@@ -28,8 +27,6 @@ MEANT = set(os.environ.get("ELASTICA_KERNELS", "build123d cadquery").split()) - 
 
 collect_ignore = [name for name, needs in NEEDS.items() if not needs <= MEANT]
 collect_ignore_glob = [] if MEANT else ["test_*.py"]
-if shutil.which("freecadcmd") is None and "CI" not in os.environ:
-    collect_ignore.append("test_step_in_freecad.py")
 
 
 def pytest_configure(config):

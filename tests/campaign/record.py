@@ -43,6 +43,7 @@ TESTED = {
     "banks": "long studies and random curves: results agree with other methods and with published numbers",
     "bodies": "bent and flat bodies in build123d and CadQuery stay valid when they are cut, joined and rounded",
     "elements": "strips from cutting files, bent by finite elements, take the drawn curve",
+    "fresh": "the first commands of the README work on a new Debian 12",
     "fuzz: commands": "commands with random options and values give a result or a message",
     "fuzz: compiled code": "the compiled code stays within its memory",
     "fuzz: cutting files": "outlines of random strips are closed, do not cross themselves and fit on the sheet",

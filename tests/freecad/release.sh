@@ -34,5 +34,5 @@ if [ "$(cat "$root/ready" 2>/dev/null)" != "$packages" ]; then
 	echo "$packages" >"$root/ready"
 fi
 chroot "$root" freecadcmd --version 2>/dev/null || true
-chroot "$root" env -u DISPLAY CI=1 PYTHONDONTWRITEBYTECODE=1 HOME=/root sh -c \
+chroot "$root" env -u DISPLAY PYTHONDONTWRITEBYTECODE=1 HOME=/root sh -c \
 	'cd /project && python3 -m pytest -p no:cacheprovider -q --import-mode=importlib -o addopts="" -o filterwarnings="" tests/freecad "$@"' sh "${@:2}"

@@ -1,7 +1,6 @@
 """Our files opened by programs nobody here wrote: their size to 0.01 mm, their layers, their closed loops.
 
-`tests/smoke/setup.sh` installs Inkscape, LibreCAD, OpenSCAD and Poppler from Debian,
-`tests/freecad/setup.sh` FreeCAD.
+`tests/setup.sh` installs Inkscape, LibreCAD, OpenSCAD, Poppler and FreeCAD from Debian.
 """
 
 import json

@@ -1,7 +1,7 @@
 """Cut files bent in CalculiX: what leaves the laser, held as designed, takes the drawn curve.
 
 One strip is bent in the everyday suite, the others in `make campaign-programs`.
-The whole campaign is `make campaign-elements`; `tests/smoke/setup.sh` installs ccx from Debian.
+The whole campaign is `make campaign-elements`; `tests/setup.sh` installs ccx from Debian.
 """
 
 from dataclasses import replace
