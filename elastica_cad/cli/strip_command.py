@@ -4,14 +4,19 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 import click
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.requested_curves import RequestedCurve, curve_argument, requested_curves
+from elastica_cad.cli.requested_curves import (
+    RequestedCurve,
+    curve_argument,
+    read_curves_with_note,
+    requested_curves,
+)
 from elastica_cad.cli.settings import FileKeys
 from elastica_cad.cli.strip_options import grouped, spec_from_options, strip_options, table_of, typed_change
 from elastica_cad.cli.suggestions import (
@@ -117,9 +122,10 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
+    read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
     for requested in curves:
         try:
-            spec = spec_from_options(requested.curve, requested.label, table)
+            spec = spec_from_options(requested.curve, requested.label, table, read_once)
             if len(curves) == 1:
                 suggest_later(partial(_refused_request, spec, requested, chosen), typed_change)
             result = _solve(requested, spec)

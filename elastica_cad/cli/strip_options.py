@@ -19,7 +19,7 @@ from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_
 from elastica_cad.cli.suggestions import typed_length, typed_line
 from elastica_cad.declared import REQUIRED, declared
 from elastica_cad.defaults import KERF
-from elastica_cad.design.records import Reader, paths_of, put
+from elastica_cad.design.records import CurveReader, Reader, paths_of, put
 from elastica_cad.design.strip_table import read_request
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import Change, InputError, rounded_up
@@ -249,14 +249,16 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
     return merged(table, settings)
 
 
-def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
+def spec_from_options(
+    curve: PlaneCurve, label: str, table: Mapping[str, Any], read_curves: CurveReader = read_curves_with_note
+) -> StripSpec:
     """Return the `StripSpec` that the table of the options defines. Errors name the options."""
     keys = {
         "label": label,
         **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},
     }
     try:
-        return read_request(Table(keys, "", {}), Reader(read_curves=read_curves_with_note), curve)
+        return read_request(Table(keys, "", {}), Reader(read_curves=read_curves), curve)
     except InputError as problem:
         field_names = problem.refusal.where.get("field", ())
         fields = (field_names,) if isinstance(field_names, str) else field_names

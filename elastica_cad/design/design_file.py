@@ -7,6 +7,7 @@ degrees). `design_schema.tables` lists all keys with their descriptions.
 import tomllib
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cache
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
@@ -210,11 +211,13 @@ def design_of(
             file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
         ))  # fmt: skip
     top.scope = top.within(data.get("let", {}))
-    reader = Reader(own_sheets(top, path), path.parent, read_curves)
+    # read each file once, because many strips may name the same file
+    read_surface = None if read_surface is None else cache(read_surface)
+    reader = Reader(own_sheets(top, path), path.parent, cache(read_curves), read_surface)
     revolution = None
     with slips.gathering():
         revolution = _read_revolution(top, reader)
-    entries, reports = _read_strips(top, reader, read_surface, slips)
+    entries, reports = _read_strips(top, reader, slips)
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
@@ -304,9 +307,7 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     return sheets
 
 
-def _read_strips(
-    top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
-) -> tuple[list[StripEntry], tuple[str, ...]]:
+def _read_strips(top: Table, reader: Reader, slips: Slips) -> tuple[list[StripEntry], tuple[str, ...]]:
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
@@ -318,7 +319,7 @@ def _read_strips(
             if table.has("sections"):
                 from elastica_cad.design.sections_table import read_sections
 
-                sections, section_reports = read_sections(_only_sections(table), reader, read_surface)
+                sections, section_reports = read_sections(_only_sections(table), reader)
                 reports += section_reports
             else:
                 sections = (None,) * table.count("count", 1)

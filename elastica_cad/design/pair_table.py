@@ -1,6 +1,7 @@
 """The table [pair] of a design file: a part with two rest shapes."""
 
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -54,5 +55,7 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     if len(set(ids.values())) == len(ids):
         names = {f"{state}_state": name for state, name in ids.items()}
         pair.defaults = Table(names, pair.where, pair.scope)
-    spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(FlexureSpec, pair)
+    spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, cache(read_curves)).record(
+        FlexureSpec, pair
+    )
     return spec

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from inspect import signature
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from elastica_cad._toml import parse_toml
 from elastica_cad.declared import (
@@ -34,6 +34,9 @@ from elastica_cad.refusals import Either
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
+
+if TYPE_CHECKING:
+    from elastica_cad.formats.mesh_files import SurfaceReader
 
 CurveReader = Callable[..., list[PlaneCurve]]
 """Function `read_curves(path, unit=...)`."""
@@ -183,6 +186,8 @@ class Reader:
         Folder to which names of files are relative.
     read_curves : callable or None
         Function that reads a curve file.
+    read_surface : callable or None
+        Function that reads a surface; by default, only meshes are read.
     sheet : Sheet or None
         Sheet of the strip whose table is read.
     """
@@ -190,6 +195,7 @@ class Reader:
     sheets: Mapping[str, Sheet] = field(default_factory=dict)
     folder: Path = field(default_factory=Path)
     read_curves: CurveReader | None = None
+    read_surface: "SurfaceReader | None" = None
     sheet: Sheet | None = None
 
     def record(self, record: Record, table: Table) -> Any:

@@ -12,7 +12,7 @@ from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
-from elastica_cad.formats.mesh_files import SurfaceReader, mesh_surface, read_sized_surface
+from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
 from elastica_cad.forming.section_lines import SectionCurve
 from elastica_cad.forming.section_spec import (
     AlongPath,
@@ -72,9 +72,7 @@ POSITION_KEYS = {"radial": "angles", "parallel": "offsets"}
 """Keys that set the positions of planes instead of their number."""
 
 
-def read_sections(
-    table: Table, reader: Reader, read_surface: SurfaceReader | None
-) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+def read_sections(table: Table, reader: Reader) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
     """Return the section curves that a table requests, with their planes, and messages.
 
     Raises
@@ -100,7 +98,7 @@ def read_sections(
         )
     with table.naming():
         surface = read_sized_surface(
-            read_surface or mesh_surface, path, unit=sections.unit, scale=sections.scale
+            reader.read_surface or mesh_surface, path, unit=sections.unit, scale=sections.scale
         )
         return sections.spec.curves(surface)
 

@@ -1,6 +1,7 @@
 """Conversion between a design file and the tables that the studio's page edits."""
 
 from collections.abc import Mapping
+from functools import cache
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
@@ -29,7 +30,7 @@ STARTS = ("pavilion", "revolution")
 def open_design(path: Path) -> Tables:
     """Return the tables of a design file, with curves as editable splines."""
     with read_below(path.parent, Path()):
-        return drawable(parse_design(path), path, read_curves)
+        return drawable(parse_design(path), path, cache(read_curves))
 
 
 def file_mark(path: Path | None) -> str:

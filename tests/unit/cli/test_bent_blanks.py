@@ -38,6 +38,14 @@ def test_a_strip_of_a_drawn_blank(drawn, monkeypatch):
     run("check", *asked)
 
 
+def test_the_unloaded_curve_of_many_strips_is_read_once(drawn, monkeypatch):
+    monkeypatch.chdir(drawn)
+    (drawn / "two.json").write_text(curves_json([ARCH, ARCH.transformed([[1, 0, 0], [0, 1, 90], [0, 0, 1]])]))
+    asked = ("two.json", "--all", "--natural-curvature", "blank.json", "--sheet", "birch-plywood-0.8")
+    told = run("strip", *asked, "--max-width", 20, "-o", "out")
+    assert len([line for line in told.output.splitlines() if line.startswith("Read")]) == 2
+
+
 def test_a_design_file_draws_the_blank(drawn):
     text = (
         'schema = 1\n[[strips]]\nlabel = "A"\nsheet = "birch-plywood-0.8"\nmax_width = 20\ncurve = "arch.json"\n'

@@ -17,6 +17,7 @@ from elastica_cad import (
 from elastica_cad.design import read_design
 from elastica_cad.design.records import parsed_line
 from elastica_cad.design.tables import Slips
+from elastica_cad.files import read_surface
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model import rocking_tabs
 
@@ -601,3 +602,29 @@ def test_the_name_of_a_curve_may_contain_the_number_of_the_strip(tmp_path):
     assert (first.label, second.label) == ("R1", "R2")
     assert np.ptp(first.curve.bounds, axis=0)[1] == pytest.approx(30, rel=1e-3)
     assert np.ptp(second.curve.bounds, axis=0)[1] == pytest.approx(45, rel=1e-3)
+
+
+@pytest.mark.parametrize("count", [3, 40])
+def test_each_file_is_read_once(dome, tmp_path, count):
+    """Curves, unloaded curves and meshes that several strips name are read from their files once."""
+    arc = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    for name in ("arch", "blank"):
+        write_curves([arc], tmp_path / f"{name}.json")
+    shared = f'count = {count}\ncurve = "arch.json"\nnatural_curvature.curve = "blank.json"\n'
+    cuts = [f"{DOME}parallel = {{ normal = [0, 1, 0], offsets = [{y}] }} }}" for y in (5, 10)]
+    tables = [*(f'label = "{name}{{i}}"\n{shared}' for name in "AB"), *cuts]
+    (tmp_path / "many.toml").write_text(
+        HEAD + "limits = {}\n" + "".join(f"[[strips]]\n{t}\n" for t in tables)
+    )
+    reads = []
+
+    def noted(read):
+        def reader(path, **options):
+            reads.append(path.name)
+            return read(path, **options)
+
+        return reader
+
+    design = read_design(tmp_path / "many.toml", noted(read_curves), noted(read_surface))
+    assert len(design.entries) == 2 * count + 2
+    assert sorted(reads) == ["arch.json", "blank.json", "dome.obj"]
