@@ -74,7 +74,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
     """
     has_elements = False
     try:
-        report = json.loads(path.read_text(encoding="utf-8"))
+        report = json.loads(path.read_text(encoding="utf-8-sig"))
         records = (
             {part["name"]: part["measuring"] for part in report["parts"]}
             if "parts" in report
@@ -137,7 +137,7 @@ def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str
     """
     text = ""
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
         table = parse_toml(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError(

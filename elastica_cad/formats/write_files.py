@@ -6,6 +6,7 @@ import re
 import shutil
 import sys
 import time
+from codecs import BOM_UTF8
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -112,7 +113,7 @@ def write_atomically(
                 file.close()
                 # another process may have written the file in the meantime
                 check_target(path, force=force)
-                os.replace(temporary, target)
+                _replace(temporary, target)
             except BaseException:
                 # Windows cannot remove an open file
                 file.close()
@@ -124,6 +125,22 @@ def write_atomically(
             "{path} cannot be written: {reason}; choose another place", path=path, reason=reason(error)
         ) from error
     return target
+
+
+EDITED = (".toml", ".csv", ".txt")
+"""Suffixes of texts that users edit. Their byte order mark and line ends are kept when they are overwritten."""
+
+
+def _replace(new: Path, target: Path) -> None:
+    """Move a file to `target`. A file that is overwritten keeps its mode and, if it is a text, its form."""
+    if target.exists():
+        if target.suffix.lower() in EDITED:
+            before, text = target.read_bytes(), new.read_bytes().removeprefix(BOM_UTF8)
+            mark = BOM_UTF8 if before.startswith(BOM_UTF8) else b""
+            line_end = b"\r\n" if 2 * before.count(b"\r\n") > before.count(b"\n") else b"\n"
+            new.write_bytes(mark + text.replace(b"\r\n", b"\n").replace(b"\n", line_end))
+        shutil.copymode(target, new)
+    os.replace(new, target)
 
 
 def reason(error: OSError) -> str:
@@ -370,7 +387,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
             path = target / name
             path.parent.mkdir(parents=True, exist_ok=True)
             was_there = path.exists()
-            os.replace(workshop / name, path)
+            _replace(workshop / name, path)
             new += [] if was_there else [path]
     except BaseException:
         for path in new:

@@ -152,6 +152,22 @@ def test_only_the_named_design_is_read_and_saved(tmp_path):
 
 
 @pytest.mark.campaign
+def test_a_saved_design_keeps_its_mode_line_ends_and_byte_order_mark(tmp_path):
+    path = tmp_path / "arch.toml"
+    lines = ["# mine", "schema = 1", 'sheet = "pom-1"', "max_width = 20", "[[strips]]",
+             "curve = { spline = [[0, 0], [50, 60], [100, 0]], degree = 2 }", ""]  # fmt: skip
+    path.write_bytes("\r\n".join(lines).encode("utf-8-sig"))
+    path.chmod(0o600)
+    with running(path, cwd=tmp_path) as server, server.page() as page:
+        changed = page.hello["design"] | {"max_width": 25, "smooth": 0.1}
+        assert page.ask("save", design=changed, mark=page.hello["mark"])["saved"] == "arch.toml"
+    saved = path.read_bytes()
+    assert saved.startswith("# mine".encode("utf-8-sig"))
+    assert b"max_width = 25\r\n" in saved
+    assert saved.count(b"\n") == saved.count(b"\r\n")
+    assert path.stat().st_mode & 0o777 == 0o600
+
+
 def test_pages_that_save_at_once_write_one_design_each_on_the_mark_of_the_other(tmp_path):
     path = tmp_path / "arch.toml"
     path.write_text(compose_design(design(max_width=20)))

@@ -6,6 +6,7 @@ import pytest
 
 from elastica_cad import InputError
 from elastica_cad.formats import write_atomically
+from elastica_cad.formats.write_files import File, write_files
 
 pytestmark = pytest.mark.core
 
@@ -106,3 +107,36 @@ def test_permissions_follow_the_users_mask(tmp_path):
     finally:
         os.umask(before)
     assert path.stat().st_mode & 0o777 == 0o640
+
+
+MARK = b"\xef\xbb\xbf"
+
+
+@pytest.mark.parametrize("mark", [b"", MARK])
+@pytest.mark.parametrize("line_end", [b"\n", b"\r\n"])
+@pytest.mark.parametrize("mode", [0o600, 0o664])
+def test_a_file_that_is_overwritten_keeps_its_mode_and_form(tmp_path, mark, line_end, mode):
+    """One file, or a folder of files; line ends of the new text do not matter."""
+    for name, new in (("a.toml", b"x = 2\ny = 3\n"), ("b.TXT", b"2\r\n3\r\n"), ("c.csv", MARK + b"2\n3\n")):
+        path = tmp_path / name
+        for write in (
+            lambda path, new: write_atomically(path, new, force=True),
+            lambda path, new: write_files(
+                [File(path.name, lambda file: file.write_bytes(new))], path.parent, force=True
+            ),
+        ):
+            path.write_bytes(mark + b"1" + line_end)
+            path.chmod(mode)
+            write(path, new)
+            text = new.removeprefix(MARK).replace(b"\r\n", b"\n").replace(b"\n", line_end)
+            assert path.read_bytes() == mark + text
+            assert path.stat().st_mode & 0o777 == mode
+
+
+def test_other_files_keep_their_mode_and_are_written_as_they_are(tmp_path):
+    path = tmp_path / "a.stl"
+    path.write_bytes(MARK + b"solid\r\n")
+    path.chmod(0o600)
+    write_atomically(path, b"\n\r\n\0", force=True)
+    assert path.read_bytes() == b"\n\r\n\0"
+    assert path.stat().st_mode & 0o777 == 0o600
