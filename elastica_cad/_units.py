@@ -89,6 +89,22 @@ def read_number(text: str) -> float:
     return float(text) if parts is None else int(parts[1] or 0) + int(parts[2]) / int(parts[3])
 
 
+def read_length(text: str) -> float | None:
+    """Return a length with its unit, in mm, or None for other text.
+
+    Examples
+    --------
+    >>> read_length("1.5in"), read_length('5/16"'), read_length("4 cm"), read_length("4")
+    (38.1, 7.9375, 40.0, None)
+    """
+    match = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", text)
+    unit = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
+    try:
+        return None if match is None else unit[match[2]] * read_number(match[1])
+    except (KeyError, ValueError):
+        return None
+
+
 def read_offset(text: str) -> float | None:
     """Return a length in inches, or None if the text is not in feet and inches.
 

@@ -18,6 +18,7 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, library_folders, plausible_number, require_flat
+from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
@@ -126,8 +127,8 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
         _warn_row(
             "Readings",
             f"Two measurements contradict each other: a droop of {short[1]:g} mm over {short[0]:g} mm gives an "
-            f"elasto-gravity length of {low:.4g} mm, a droop of {long[1]:g} mm over {long[0]:g} mm gives "
-            f"{high:.4g} mm. Measure again; if the sheet is curved, turn it over.",
+            f"elasto-gravity length of {Length(low)}, a droop of {long[1]:g} mm over {long[0]:g} mm gives "
+            f"{Length(high)}. Measure again; if the sheet is curved, turn it over.",
         )
 
 
@@ -217,8 +218,9 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
             f"{_GRAIN[sheet.grain]}. Measure how tightly your sheet bends, and add --least-radius MM.",
         )
     if is_listed:
-        listed_values = f"{sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa"
-        say_row(Row("Listed", f"elasto-gravity length {listed_values}"))
+        text = "elasto-gravity length {length:.3g}, E {modulus:.3g} MPa"
+        length, modulus = Length(sheet.elasto_gravity_length), sheet.youngs_modulus
+        say_row(Row("Listed", note(text, length=length, modulus=modulus)))
     elif least_radius is None:
         _warn_row(
             "Strain",

@@ -19,6 +19,15 @@ def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> l
     return [path for path in keys if path.startswith(typed)]
 
 
+FORMS: tuple[tuple[Record, str], ...] = (
+    (CommandKeys, ""),
+    (DesignKeys, ""),
+    (DesignKeys, "strips."),
+    (DesignKeys, "pair."),
+)
+"""Records of keys that `--set` accepts, and the table of a design file that contains each key."""
+
+
 @click.command("help")
 @click.argument("key", required=False, shell_complete=_keys_beginning_with)
 def help_command(key: str | None) -> None:
@@ -58,8 +67,11 @@ def _in_words(kind: Kind) -> str:
 
 
 def _explanation(path: str, option: str) -> str:
-    record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
-    if path.removeprefix("strips.") not in paths_of(record):
+    record, key = next(
+        ((record, f"{table}{path}") for record, table in FORMS if f"{table}{path}" in paths_of(record)),
+        (DesignKeys, path),
+    )
+    if key not in paths_of(record):
         options, word = _strip_options(), path.lstrip("-")
         if word in options:
             typed = " ".join(filter(None, [f"--{word}", options[word].metavar]))
@@ -75,7 +87,7 @@ def _explanation(path: str, option: str) -> str:
             raise InputError(
                 "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=near[0]
             )
-    field = require_path_of(path.removeprefix("strips."), record)
+    field = require_path_of(key, record)
     declaration = field.option
     lines = [help_with_unit(field.help, declaration.unit), f"Value: {_in_words(field.kind)}."]
     if declaration.bounds:
@@ -88,7 +100,9 @@ def _explanation(path: str, option: str) -> str:
         )
     elif field.default is REQUIRED:
         lines.append("Required.")
-    inner = [key.rpartition(".")[2] for key in paths_of(record) if key.rpartition(".")[0] == path]
+    inner = [
+        inner_key.rpartition(".")[2] for inner_key in paths_of(record) if inner_key.rpartition(".")[0] == key
+    ]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     typed = f"{option}=VALUE" if option.startswith("--set") else option

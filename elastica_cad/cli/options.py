@@ -1,13 +1,13 @@
 """Options that several commands share, and the parameter type of lengths."""
 
-import re
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
+from elastica_cad._units import MM_PER_INCH, read_length, read_number
 from elastica_cad.declared import Field
 
 if TYPE_CHECKING:
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 
 UNITS = {"mm": 1.0, "inch": MM_PER_INCH}
 """Size in mm of each unit that `--units` accepts."""
-
-_NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
@@ -43,13 +41,10 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if value in self.words:
             return value
         plain = UNITS[(ctx.find_root().params.get("units") if ctx else None) or "mm"]
-        match = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
-        number, scale = (value, plain) if match is None else (match[1], _NAMED.get(match[2], 0.0))
-        try:
-            length = scale * read_number(number)
-        except ValueError:
-            scale = 0.0
-        if not scale:
+        length = read_length(value)
+        with suppress(ValueError):
+            length = plain * read_number(value) if length is None else length
+        if length is None:
             accepted = ", ".join(["a number of mm", *(f"the word {word}" for word in self.words)])
             self.fail(
                 f"{value!r} is not a length: give {accepted}, or a length with its unit such as 1.5in or 4cm",

@@ -8,9 +8,10 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 import click
 
 from elastica_cad._toml import parse_toml
+from elastica_cad._units import read_length
 from elastica_cad.declared import Kind, Option, Record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
-from elastica_cad.design.records import paths_of, put, require_path_of, written
+from elastica_cad.design.records import help_with_unit, paths_of, put, require_path_of, written
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.errors import InputError, quoted
 
@@ -88,8 +89,29 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
                 "--set {text} has no value. Write KEY=VALUE, such as limits.ratio=3.", text=quoted(text)
             )
         require_path_of(path, record)
-        put(table, path, _toml_or_text(value))
+        put(table, path, _in_mm(_toml_or_text(value), path, record))
     return table
+
+
+def _in_mm(value: Any, path: str, record: Record) -> Any:
+    """Return the value of a key with lengths such as "0.2in" in mm."""
+    if isinstance(value, dict):
+        return {key: _in_mm(item, f"{path}.{key}", record) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_in_mm(item, path, record) for item in value]
+    length, field = read_length(value) if isinstance(value, str) else None, paths_of(record).get(path)
+    if length is None or field is None or not _has_numbers(field.kind):
+        return value
+    if field.option.unit != "mm":
+        raise InputError(
+            "{path} is {given}, but {path} is not a length. Write a number: {help}",
+            path=path, given=value, help=help_with_unit(field.help, field.option.unit),
+        )  # fmt: skip
+    return length
+
+
+def _has_numbers(kind: Kind) -> bool:
+    return kind.name in ("number", "count") or any(map(_has_numbers, written(kind).of))
 
 
 def _toml_or_text(text: str) -> Any:

@@ -31,7 +31,7 @@ from elastica_cad.errors import (
     quoted,
     toml_slip,
 )
-from elastica_cad.formats.source_file import read_below, require_below, require_file
+from elastica_cad.formats.source_file import file_in, read_below, require_below, require_file
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -292,7 +292,7 @@ class _Sheets(dict[str, Sheet]):
 
     def __missing__(self, name: str) -> Sheet:
         if ".toml" in name:
-            require_below(self.folder / f"{name.partition('.toml')[0]}.toml")
+            require_below(file_in(self.folder, f"{name.partition('.toml')[0]}.toml"))
         return Sheet.named(name, folder=self.folder)
 
 
@@ -301,7 +301,8 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     sheets = _Sheets()
     sheets.folder = path.parent
     if top.has("sheets_file"):
-        sheets.update(load_sheets(require_file(path.parent / top.text("sheets_file"))))
+        with top.naming("sheets_file"):
+            sheets.update(load_sheets(require_file(file_in(path.parent, top.text("sheets_file")))))
     if top.has("sheets"):
         sheets.update(sheets_from_table(top.raw("sheets"), where=str(path)))
     return sheets

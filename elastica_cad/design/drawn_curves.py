@@ -12,6 +12,7 @@ from elastica_cad.design.records import Reader, reads
 from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawn_file import CurveList
+from elastica_cad.formats.source_file import file_in
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map
@@ -117,13 +118,7 @@ class CurveOfFile(_Curve):
         file, name, layer = (
             text and text.replace("{i}", strip_number) for text in (self.file, self.id, self.layer)
         )
-        path = reader.folder / (file or "")
-        if not path.is_file():
-            raise InputError(
-                "{place}: the file {path} does not exist. Write its name relative to the design file.",
-                place=where,
-                path=path,
-            )
+        path = file_in(reader.folder, file or "")
         assert reader.read_curves is not None
         curves = reader.read_curves(path, unit=self.unit)
         if isinstance(curves, CurveList):
@@ -267,7 +262,8 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
             place=table.place(key),
         )
     if isinstance(value, str):
-        return CurveOfFile(file=value).drawn(reader, table.place(key), table)
+        with table.naming(key):
+            return CurveOfFile(file=value).drawn(reader, table.place(key), table)
     curve = table.table(key)
     kinds = [kind for kind in CURVES if kind in curve.data]
     if len(kinds) != 1:

@@ -13,6 +13,7 @@ from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
 from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
+from elastica_cad.formats.source_file import file_in
 from elastica_cad.forming.section_lines import SectionCurve
 from elastica_cad.forming.section_spec import (
     AlongPath,
@@ -89,14 +90,8 @@ def read_sections(table: Table, reader: Reader) -> tuple[tuple[SectionCurve, ...
                 key=key,
             )
     sections: SectionsTable = reader.record(SectionsTable, table)
-    path = reader.folder / sections.mesh
-    if not path.is_file():
-        raise InputError(
-            "{place}: the file {path} does not exist. Write its name relative to the design file.",
-            place=table.where,
-            path=path,
-        )
     with table.naming():
+        path = file_in(reader.folder, sections.mesh)
         surface = read_sized_surface(
             reader.read_surface or mesh_surface, path, unit=sections.unit, scale=sections.scale
         )

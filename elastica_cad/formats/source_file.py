@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from json import dumps
 from pathlib import Path
 from typing import TypeAlias
 
@@ -64,6 +65,20 @@ def require_file(path: str | Path) -> Path:
             path=path,
             size=size / 10**6,
             most=most // 10**6,
+        )
+    return path
+
+
+def file_in(folder: Path, name: str) -> Path:
+    """Return the path of a file that a design in `folder` names. Raise InputError if there is none."""
+    path = folder / name
+    if not path.is_file():
+        raise InputError(
+            "the file {name} does not exist. Write / in place of \\."
+            if any(character < " " or character == "\\" for character in name)
+            else "the file {path} does not exist. Write its name relative to the design file.",
+            name=dumps(name, ensure_ascii=False),
+            path=path,
         )
     return path
 

@@ -12,7 +12,7 @@ from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import USUAL_RATIO, Grain, Range, Sheet
-from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.refusals import BareLength, Length, Listed, note, sentences
 
 _NODES = 201
 
@@ -105,20 +105,20 @@ class Calibration:
             grain=grain,
             kind=kind,
             source=f"cantilever test, {counted(len(self.readings), 'reading')}, elasto-gravity length "
-            f"{self.elasto_gravity_length:.2f} +- {self.uncertainty:.2f} mm",
+            f"{BareLength(self.elasto_gravity_length)} +- {Length(self.uncertainty)}",
             youngs_modulus_range=limits,
         )
 
     def __str__(self) -> str:
         length, off = self.elasto_gravity_length, Length(self.uncertainty)
-        lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
+        lines = [note("elasto-gravity length {length:.3g} +- {off:.3g}", length=length, off=off)]
         if len(self.readings) > 1:
             lines.append(
-                note("from each reading alone: {readings:.2f}", readings=Listed(map(Length, self.readings)))
+                note("from each reading alone: {readings:.3g}", readings=Listed(map(Length, self.readings)))
             )
         if self.youngs_modulus is not None and self.youngs_modulus_uncertainty is not None:
             modulus, apart = self.youngs_modulus, self.youngs_modulus_uncertainty
-            lines.append(note("Young's modulus {modulus:.0f} +- {off:.0f} MPa", modulus=modulus, off=apart))
+            lines.append(note("Young's modulus {modulus:.3g} +- {off:.3g} MPa", modulus=modulus, off=apart))
         return sentences(lines, "\n")
 
 

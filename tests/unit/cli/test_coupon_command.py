@@ -47,9 +47,24 @@ def test_a_measured_coupon_becomes_a_sheet(tmp_path):
     assert sheet.elasto_gravity_length == pytest.approx(96.05, abs=1e-4)
     assert sheet.least_radius == pytest.approx(22)
     assert (sheet.thickness, sheet.density, sheet.grain) == (0.22, 900, "along")
-    assert "elasto-gravity length 96.05 +-" in result.output
+    assert "elasto-gravity length 96.1 +- 0.475 mm" in result.output
     assert "Listed      elasto-gravity length " in result.output
     assert "a guess" not in result.output
+
+
+@pytest.mark.parametrize(
+    ("thickness", "density", "overhang", "droop", "modulus"),
+    [
+        (1.1, 120, 60, 30, "0.498 +- 0.0229 MPa"),
+        (5, 30, 20, 10, "0.000223 +- 0.0000308 MPa"),
+        (3, 7850, 900, 30, "280000 +- 4720 MPa"),
+    ],
+)
+def test_soft_and_stiff_sheets_are_printed_with_three_digits(
+    tmp_path, thickness, density, overhang, droop, modulus
+):
+    sizes = ("--thickness", thickness, "--density", density, "--measured", overhang, droop)
+    assert f"Young's modulus {modulus}\n" in run("coupon", *sizes, "-o", tmp_path).output
 
 
 def test_what_nobody_measured_is_told(tmp_path):

@@ -628,3 +628,30 @@ def test_each_file_is_read_once(dome, tmp_path, count):
     design = read_design(tmp_path / "many.toml", noted(read_curves), noted(read_surface))
     assert len(design.entries) == 2 * count + 2
     assert sorted(reads) == ["arch.json", "blank.json", "dome.obj"]
+
+
+@pytest.mark.parametrize(
+    ("keys", "named"),
+    [
+        (r'curve = "rib\rib.svg"', r"curve: the file \"rib\rib.svg\""),
+        (r'curve = { file = "a\new\bow.dxf" }', r"curve: the file \"a\new\bow.dxf\""),
+        (
+            rf'{ARC}{chr(10)}natural_curvature.curve = "x\f.csv"',
+            r"natural_curvature: curve: the file \"x\f.csv\"",
+        ),
+        (r'sections = { mesh = "my\table.obj", radial = {} }', r"sections: the file \"my\table.obj\""),
+        (rf'{ARC}{chr(10)}sheet = "lib\test.toml:felt"', r"sheet: the file \"lib\test.toml\""),
+        (r"curve = 'rib\arch.svg'", r"curve: the file \"rib\\arch.svg\""),
+    ],
+)
+def test_a_backslash_in_the_name_of_a_file_is_named(read, keys, named):
+    with pytest.raises(InputError) as refused:
+        read(f"{HEAD}[[strips]]\n{keys}\n")
+    assert f"{named} does not exist. Write / in place of \\." in str(refused.value).replace('"', r"\"")
+
+
+def test_a_backslash_in_the_name_of_a_file_of_sheets_is_named(read):
+    with pytest.raises(
+        InputError, match=r'sheets_file: the file "a\\nb\.toml" does not exist. Write / in place'
+    ):
+        read(f'sheets_file = "a\\nb.toml"\n{HEAD}[[strips]]\n{ARC}\n')
