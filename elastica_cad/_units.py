@@ -94,8 +94,8 @@ def read_length(text: str) -> float | None:
 
     Examples
     --------
-    >>> read_length("1.5in"), read_length('5/16"'), read_length("4 cm"), read_length("4")
-    (38.1, 7.9375, 40.0, None)
+    >>> read_length("2in"), read_length('5/16"'), read_length("4 cm"), read_length("4")
+    (50.8, 7.9375, 40.0, None)
     """
     match = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", text)
     unit = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}

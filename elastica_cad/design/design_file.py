@@ -18,10 +18,11 @@ import numpy as np
 from elastica_cad._text import quote_words
 from elastica_cad._toml import parse_toml
 from elastica_cad._values import several, value_key
+from elastica_cad.declared import require_bounds
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit
-from elastica_cad.design.records import CurveReader, Reader, names_of
-from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
+from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of
+from elastica_cad.design.strip_table import SHARED, StripEntry, StripKeys, read_strip
 from elastica_cad.design.tables import Slips, Table, merged
 from elastica_cad.errors import (
     ElasticaError,
@@ -37,7 +38,7 @@ from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
-from elastica_cad.refusals import ended, note
+from elastica_cad.refusals import Listed, ended, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
 
@@ -141,15 +142,16 @@ class Design:
         if refused:
             raise _merged_error(refused)
         plates: tuple[Ring | Rib, ...] = ()
+        notes: tuple[str, ...] = ()
         if self.revolution is not None:
             surface = self.revolution.model(self.name)
-            placed, plates = [*surface.placed, *placed], surface.plates
+            placed, plates, notes = [*surface.placed, *placed], surface.plates, surface.reports
         if failed and not placed:
             raise failed[0]
         without = tuple(
             note("{said} This section is left out.", said=ended(problem.refusal)) for problem in failed
         )
-        model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
+        model = Model(tuple(placed), self.name, reports=(*notes, *without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
         if self.interlock is None:
@@ -214,10 +216,13 @@ def design_of(
     # read each file once, because many strips may name the same file
     read_surface = None if read_surface is None else cache(read_surface)
     reader = Reader(own_sheets(top, path), path.parent, cache(read_curves), read_surface)
-    revolution = None
+    revolution: RevolutionTable | None = None
+    notes: tuple[str, ...] = ()
     with slips.gathering():
-        revolution = _read_revolution(top, reader)
+        revolution, notes = _read_revolution(top, reader)
     entries, reports = _read_strips(top, reader, slips)
+    for sheet in [*(entry.sheet for entry in entries[:1]), *([revolution.sheet] if revolution else [])][:1]:
+        _check_overridden(top, replace(reader, sheet=sheet), slips)
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
@@ -242,7 +247,7 @@ def design_of(
         patterns=tuple(patterns),
         interlock=interlocked,
         kit=kit,
-        reports=reports if revolution is None else (*revolution.reports, *reports),
+        reports=reports if revolution is None else (*notes, *revolution.reports, *reports),
         revolution=revolution,
     )
 
@@ -267,21 +272,44 @@ def parse_design(path: Path) -> dict[str, Any]:
         ) from error
 
 
-def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, or None. Keys at the top of the design are defaults.
+def _read_revolution(top: Table, reader: Reader) -> "tuple[RevolutionTable | None, tuple[str, ...]]":
+    """Return the surface of revolution of a design, or None, and notes. Keys at the top of the design are defaults.
 
     Without holders, `ends` is two tabs of length 0 by default.
     """
     if not top.has("revolution"):
-        return None
+        return None, ()
     from elastica_cad.design.revolution_table import INHERITED, read_revolution
 
     table = top.table("revolution")
-    table.defaults = Table({key: top.raw(key) for key in INHERITED if top.has(key)}, top.where, top.scope)
+    # points and equations are not smoothed
+    used = [key for key in INHERITED if top.has(key) and (key != "smooth" or table.has("curve"))]
+    idle = [key for key in SHARED if top.has(key) and key not in used]
+    if idle and not top.has("strips"):
+        raise InputError(
+            "{place} has no effect on a surface of revolution, whose strips follow its meridian and touch each "
+            "other. Leave out {keys}.",
+            place=top.place(idle[0]),
+            keys=Listed(idle),
+        )
+    table.defaults = Table({key: top.raw(key) for key in used}, top.where, top.scope)
     revolution = read_revolution(table, reader)
     if revolution.ends is None and revolution.rings is None and not any(map(top.has, HOLDERS)):
-        return replace(revolution, ends=(Tab(0.0), Tab(0.0)))
-    return revolution
+        revolution = replace(revolution, ends=(Tab(0.0), Tab(0.0)))
+    text = "The surface of revolution does not use these keys at the top of the design: {keys}."
+    return revolution, (note(text, keys=Listed(idle)),) if idle else ()
+
+
+def _check_overridden(top: Table, reader: Reader, slips: Slips) -> None:
+    """Check the shared keys at the top of a design whose values all parts override."""
+    parts, scope = top.tables("strips") or [top.table("revolution")], {**top.scope, "i": 1.0}
+    for part in parts:
+        scope |= Table(part.data, part.where, scope).within(part.raw("let", {}))
+    shared = Table(top.data, top.where, scope)
+    for entry in fields_of(DesignKeys):
+        if entry.name in SHARED and top.has(entry.name) and all(part.has(entry.name) for part in parts):
+            with slips.gathering():
+                require_bounds(entry, reader.value(entry.kind, shared, entry.name), top.place(entry.name))
 
 
 class _Sheets(dict[str, Sheet]):

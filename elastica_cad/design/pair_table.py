@@ -9,12 +9,14 @@ from typing import Any
 from elastica_cad.design.design_file import own_sheets, parse_design
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import CurveReader, Reader, names_of
+from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of
+from elastica_cad.design.strip_table import SHARED
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import InputError
 from elastica_cad.formats.source_file import require_file
 from elastica_cad.pairs.flexure import STATES
 from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.refusals import Listed
 
 
 def read_pair(
@@ -52,9 +54,19 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     pair = top.table("pair")
     curves = {state: pair.raw(state) for state in STATES}
     ids = {state: curve["id"] for state, curve in curves.items() if isinstance(curve, dict) and "id" in curve}
+    own = {entry.name: entry.kind for entry in fields_of(FlexureSpec)}
+    given = [entry for entry in fields_of(DesignKeys) if entry.name in SHARED and top.has(entry.name)]
+    idle = [entry.name for entry in given if own.get(entry.name) != entry.kind]
+    if idle and not top.has("strips"):
+        raise InputError(
+            "{place} has no effect on a part with two states. Leave out {keys}, or write them below [pair].",
+            place=top.place(idle[0]),
+            keys=Listed(idle),
+        )
+    defaults = {entry.name: top.raw(entry.name) for entry in given if entry.name not in idle}
     if len(set(ids.values())) == len(ids):
-        names = {f"{state}_state": name for state, name in ids.items()}
-        pair.defaults = Table(names, pair.where, pair.scope)
+        defaults |= {f"{state}_state": name for state, name in ids.items()}
+    pair.defaults = Table(defaults, pair.where, pair.scope)
     spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, cache(read_curves)).record(
         FlexureSpec, pair
     )

@@ -11,11 +11,15 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option
 from elastica_cad.defaults import BORDER
-from elastica_cad.design.records import Reader
+from elastica_cad.design.records import Reader, names_of
+from elastica_cad.design.strip_table import SHARED
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError, NotConvergedError, StrainError
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import PointForce
+from elastica_cad.mechanics.loads import Gravity, PointMass
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.held_tabs import tab_seats
 from elastica_cad.model.model import Model
@@ -25,6 +29,8 @@ from elastica_cad.model.revolution_model import revolve, revolved_strip
 from elastica_cad.model.spacers import Spacers
 from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, ended, note, sentences
 from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip_spec import GravityOption
+from elastica_cad.strip.styles import PLAIN, Style
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 Pair: TypeAlias = tuple[float, float]
@@ -67,7 +73,16 @@ class RevolutionTable:
     b: Annotated[Pair | None, Option("Change of this value along the meridian.", "1/mm")] = None
     start: Annotated[Pair | None, Option("Start of the meridian.", "mm")] = None
     angle: Annotated[float | None, Option("Angle of the tangent at the start.", "rad")] = None
-    length: Annotated[float | None, Option("Length of the meridian.", "mm", least=0)] = None
+    length: Annotated[
+        float | None,
+        Option("Length of the meridian; points and profiles are scaled to it.", "mm", above=0),
+    ] = None
+    smooth: Annotated[
+        float | None,
+        Option(
+            "Largest distance by which smoothing may move the profile; 0 keeps it as drawn.", "mm", least=0
+        ),
+    ] = None
     ring: Annotated[float | None, Option("Distance of its end from the axis.", "mm", least=0)] = None
     strips: Annotated[int, Option("Number of strips.", least=3, most=1000)] = 16
     thickness: Annotated[
@@ -82,10 +97,45 @@ class RevolutionTable:
         tuple[Tab, Tab] | None,
         Option("Tab for both ends, or one for the start and one for the end.", written=Tab | tuple[Tab, Tab]),
     ] = None
+    style: Annotated[
+        Style, Option("Style; the width of its outline is the width of the touching strips.")
+    ] = PLAIN
+    engrave: Annotated[str | None, Option("Text engraved on each strip.", most=200)] = None
+    compensate: Annotated[
+        bool, Option("Correct the widths for narrow tabs and curling; the strips then leave gaps.")
+    ] = False
+    creep: Annotated[float, Option("Long-term creep factor of the sheet; 0 for no creep.", least=0)] = 0.0
+    gravity: Annotated[
+        GravityOption,
+        Option(
+            "Weight of the strips: true, or the direction of gravity along the axis.",
+            written=bool | tuple[float, float, float] | tuple[float, float] | Gravity,
+        ),
+    ] = None
+    loads: Annotated[
+        tuple[PointMass | PointForce, ...],
+        Option("Masses and forces on each strip; x is away from the axis, and y is the height."),
+    ] = ()
     shop: Annotated[FabricationLimits, Option("Limits of the workshop.")] = DEFAULT_LIMITS
     ignore_limits: Annotated[
         bool, Option("Make strips beyond the limits of the workshop, with a warning.")
     ] = False
+
+    def __post_init__(self) -> None:
+        if not self.gravity and any(isinstance(load, PointMass) for load in self.loads):
+            raise InputError(
+                "A point mass needs gravity in the plane of the curve. Set {gravity}.",
+                gravity=FieldName("gravity"),
+                where={"field": "gravity"},
+            )
+        if self.creep and any(isinstance(load, PointForce) for load in self.loads):
+            raise InputError(
+                "Rails, pins, ties and point forces cannot be combined with {what}. Leave out {field}, or these "
+                "elements.",
+                what=note("creep"),
+                field=FieldName("creep"),
+                where={"field": ("creep", "loads")},
+            )
 
     @cached_property
     def meridian(self) -> Meridian:
@@ -96,8 +146,15 @@ class RevolutionTable:
                 "The meridian is missing. Add one of the keys 'points' and 'curve', or the keys {own_keys}.",
                 own_keys=", ".join(EQUATION_KEYS),
             )
-        if self.curve is not None or self.points:
-            return meridian_through(self._profile or list(self.points), ring=self.ring)
+        profile: PlaneCurve | FloatArray = self._profile or np.array(self.points)
+        if self.smooth is not None and self.curve is None:
+            raise InputError("The key 'smooth' applies only to a profile. Set the key 'curve'.")
+        if self.smooth and isinstance(profile, PlaneCurve):
+            profile = smooth_curve(profile, self.smooth).curve
+        if self.length is not None and self.a is None:
+            profile = _scaled(profile, self.length / meridian_through(profile).curve.length)
+        if self.a is None:
+            return meridian_through(profile, ring=self.ring)
         values: Any = [getattr(self, key) for key in EQUATION_KEYS]
         missing = [key for key in EQUATION_KEYS if getattr(self, key) is None]
         if missing:
@@ -135,7 +192,8 @@ class RevolutionTable:
         try:
             return self._model(name)
         except InputError as problem:
-            if self.rings is None or self.meridian.at_pole or self._breaks_without_tabs:
+            fixed = problem.refusal.where.get("field") in ("style.width", "gravity", "loads")
+            if fixed or self.rings is None or self.meridian.at_pole or self._breaks_without_tabs:
                 raise
             tested = [*self._without_ends(), *self._larger_openings(), *self._fewer_strips()]
             if not tested:
@@ -241,7 +299,10 @@ class RevolutionTable:
 
     @property
     def _strip_options(self) -> dict[str, Any]:
-        return {key: getattr(self, key) for key in ("sheet", "ends", "rings", "gap", "shop")}
+        keys = (
+            "sheet", "ends", "rings", "gap", "shop", "style", "engrave", "compensate", "creep", "gravity", "loads",
+        )  # fmt: skip
+        return {key: getattr(self, key) for key in keys}
 
     def _model(self, name: str) -> Model:
         return revolve(
@@ -278,10 +339,19 @@ class RevolutionTable:
         return tuple(reports)
 
 
+def _scaled(profile: PlaneCurve | FloatArray, factor: float) -> PlaneCurve | FloatArray:
+    """Enlarge a profile about the point of the axis at the height of its start."""
+    points = profile.control_points if isinstance(profile, PlaneCurve) else profile
+    raised = (1 - factor) * points[0, 1]
+    if isinstance(profile, PlaneCurve):
+        return profile.transformed([[factor, 0, 0], [0, factor, raised], [0, 0, 1]])
+    return np.asarray(factor * profile + np.array([0, raised]), dtype=float)
+
+
 EQUATION_KEYS = ("a", "b", "start", "angle", "length")
 """Keys of a meridian that is defined by its equation."""
 
-INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
+INHERITED = tuple(key for key in SHARED if key in names_of(RevolutionTable))
 """Keys whose default values are the values at the top of the design file."""
 
 

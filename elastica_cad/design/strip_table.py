@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 from elastica_cad._values import require_positive
 from elastica_cad.declared import Option, Record
 from elastica_cad.design.drawn_curves import read_drawn_curve
-from elastica_cad.design.records import Reader, fields_of
+from elastica_cad.design.records import Reader, fields_of, names_of
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
@@ -50,6 +50,10 @@ CurveLength: TypeAlias = Annotated[
         group="curve",
     ),
 ]
+
+
+SHARED = (*names_of(SharedKeys), "length")
+"""Keys at the top of a design file that apply to the strips, and to other parts that have these keys."""
 
 
 @dataclass(frozen=True)

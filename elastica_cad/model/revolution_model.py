@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole, require_flag, require_number, require_record
+from elastica_cad._values import is_whole, require_flag, require_number, require_record, several
 from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import FaultError, InputError
 from elastica_cad.forming.meridians import Meridian
@@ -17,6 +17,8 @@ from elastica_cad.forming.meridians import meridian as make_meridian
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.elements import PointForce
+from elastica_cad.mechanics.loads import Gravity, PointMass
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.frames import Rib
@@ -25,10 +27,16 @@ from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import add_second_plates
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.model.spacers import add_spacers
-from elastica_cad.refusals import Length, ended, sentences
-from elastica_cad.strip.makeable_strip import refuse_broken
+from elastica_cad.refusals import FieldName, Length, ended, note, sentences
+from elastica_cad.strip.held_shape import about, deviation_from
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.makeable_strip import compensate_within, refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
+from elastica_cad.strip.own_weight import bent_under, carried_percentage
+from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip_spec import GravityOption, pull_in_plane
+from elastica_cad.strip.styles import PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.strip.uncuttable_parts import (
     DEFAULT_LIMITS,
     FabricationLimits,
@@ -166,6 +174,12 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
     return width
 
 
+SAME_WIDTH = 5e-3
+"""Largest relative difference between the width of an outline that is requested and that of touching strips."""
+
+VISIBLE_GAP_MM = 0.05
+"""Least gap or overlap between neighbouring strips, mm, that is reported."""
+
 MOST_STRIPS = 1000
 """Largest number of strips. A sphere of 1 m would then have strips 3 mm wide."""
 
@@ -224,8 +238,14 @@ def revolve(
     name: str = "revolution",
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
+    style: Style = PLAIN,
+    engrave: str | None = None,
+    compensate: bool = False,
+    creep: float = 0.0,
+    gravity: GravityOption = None,
+    loads: Sequence[PointMass | PointForce] = (),
 ) -> Model:
-    """Return the model of a surface of revolution about z, tiled by equal plain strips along its meridians.
+    """Return the model of a surface of revolution about z, tiled by equal strips along its meridians.
 
     Parameters
     ----------
@@ -256,6 +276,20 @@ def revolve(
         Limits of the workshop.
     ignore_limits : bool
         Make strips and rings beyond these limits, and list the faults in their warnings.
+    style : Plain, Perforated or Laminated
+        Style of the strips. The width of its outline must be the width of touching strips at their widest place.
+    engrave : str, optional
+        Text engraved on each strip.
+    compensate : bool
+        Correct the widths, as in `StripSpec`. The strips become at most as wide as touching strips, so they leave
+        gaps.
+    creep : float
+        Long-term creep factor of the sheet.
+    gravity : Gravity, bool or direction, optional
+        Weight of the strips, as in `StripSpec`; its direction must be along the axis. The touching widths stay, so
+        weight and loads move the strips from the meridian.
+    loads : sequence of PointMass and PointForce
+        Loads on each strip. The x axis of the plane of a strip is away from the axis, and its y axis is z.
 
     Examples
     --------
@@ -276,7 +310,13 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    request = _Request(strips, sheet, ends, rings, gap, spacers, border, holes, shop, ignore_limits)
+    require_style(style)
+    request = _Request(
+        strips, sheet, ends, rings, gap, shop, style, engrave, compensate, creep,
+        _gravity_along_axis(gravity, sheet),
+        several("loads", loads, PointMass | PointForce, "PointMass or PointForce"),
+        spacers, border, holes, ignore_limits,
+    )  # fmt: skip
     try:
         placed, plates, reports = request.made(meridian)
     except InputError as problem:
@@ -288,19 +328,24 @@ def revolve(
     return Model(placed, name=name, plates=plates, reports=reports)
 
 
+def _gravity_along_axis(gravity: GravityOption, sheet: Sheet) -> Gravity | None:
+    acting, share = pull_in_plane(gravity or None, sheet, Frame(y_axis=(0.0, 0.0, 1.0)))
+    if gravity and (acting is None or max(abs(acting.direction[0]), abs(share - 1)) > SLOPE_TOLERANCE):
+        raise InputError(
+            "{gravity} must act along the axis of a surface of revolution, because all its strips are equal. Use "
+            "true or [0, 0, 1].",
+            gravity=FieldName("gravity"),
+            where={"field": "gravity"},
+        )
+    return acting
+
+
 def revolved_strip(
-    meridian: Meridian,
-    strips: int,
-    *,
-    sheet: Sheet,
-    ends: tuple[Tab, Tab] | None,
-    rings: Sheet | None,
-    gap: float | None,
-    shop: FabricationLimits,
+    meridian: Meridian, strips: int, *, sheet: Sheet, gravity: GravityOption, **options: Any
 ) -> Strip:
     """Return the strip of `revolve` without its checks."""
-    request = _Request(strips, sheet, ends, rings, gap, None, BORDER, None, shop, ignore_limits=True)
-    return request._placed(meridian)[0].strip
+    acting = _gravity_along_axis(gravity, sheet)
+    return _Request(strips, sheet, gravity=acting, **options)._placed(meridian)[0].strip
 
 
 Made: TypeAlias = tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]
@@ -313,11 +358,17 @@ class _Request:
     ends: tuple[Tab, Tab] | None
     rings: Sheet | None
     gap: float | None
-    spacers: int | None
-    border: float
-    holes: PlateHoles | None
     shop: FabricationLimits
-    ignore_limits: bool
+    style: Style
+    engrave: str | None
+    compensate: bool
+    creep: float
+    gravity: Gravity | None
+    loads: Sequence[PointMass | PointForce]
+    spacers: int | None = None
+    border: float = BORDER
+    holes: PlateHoles | None = None
+    ignore_limits: bool = True
     narrower: float = 0.0
 
     def made(self, meridian: Meridian) -> Made:
@@ -343,9 +394,10 @@ class _Request:
         """
         placed = self._placed(meridian)
         checks: list[Callable[[], Any]] = self._checks(placed)
+        notes = self._notes(meridian, placed[0].strip)
         if self.rings is None:
             *_, warnings = _results_of(checks)
-            return placed, (), warnings
+            return placed, (), (*notes, *warnings)
         heights = meridian.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
         names = end_names("ring", (heights[0], heights[-1]))
@@ -362,6 +414,7 @@ class _Request:
             for end in ENDS
         ]
         _, warnings, *made = _results_of(checks)
+        warnings = (*notes, *warnings)
         plates: tuple[Ring, ...] = tuple(made)
         if self.gap is not None:
             plates = add_second_plates(
@@ -376,17 +429,70 @@ class _Request:
         return placed, (*rings, *spacers), warnings
 
     def _placed(self, meridian: Meridian) -> tuple[Placed, ...]:
-        width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
-        tabs = self._tabs(meridian)
-        strip = _Gore(
+        width, tabs = meridian.width(self.strips), self._tabs(meridian)
+        widest, style = float(width.extremes[1]), self.style
+        if isinstance(style, Perforated | Laminated):
+            drawn = width_profile(style.width, meridian.curve.length, "the width of the outline")
+            if abs(float(drawn.extremes[1]) / widest - 1) > SAME_WIDTH:
+                raise InputError(
+                    "The {count} strips touch each other, so their largest width is {width:.4g}. Set {field} to "
+                    "this width, or change the number of strips.",
+                    count=self.strips,
+                    width=Length(widest),
+                    field=FieldName("style.width"),
+                    where={"field": "style.width"},
+                )
+            style = replace(style, width=width)
+        strip: Strip = _Gore(
             meridian.rod,
             self.sheet,
-            max_width=width,
+            max_width=widest if isinstance(style, Plain) else None,
+            style=style,
             ends=self.ends or tabs,
+            engrave=self.engrave,
+            creep=self.creep,
             widest_tabs=None if self.rings is None else tabs,
         )
+        if self.compensate:
+            strip = compensate_within(strip, self.shop)
+        if strip.max_width is not None and strip.correction is not None:
+            s = strip.rod.s
+            strip = replace(strip, max_width=widest * float((width(s) / strip.width(s)).min()))
+        strip = self._loaded(strip)
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
         return tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+
+    def _loaded(self, strip: Strip) -> Strip:
+        """Return the strip in its rest shape under its weight and loads."""
+        if self.gravity is None and not self.loads:
+            return strip
+        rod = bent_under(strip, self.gravity, self.loads)
+        if rod is None:
+            raise InputError(
+                "Under {carried:.2g} % of their weight and loads, the strips snap into another shape. Reduce the "
+                "loads, or use a thicker sheet.",
+                carried=carried_percentage(strip, self.gravity, self.loads),
+                where={"field": "loads" if self.loads else "gravity"},
+            )
+        return replace(strip, rod=rod, max_width=None)
+
+    def _notes(self, meridian: Meridian, strip: Strip) -> tuple[str, ...]:
+        """Return notes on the movement by weight and loads, and on gaps between the strips."""
+        notes, rod = list[str](), strip.rod
+        if self.compensate and strip.correction is None:
+            notes.append(note("No correction of the widths makes the strips more accurate."))
+        if rod is not meridian.rod:
+            far = about(deviation_from(meridian.rod, rod.position))
+            notes.append(
+                note("The weight and the loads move the strips by up to {far} from the meridian.", far=far)
+            )
+        gaps = 2 * np.tan(np.pi / self.strips) * rod.position[:, 0] - strip.width(rod.s)
+        if float(np.abs(gaps).max()) > VISIBLE_GAP_MM:
+            notes.append(note(
+                "The strips do not touch everywhere: gaps are up to {gap} wide, and overlaps up to {overlap}.",
+                gap=about(max(float(gaps.max()), 0.0)), overlap=about(max(-float(gaps.min()), 0.0)),
+            ))  # fmt: skip
+        return tuple(notes)
 
     def _checks(self, placed: Sequence[Placed]) -> list[Callable[[], Any]]:
         strip = placed[0].strip
@@ -442,6 +548,11 @@ class _Gore(Strip):
     """Strip of a surface of revolution with rings, in which wider tabs than `widest_tabs` would meet."""
 
     widest_tabs: tuple[Tab, Tab] | None = None
+
+    @property
+    def is_widest(self) -> bool:
+        """False, because the number of strips determines their width."""
+        return False
 
     @property
     def _tab_rooms(self) -> tuple[float, float]:

@@ -1,11 +1,13 @@
 """Effect of the weight of a strip that was designed without weight."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend, has_snapped
-from elastica_cad.mechanics.loads import Gravity, Weight
+from elastica_cad.mechanics.bending import bend, has_snapped, part_of_change
+from elastica_cad.mechanics.elements import PointForce
+from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import FieldName, Refusal, note
 from elastica_cad.strip.held_shape import about, deviation_from
@@ -32,6 +34,36 @@ COLLAPSES = (
 )
 
 
+def bent_under(
+    strip: Strip, gravity: Gravity | None, loads: Sequence[PointMass | PointForce] = (), fraction: float = 1.0
+) -> Rod | None:
+    """Return the rest shape under a fraction of weight and loads, or None if the strip loses its stability."""
+    rod, weight = strip.rod, None
+    if gravity is not None:
+        share = fraction * (strip.sheet.elasto_gravity_length / gravity.length) ** 3
+        weight = Weight(alpha=Profile.interpolate(rod.s, share * strip.layout.weight_at(rod.s)))
+    heavy = replace(
+        rod, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness, warnings=()
+    )
+    try:
+        bent = bend(heavy, **(part_of_change(heavy, {"loads": loads}, fraction) if loads else {}))
+    except NotConvergedError:
+        return None
+    lost = bent.discrete.unstable_modes > rod.discrete.unstable_modes
+    return None if has_snapped(bent) or lost else bent
+
+
+def carried_percentage(
+    strip: Strip, gravity: Gravity | None, loads: Sequence[PointMass | PointForce] = ()
+) -> float:
+    """Return the percentage of weight and loads under which the strip loses its stability."""
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if bent_under(strip, gravity, loads, middle) is None else (middle, high)
+    return 100 * high
+
+
 def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     """Return the warning that the weight of a strip matters, or None.
 
@@ -48,29 +80,13 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
         return None
     if rod.discrete.unstable_modes:
         return None
-    light = replace(rod, warnings=())
-    share = (strip.sheet.elasto_gravity_length / gravity.length) ** 3
-    newtons = share * strip.layout.weight_at(rod.s)
-
-    def under(fraction: float) -> Rod | None:
-        weight = Weight(alpha=Profile.interpolate(rod.s, fraction * newtons))
-        heavy = replace(light, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness)
-        try:
-            bent = bend(heavy)
-        except NotConvergedError:
-            return None
-        return None if has_snapped(bent) or bent.discrete.unstable_modes else bent
-
     try:
-        bent = under(1.0)
+        bent = bent_under(strip, gravity)
     except InputError:  # `bend` refuses a straight strip whose ends are as far apart as the strip is long
         return None
     if bent is None:
-        low, high = 0.0, 1.0
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            low, high = (low, middle) if under(middle) is None else (middle, high)
-        return note(COLLAPSES, carried=100 * high, gravity=FieldName("gravity"), severity="warning")
+        carried = carried_percentage(strip, gravity)
+        return note(COLLAPSES, carried=carried, gravity=FieldName("gravity"), severity="warning")
     moved = deviation_from(rod, bent.position)
     if moved <= MOVES_FRACTION * rod.length:
         return None

@@ -422,9 +422,12 @@ def correct_layout(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
-    layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # `with_stiffness` divides K by its minimum, so divide the stiffness for K = 1 by the same number
-    return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
+    # `with_stiffness` divides K by its minimum, so the stiffness for K = 1 is multiplied by the same number
+    least, changed = float(corrected(rod.s).min()), rod.with_stiffness(corrected)
+    if rod.bending_stiffness is not None:
+        changed = replace(changed, bending_stiffness=least * rod.bending_stiffness)
+    layout = style.laid_out(changed, sheet, **widths)
+    return replace(layout, bending_stiffness=layout.bending_stiffness / least)
 
 
 @lru_cache(maxsize=_CACHED_RODS)
