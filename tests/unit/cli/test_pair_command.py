@@ -8,6 +8,8 @@ import ezdxf
 import numpy as np
 import pytest
 
+from elastica_cad import InputError, read_curves
+from elastica_cad.design.pair_table import read_pair
 from elastica_cad.plot.drawing_process import drawing_process
 from tests.command_line import run
 
@@ -204,3 +206,18 @@ def test_what_cannot_be_made_is_refused_in_one_sentence(words, told, tmp_path, m
 def test_a_model_command_names_the_one_that_makes_pairs(tmp_path):
     said = run("model", EXAMPLES / "clip.toml", "-o", tmp_path / "out", code=2)
     assert "elastica pair" in said.output
+
+
+def test_keys_at_the_top_of_a_design_apply_to_a_pair_or_are_refused(tmp_path):
+    states = "".join(
+        f"{state} = {{ spline = [[0, 0], [27, 0], [53, {y}], [105, {y}], [123, 0], [150, 0]], degree = 4 }}\n"
+        for state, y in (("first", 24), ("second", -20))
+    )
+    path = tmp_path / "clip.toml"
+    path.write_text(f'schema = 1\nsheet = "pom-2"\nsmooth = 0.2\n[pair]\n{states}')
+    spec = read_pair(path, read_curves)
+    assert (spec.sheet.name, spec.smooth) == ("pom-2", 0.2)
+    for key in ("max_width = 9", "limits = { ratio = 3 }", "gravity = true"):
+        path.write_text(f'schema = 1\nsheet = "pom-2"\n{key}\n[pair]\n{states}')
+        with pytest.raises(InputError, match=f"{key.split()[0]} has no effect on a part with two states"):
+            read_pair(path, read_curves)

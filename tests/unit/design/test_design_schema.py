@@ -256,7 +256,9 @@ margin = 3
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
     'points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, 140]]\n',
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
-    'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\naxis_x = 10\n',
+    'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\naxis_x = 10\nsmooth = 0.5\n'
+    'style = { kind = "perforated", width = 30 }\nengrave = "A"\ncompensate = true\ncreep = 0.5\ngravity = true\n'
+    'loads = [{ at = 20, mass = 3 }]\n',
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
     'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\n'
     'axis = { spline = [[10, 0], [10, 45], [10, 90]], degree = 2 }\n',

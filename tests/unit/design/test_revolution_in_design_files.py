@@ -348,3 +348,134 @@ def test_counts_and_hopeless_points(read):
         read("[revolution]\npoints = [[50, 0], [60, 50], [50, 1e-6], [60, 51]]\n")
     with pytest.raises(InputError, match="has no strips"):
         read("")
+
+
+BODY = f"[revolution]\n{POINTS}\nstrips = 20\n"
+
+
+def strip_of(read, top="", inside=""):
+    return read(f"{top}\n{BODY}{inside}\n").model().strips[0]
+
+
+@pytest.mark.parametrize("inside", [False, True])
+@pytest.mark.parametrize(
+    "key",
+    ["engrave = 'X'", "creep = 0.4", "gravity = true\nloads = [{ at = 60, mass = 3 }]", "length = 150",
+     "style = { kind = 'perforated', width = 40, columns = 3 }", "compensate = true"],
+)  # fmt: skip
+def test_keys_of_a_strip_act_at_the_top_and_below_the_heading(read, key, inside):
+    plain, changed = strip_of(read), strip_of(read, *(("", key) if inside else (key,)))
+    assert changed.drawing() != plain.drawing() or changed.rod.gravity or changed.creep
+    if "engrave" in key:
+        assert changed.engraved == "X"
+    if "creep" in key:
+        assert changed.crept is not None
+    if "length" in key:
+        assert changed.rod.length == pytest.approx(150, rel=1e-6)
+        assert changed.width(75.0) / changed.width(0.0) == pytest.approx(
+            plain.width(plain.rod.length / 2) / plain.width(0.0), rel=1e-6
+        )
+
+
+def test_weight_and_loads_move_the_strips_and_are_reported(read):
+    """The widths stay those of touching strips; the force at the top and the bottom is the whole weight."""
+    plain = strip_of(read)
+    model = read(f"gravity = [0, 0, -1]\nloads = [{{ at = 60, mass = 20 }}]\n{BODY}").model()
+    strip = model.strips[0]
+    assert strip.width(strip.rod.s) == pytest.approx(plain.width(plain.rod.s))
+    hung = (strip.layers[0].area * 1e-9 * strip.sheet.thickness * strip.sheet.density + 0.020) * 9.80665
+    up = strip.reactions().start_force[1] + strip.reactions().end_force[1]
+    assert up == pytest.approx(hung, rel=1e-3)
+    far = np.hypot(*(strip.rod.position - plain.rod.position).T).max()
+    moved, apart = model.reports
+    assert moved == f"The weight and the loads move the strips by up to {far:.2g} mm from the meridian."
+    assert "do not touch everywhere" in apart
+
+
+def test_a_load_that_the_strips_cannot_carry_is_refused(read):
+    """Forces towards the axis press the shallow bulge through; a small part of them does not."""
+
+    def barrel(force):
+        body = "points = [[300, 0], [313, 100], [317, 200], [313, 300], [300, 400]]\nstrips = 40\n"
+        return read(f"loads = [{{ at = 200, force = [{force}, 0] }}]\n[revolution]\n{body}").model()
+
+    with pytest.raises(
+        InputError, match=r"of their weight and loads, the strips snap into another"
+    ) as refused:
+        barrel(-0.02)
+    carried = float(re.search(r"Under ([\d.]+) %", str(refused.value))[1]) / 100
+    assert barrel(-0.02 * 0.95 * carried).strips[0].rod.discrete.unstable_modes == 0
+    with pytest.raises(InputError):
+        barrel(-0.02 * 1.05 * carried)
+
+
+def test_compensated_strips_are_no_wider_than_touching_strips(read):
+    sheet = "sheet = 'polypropylene-0.8'\n"
+    drawn, model = strip_of(read, inside=sheet), read(f"compensate = true\n{BODY}{sheet}").model()
+    strip = model.strips[0]
+    assert strip.held_deviation < drawn.held_deviation / 4
+    gaps = drawn.width(drawn.rod.s) - strip.width(drawn.rod.s)
+    assert gaps.min() == pytest.approx(0, abs=1e-3)
+    assert f"gaps are up to {gaps.max():.2g} mm wide, and overlaps up to 0 mm" in model.reports[0]
+    narrow = read(f"compensate = true\n{BODY}ends = {{ length = 8, width = 15 }}\n").model()
+    assert narrow.reports == ("No correction of the widths makes the strips more accurate.",)
+
+
+def test_a_drawn_profile_is_smoothed(read, tmp_path):
+    drawn = ec.PlaneCurve.spline([(70, 0), (110, 20), (125, 60), (90, 90), (80, 140)], degree=2)
+    ec.write_curves([drawn], tmp_path / "profile.json")
+    profile = "[revolution]\ncurve = 'profile.json'\naxis_x = 0\nstrips = 20\n"
+    lengths = [read(f"smooth = {mm}\n{profile}").revolution.meridian.curve.length for mm in (0, 3)]
+    assert lengths[0] != pytest.approx(lengths[1], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("top", "inside", "message"),
+    [
+        (
+            "max_width = 20\nlimits = {}",
+            "",
+            "max_width has no effect on a surface of revolution.*max_width and limits",
+        ),
+        ("natural_curvature = 0.01", "", "Leave out natural_curvature"),
+        ("smooth = 1", "", "Leave out smooth"),
+        ("", "max_width = 20", "unknown key 'max_width'"),
+        ("gravity = 'zzz'", "", "gravity is 'zzz'"),
+        ("gravity = 'zzz'", "gravity = true", "gravity is 'zzz'"),
+        ("creep = -1", "creep = 1", "creep"),
+        ("gravity = [1, 0, 0]", "", "must act along the axis"),
+        ("gravity = [0, 0.1, -1]", "", "must act along the axis"),
+        ("loads = [{ at = 50, mass = 500 }]", "", "A point mass needs gravity"),
+        ("loads = [{ at = 50, force = [1, 0] }]\ncreep = 1", "", "cannot be combined with creep"),
+        ("style = { kind = 'perforated', width = 30 }", "", r"width is 40\.03 mm. Set style.width"),
+        ("", "smooth = 1", "'smooth' applies only to a profile"),
+    ],
+)
+def test_keys_without_effect_on_touching_strips_are_refused(read, top, inside, message):
+    with pytest.raises(InputError, match=message):
+        read(f"{top}\n{BODY}{inside}\n").model()
+
+
+ARCH = "[[strips]]\nlabel = 'A'\ncurve = { spline = [[0, 0], [50, 60], [100, 0]], degree = 2 }\n"
+
+
+def test_a_note_names_keys_that_only_the_other_strips_use(read):
+    design = read(f"max_width = 20\nsmooth = 0.1\ncreep = 0.3\n{BODY}{ARCH}")
+    assert design.reports[0] == (
+        "The surface of revolution does not use these keys at the top of the design: max_width and smooth."
+    )
+    assert [strip.creep for strip in design.model().strips] == [0.3] * 21
+
+
+@pytest.mark.parametrize("key", ["gravity = 'zzz'", "max_width = -3", "limits = { ratio = 0.5 }", "law = 3"])
+def test_a_value_that_all_strips_override_is_checked(read, key):
+    name = key.split()[0]
+    own = {"gravity": "false", "max_width": "20", "limits": "{}", "law": "{ kind = 'rod', limits = [3, 4] }"}[
+        name
+    ]
+    with pytest.raises(InputError, match=f"{name}"):
+        read(f"{key}\n{ARCH}{'' if 'w' in name else 'max_width = 20'}\n{name} = {own}\n")
+    formula = (
+        f"max_width = '2 * half'\n{ARCH}max_width = 20\n{ARCH.replace('A', 'B')}max_width = 9\nlet.half = 5\n"
+    )
+    assert len(read(formula).entries) == 2
