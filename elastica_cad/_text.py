@@ -1,4 +1,4 @@
-"""Text for people: escaping of text from files, and quoting of commands for a shell."""
+"""Text for people: names, names of files, escaping of text from files, and quoting of commands for a shell."""
 
 import os
 import re
@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from contextvars import ContextVar
 from html import escape
 from pathlib import PurePath, PurePosixPath, PureWindowsPath
+from unicodedata import category, normalize
 
 _SUSPECT = re.compile(
     r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
@@ -56,6 +57,78 @@ def _escaped(match: re.Match[str]) -> str:
         return sign
     pair = sign.encode("utf-16-be", "surrogatepass").hex()
     return "".join(f"\\u{pair[at : at + 4]}" for at in range(0, len(pair), 4))
+
+
+_OVERRIDES = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+"""Signs that change the direction of the text after them, with which a name could look like another name."""
+
+_INVISIBLE = re.compile(
+    "[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u3164\ufe00-\ufe0f\uffa0\U000e0100-\U000e01ef]"
+)
+"""Letters and marks without width. Other signs without width are in the category Cf of Unicode."""
+
+
+def plain_name(text: str) -> str:
+    r"""Return a name in Unicode's normal form C, with plain spaces and without signs that have no width.
+
+    Signs that change the direction of writing are kept, so that `require_name` can refuse them.
+
+    Examples
+    --------
+    >>> plain_name("A\u00a01\u00ad"), plain_name("Tra\u0308ger") == "Tr\u00e4ger"
+    ('A 1', True)
+    """
+    signs = (" " if category(sign) == "Zs" else sign for sign in _INVISIBLE.sub("", text))
+    return normalize("NFC", "".join(sign for sign in signs if category(sign) != "Cf" or sign in _OVERRIDES))
+
+
+LONGEST_WORD, LONGEST_WORD_BYTES = 60, 96
+"""Largest number of characters and of bytes of a name in a file name, which may contain two names.
+
+File systems limit file names to 255 bytes."""
+
+_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # Windows device names
+
+
+def file_word(text: str) -> str:
+    """Return the text with only characters that are valid in file names on all systems.
+
+    Letters, marks and digits of all scripts are kept.
+
+    Examples
+    --------
+    >>> file_word("P 1/2: top"), file_word("../Łuk/左")
+    ('P-1-2-top', 'Łuk-左')
+    >>> file_word("con.txt")  # a device of Windows
+    'con_.txt'
+    """
+    signs = (sign if category(sign)[0] in "LMN" or sign in "_.-" else " " for sign in plain_name(text))
+    word = "-".join("".join(signs).split())[:LONGEST_WORD]
+    word = word.encode()[:LONGEST_WORD_BYTES].decode(errors="ignore").strip("-.") or "part"
+    return _DEVICE.sub(r"\1_", word)
+
+
+def distinct(names: Iterable[str]) -> list[str]:
+    """Return the names with numbers appended to repeated names.
+
+    Names that differ only in case count as equal, because some file systems ignore case.
+
+    Examples
+    --------
+    >>> distinct(["A", "B", "a"])
+    ['A', 'B', 'a-2']
+    """
+    names = list(names)
+    first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
+    taken, unique = set(first), []
+    for i, name in enumerate(names):
+        number, candidate = 1, name
+        while first.get(name.casefold()) != i and candidate.casefold() in taken:
+            number += 1
+            candidate = f"{name}-{number}"
+        taken.add(candidate.casefold())
+        unique.append(candidate)
+    return unique
 
 
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")

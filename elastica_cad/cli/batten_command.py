@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad.cli.options import (
@@ -84,15 +85,12 @@ def batten(**chosen: Any) -> None:
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
     """
-    name = chosen["name"]
-    if "/" in name or "\\" in name:
-        raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)
     spec = BattenSpec(
         chosen["length"],
         chosen["camber"] / 100,
         chosen["at"] / 100,
         _stock(chosen),
-        name,
+        chosen["name"],
         chosen["full"] / 100,
         chosen["lying"],
     )
@@ -226,7 +224,7 @@ def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
 def _write(
     strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
 ) -> tuple[Path, ...]:
-    name, drawing = chosen["name"], bench_drawing(strip, stations)
+    name, drawing = file_word(chosen["name"]), bench_drawing(strip, stations)
     files = [
         File(f"{name}.csv", lambda path: write_text(path, bench_csv(strip, stations))),
         *(File(f"{name}.{kind}", partial(save, drawing)) for kind in ("svg", "dxf")),

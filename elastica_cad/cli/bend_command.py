@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
     IDLE_DOWN,
@@ -204,7 +205,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         )
         say(f"the strip is designed for {curve.name} {designed}, and here bent with {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
-    name = f"{curve.stem if curve is not None else 'straight'}-bent"
+    name = f"{file_word(curve.stem) if curve is not None else 'straight'}-bent"
     moved = None
     verdicts: Sequence[Stability]
     change = _bend_keywords(rod if strip is None else strip.rod_to_bend, strip, chosen)

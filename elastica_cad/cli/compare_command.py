@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from elastica_cad._text import distinct, file_word
 from elastica_cad.cli.options import LENGTH
 from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
@@ -13,7 +14,6 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.report_rows import Row
-from elastica_cad.strip.pieces import file_word
 
 
 def _unknown(strip: str, path: Path, strips: Sequence[str]) -> InputError:
@@ -69,13 +69,14 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
             }
         )
         return
-    pages = {f"{report.stem}-{file_word(strip)}" if strip else report.stem: strips[strip] for strip in strips}
+    stem = file_word(report.stem)
+    names = distinct(f"{stem}-{file_word(strip)}" if strip else stem for strip in strips)
     files = (
         *(
             File(f"{name}-measure.svg", partial(save, measuring_page(name, measuring)))
-            for name, measuring in pages.items()
+            for name, measuring in zip(names, strips.values(), strict=True)
         ),
-        File(f"{report.stem}-measured.toml", lambda path: write_text(path, blank_readings(strips))),
+        File(f"{stem}-measured.toml", lambda path: write_text(path, blank_readings(strips))),
     )
     wrote(write_files(files, report.parent, force=force))
     answer({"expected": expected.get("", expected)})

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from elastica_cad._text import quote_words
+from elastica_cad._text import file_word, quote_words
 from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
 from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_row, wrote
@@ -82,9 +82,7 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
     if name_or_file is not None and chosen["sheet"] is not None:
         refuse_extra_words([name_or_file])
     chosen["sheet"] = name_or_file or chosen["sheet"]
-    sheet, name = require_flat(_sheet_of_coupon(chosen)), chosen["name"]
-    if name and ("/" in name or "\\" in name):
-        raise InputError("{name!r} cannot be part of a file name. Leave out / and \\.", name=name)
+    sheet = require_flat(_sheet_of_coupon(chosen))
     if chosen["measured"]:
         _calibrate(sheet, chosen)
         return
@@ -96,7 +94,7 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
             )
     overhang = chosen["overhang"]
     drawing = coupon_drawing(sheet, overhang=overhang, width=chosen["width"], clamp=chosen["clamp"])
-    files = [File(f"{drawing.name}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
+    files = [File(f"{file_word(drawing.name)}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
     written = write_files(files, chosen["output"], force=chosen["force"])
     answer({"sheet": sheet, "measured": None})
     wrote(written)
@@ -199,7 +197,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
     measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
-    file = File(f"{name}.toml", lambda path: write_text(path, measured_sheet.toml()))
+    file = File(f"{file_word(name)}.toml", lambda path: write_text(path, measured_sheet.toml()))
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": measured_sheet, "measured": result})
     for line in str(result).split("\n"):

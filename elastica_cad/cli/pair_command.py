@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 import click
 
+from elastica_cad._text import file_word
 from elastica_cad.cli.options import (
     given_of,
     join_options,
@@ -91,7 +92,7 @@ def pair(**chosen: Any) -> None:
         spec, cutting = read_pair(path, read_curves, settings), read_cutting(path, cut)
     else:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
-    name = chosen["name"] or path.stem
+    name = file_word(chosen["name"] or path.stem)
     # raise the error for an unknown kerf before the long computation
     sheet = Sheet.of(spec.sheet)
     cut_as = cut_text(cutting.options(sheet)["kerf"], sheet.kerf)

@@ -13,6 +13,7 @@ from typing import Any, TypeVar, get_args
 
 import click
 
+from elastica_cad._text import distinct, file_word, plain_name
 from elastica_cad._toml import parse_toml
 from elastica_cad.cli.options import join_options
 from elastica_cad.cli.voice import say_row, voice, warn
@@ -26,7 +27,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.report_rows import Row
-from elastica_cad.strip.lettering import engravable
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -113,6 +113,8 @@ class RequestedCurve:
         Number of curves in the file.
     name : str
         Stem of the names of output files.
+    label : str
+        Default label of the strip: the name of the curve with the number of the piece, or the name of the file.
     which : tuple of str
         Command line arguments that select the curve among several requested curves.
     unit : str or None
@@ -128,16 +130,11 @@ class RequestedCurve:
     whole: DrawnCurve
     count: int
     name: str
+    label: str
     which: tuple[str, ...] = ()
     unit: str | None = None
     own: str = ""
     alone: bool = False
-
-    @property
-    def label(self) -> str:
-        """Default of the engraved text: the name of the curve with the number of the piece, or `name`."""
-        piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
-        return engravable(f"{self.own}{piece}" if self.own else self.name)
 
     @property
     def curve(self) -> PlaneCurve:
@@ -189,24 +186,31 @@ def requested_curves(
     selected = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
     in_files = _names_by_number(selected)
     in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
-    return tuple(
-        RequestedCurve(
-            path,
-            piece,
-            whole,
-            len(drawing),
-            _file_stem(
-                path,
-                (in_files[whole.number][0] or str(whole.number)) if every else number,
-                piece.piece if piece.pieces > 1 else None,
-            ),
-            ("--curve", str(piece.number)) if several else (),
-            unit,
-            *in_drawing.get(whole.number, ("", False)),
+    pieces = [
+        (whole, piece) for whole in selected for piece in (whole.split_at_corners() if split else (whole,))
+    ]
+    words = []
+    for whole, piece in pieces:
+        which = (in_files[whole.number][0] or str(whole.number)) if every else number
+        words.append([path.stem, *([which] if which else []), *_number_of(piece)])
+    stems = distinct("-".join(map(file_word, parts)) for parts in words)
+    curves = []
+    for (whole, piece), parts, stem in zip(pieces, words, stems, strict=True):
+        own, alone = in_drawing.get(whole.number, ("", False))
+        label = _printable("-".join([own, *_number_of(piece)] if own else parts))
+        which_options = ("--curve", str(piece.number)) if several else ()
+        curves.append(
+            RequestedCurve(path, piece, whole, len(drawing), stem, label, which_options, unit, own, alone)
         )
-        for whole in selected
-        for piece in (whole.split_at_corners() if split else (whole,))
-    )
+    return tuple(curves)
+
+
+def _number_of(piece: DrawnCurve) -> list[str]:
+    return [str(piece.piece)] if piece.pieces > 1 else []
+
+
+def _printable(name: str) -> str:
+    return "".join(sign if sign.isprintable() else "_" for sign in plain_name(name))
 
 
 def drawn_curves(
@@ -237,25 +241,16 @@ def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]
 
     A name of several curves is followed by the number. A curve that the user did not name has the name "".
     """
-    counts = Counter(_file_word(curve.name).casefold() for curve in curves)
+    counts = Counter(file_word(curve.name).casefold() for curve in curves)
     names = {}
     for curve in curves:
-        alone = counts[_file_word(curve.name).casefold()] == 1
+        alone = counts[file_word(curve.name).casefold()] == 1
         # the name of an unnamed DXF shape, such as SPLINE 2F, ends with its handle
         handle = curve.id and curve.name.endswith(f" {curve.id}")
         has_name = not handle and re.match(r"_|[^\W\d]", curve.name) is not None
         text = (curve.name if alone else f"{curve.name}-{curve.number}") if has_name else ""
         names[curve.number] = text, has_name and alone
     return names
-
-
-def _file_word(name: str) -> str:
-    return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
-
-
-def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
-    words = [] if number is None else [_file_word(number) or "1"]
-    return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])
 
 
 END_NAMES = get_args(EndName)

@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
@@ -90,7 +91,8 @@ def reshape(
         originals, handles, {name: place for name, place in corners.items() if place is not None}
     )
     changed = [drawn_curve.transformed(matrix) for drawn_curve in originals]
-    files = [File(f"{curve.stem}-reshaped.{kind}", partial(_write_curves, changed)) for kind in KINDS]
+    name = f"{file_word(curve.stem)}-reshaped"
+    files = [File(f"{name}.{kind}", partial(_write_curves, changed)) for kind in KINDS]
     written = write_files(files, output, force=force)
     reports = []
     for count, pair in enumerate(zip(originals, changed, strict=True), start=1):

@@ -9,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad.cli.options import (
     LENGTH,
     SPACE_POINT,
@@ -178,7 +179,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     for text in reports:
         say_row(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note"))
     answer({"sections": verdicts})
-    name = f"{mesh.stem}-sections"
+    name = f"{file_word(mesh.stem)}-sections"
     plane_curves = [curve.curve for curve in curves]
     files = [
         File(f"{name}.json", lambda path: write_text(path, curves_json(plane_curves))),

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
+from elastica_cad._text import plain_name
 from elastica_cad._values import require_record
 from elastica_cad.declared import Field, Option, declared, require_declared
 from elastica_cad.defaults import KERF
@@ -194,7 +195,9 @@ class HolderSpec:
         from elastica_cad.model.spacers import add_spacers
 
         named = zip(model.placed, strip_names(model.placed), strict=True)
-        placed = [strip for strip, name in named if any(fnmatchcase(name, text) for text in self.strips)]
+        placed = [
+            strip for strip, name in named if any(fnmatchcase(name, plain_name(text)) for text in self.strips)
+        ]
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(

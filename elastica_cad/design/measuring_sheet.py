@@ -16,7 +16,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import MARKS, heights_of_marks
-from elastica_cad.strip.lettering import Text
+from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.measuring import (
     ANGLES,
     LENGTHS,
@@ -205,7 +205,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
     places = ", ".join(f"{place:.1f}" for place in measuring.marks)
     rows = [
-        (name, "Measure the strip in its fixture."),
+        (engravable(name), "Measure the strip in its fixture."),
         ("Marks", f"1, 2 and 3 at {places} mm along the free part"),
         ("Signs", "Heights above the chord and angles of ends that rise from it are positive."),
     ]

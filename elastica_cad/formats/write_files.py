@@ -102,7 +102,7 @@ def write_atomically(
             name=type(content).__name__,
         )
     target = check_target(path, force=force)
-    temporary = target.with_name(f".{target.name[:100]}.{os.urandom(6).hex()}.part")
+    temporary = target.with_name(f".{target.name[:40]}.{os.urandom(6).hex()}.part")
     try:
         with temporary.open("xb") as file:
             try:
@@ -397,6 +397,10 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
     for path in (target / name for name in names):
+        if target not in path.parents or ".." in path.parts:
+            raise InputError(
+                "{path} is outside the folder {folder}: give the file another name", path=path, folder=target
+            )
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:
             raise InputError(

@@ -1,6 +1,6 @@
 """Kit of a model: nested sheets, parts, lists, report, assembly and pictures in one folder."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
@@ -9,6 +9,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
+from elastica_cad._text import distinct, file_word
 from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.measuring_sheet import measuring_of, measuring_page
@@ -20,14 +21,14 @@ from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.model.assembly import engraved_marks, single_holders
-from elastica_cad.model.cut_rows import CutList, Stock
+from elastica_cad.model.cut_rows import CutList, CutListRow, Stock
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.refusals import one_of_each
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
-from elastica_cad.strip.pieces import Piece, distinct, file_word
+from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 if TYPE_CHECKING:
@@ -111,10 +112,12 @@ def model_kit(
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
-    name, files, used_names = file_word(model.name), list[File](), set[str]()
-    listed = contents.cut_list.in_files(_file_of_each_piece(contents, parts=parts))
-    blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else NOT_WRITTEN) for row in listed.printed)
-    listed = replace(listed, printed=tuple(blocks))
+    name, files = file_word(model.name), list[File]()
+    blocks = (
+        replace(row, file=f"{PARTS}/{row.file}" if step else NOT_WRITTEN) for row in contents.cut_list.printed
+    )
+    rows = tuple(_rows_in_files(contents, parts=parts))
+    listed = replace(contents.cut_list, rows=rows, printed=tuple(blocks))
     csv, txt, json, page = _list_names(name)
     if pictures:
         files.append(
@@ -135,26 +138,16 @@ def model_kit(
         files += _assemblies(contents, f"{MODEL}/{name}", shapes)
     if pictures:
         files.append(File(f"{MODEL}/{name}.png", partial(_draw_model, contents), "picture of the model"))
-    for nest in () if cutting.service else contents.nests:
-        stem = f"{SHEETS}/{file_word(nest.name)}"
+    for stem, nest in () if cutting.service else _stems_of_nests(contents):
         if nest.sheet is not None:
             files += cutting_files(nest, stem, cutting, nest.sheet, "nested sheet")
         if pictures:
             files.append(File(f"{stem}.png", partial(_draw_nest, nest), "picture of a sheet"))
-    for piece in contents.pieces if parts else ():
+    for stem, piece in _stems_of_parts(contents) if parts else ():
         if piece.is_rod and cutting.service:
             continue
         kind = "side view of a rod" if piece.is_rod else "part"
-        cut = cutting_files(piece.drawing, f"{PARTS}/{piece.file_stem}", cutting, piece.sheet, kind)
-        names = {file.name.casefold() for file in cut}
-        if used_names & names:
-            raise InputError(
-                "{name}: another part has the same file {file_stem}.svg. Choose labels that differ in more "
-                "than capital letters and signs.",
-                name=piece.name,
-                file_stem=piece.file_stem,
-            )
-        files, used_names = [*files, *cut], used_names | names
+        files += cutting_files(piece.drawing, stem, cutting, piece.sheet, kind)
     if step:
         files += _block_files(contents, shapes)
     files.append(File(json, lambda path: write_json(path, report), "report"))
@@ -314,17 +307,23 @@ def _has_holders(contents: KitContents) -> bool:
     return bool(contents.holders or contents.model.plates)
 
 
-def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    named = contents.spec.cutting.file_name
+def _stems_of_parts(contents: KitContents) -> Iterator[tuple[str, Piece]]:
+    stems = distinct(piece.file_stem for piece in contents.pieces)
+    yield from zip((f"{PARTS}/{stem}" for stem in stems), contents.pieces, strict=True)
+
+
+def _stems_of_nests(contents: KitContents) -> Iterator[tuple[str, NestedSheet]]:
+    stems = distinct(file_word(nest.name) for nest in contents.nests)
+    yield from zip((f"{SHEETS}/{stem}" for stem in stems), contents.nests, strict=True)
+
+
+def _rows_in_files(contents: KitContents, *, parts: bool) -> Iterator[CutListRow]:
+    """Yield the rows of the cut list with the files that are written."""
+    sheets = {piece: stem for stem, nest in _stems_of_nests(contents) for piece in nest.pieces}
     no_file = not parts or contents.spec.cutting.service
-    rods = {piece.name: "" for piece in contents.pieces if piece.is_rod and no_file}
-    if parts:
-        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces} | rods
-    return rods | {
-        piece: f"{SHEETS}/{named(file_word(nest.name), 'dxf')}"
-        for nest in contents.nests
-        for piece in nest.pieces
-    }
+    for (stem, piece), row in zip(_stems_of_parts(contents), contents.cut_list.rows, strict=True):
+        name = contents.spec.cutting.file_name(stem if parts else sheets.get(piece.name, ""), "dxf")
+        yield replace(row, file="" if piece.is_rod and no_file else name)
 
 
 def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.files import step_trouble
@@ -16,7 +17,6 @@ from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import STATES, Flexure, State
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import FieldName, Length, Refusal, note
-from elastica_cad.strip.pieces import distinct, file_word
 
 
 @dataclass(frozen=True, eq=False)

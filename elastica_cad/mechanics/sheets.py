@@ -17,6 +17,7 @@ from typing import Annotated, Any, Literal, TypeAlias, get_args
 import numpy as np
 
 from elastica_cad._notebook import html_table
+from elastica_cad._text import plain_name
 from elastica_cad._toml import parse_toml
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path, with_article
@@ -96,14 +97,20 @@ def _advise_key(key: str) -> str:
     )
 
 
-def require_printable(text: str, where: str) -> str:
-    """Return the text, or refuse line breaks, control characters and characters that files cannot contain."""
+def require_name(text: object, where: str) -> str:
+    """Return the text as `plain_name` does. Refuse line breaks, control characters and changes of direction."""
     if not isinstance(text, str):
         raise InputError(f"{where} is {text!r}: give text")
-    if not text.isprintable():
-        odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
-        raise InputError(f"{where} {text!r} contains {odd}: use printable characters in one line")
-    return text
+    name = plain_name(text)
+    for k, sign in enumerate(name):
+        if not sign.isprintable():
+            raise InputError(
+                "the name {name} contains {sign} between {before} and {after}: use printable characters in one "
+                "line",
+                name=repr(name), sign=repr(sign), before=repr(name[k - 1]) if k else note("its start"),
+                after=repr(name[k + 1]) if name[k + 1 :] else note("its end"),
+            )  # fmt: skip
+    return name
 
 
 def even_shear_ratio(poisson_ratio: float) -> float:
@@ -544,7 +551,7 @@ class Sheet:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
             raise InputError(f"the name of a sheet is {self.name!r}; give a text")
-        require_printable(self.name, "the sheet's name")
+        object.__setattr__(self, "name", require_name(self.name, "the sheet's name"))
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(
@@ -659,8 +666,8 @@ class Sheet:
         if str(name).endswith(".toml") or ".toml:" in str(name):
             return _sheet_of_file(str(name), folder)
         library, problems = library_sheets()
-        if name in library:
-            return library[name]
+        if (called := plain_name(str(name))) in library:
+            return library[called]
         names = [*library, *figures]
         near = get_close_matches(str(name).lower(), names, n=3, cutoff=0.4)
         thicknesses = {known: Sheet.named(known).thickness for known in names if str(name).lower() in known}

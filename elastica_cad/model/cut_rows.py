@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from elastica_cad._text import distinct, file_word
 from elastica_cad._values import counted, require_record, several
 from elastica_cad.mechanics.sheets import hex_color, sheet_color
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece, distinct, file_word
+from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece
 
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
@@ -199,14 +200,13 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
     pieces : iterable of Piece or EndFixture
     files : mapping, optional
         Mapping from the name of a piece or block to its file. By default a piece has the file `file_stem` with
-        .dxf, and a block its name with .stl.
+        .dxf, and a block its name with .stl. Numbers are appended to repeated names of files.
     """
     rows, pieces = [], several("pieces", pieces, Piece | EndFixture, "Piece")
     blocks = [piece for piece in pieces if isinstance(piece, EndFixture)]
+    cut = [piece for piece in pieces if isinstance(piece, Piece)]
     shapes, first_names = DistinctShapes(), list[str]()
-    for piece in pieces:
-        if isinstance(piece, EndFixture):
-            continue
+    for piece, stem in zip(cut, distinct(piece.file_stem for piece in cut), strict=True):
         length, width = piece.size
         rows.append(
             CutListRow(
@@ -218,7 +218,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 piece.count,
                 0.0 if piece.is_rod else piece.cut_length,
                 piece.mass,
-                f"{piece.file_stem}.dxf",
+                f"{stem}.dxf",
                 "" if piece.is_rod or piece.sheet.grain == "none" else piece.sheet.grain,
                 _equal_piece(piece, shapes, first_names),
                 hex_color(sheet_color(piece.sheet)),

@@ -6,6 +6,7 @@ from typing import Annotated, Self
 
 import numpy as np
 
+from elastica_cad._text import distinct
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_record, several
 from elastica_cad.declared import Option, require_declared
@@ -22,7 +23,7 @@ from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text
 from elastica_cad.strip.outline import ENDS, StripEnd
-from elastica_cad.strip.pieces import Piece, distinct
+from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.solids import FlatSolid, convex_corners
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.uncuttable_parts import (

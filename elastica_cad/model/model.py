@@ -13,7 +13,7 @@ from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import Sheet, require_printable
+from elastica_cad.mechanics.sheets import Sheet, require_name
 from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
 from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
@@ -239,7 +239,7 @@ class Model:
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", require_placed(self.placed))
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
-        require_printable(self.name, "the model's name")
+        object.__setattr__(self, "name", require_name(self.name, "the model's name"))
         if not self.placed:
             raise InputError(f"the model {self.name!r} has no strips: add at least one strip")
 

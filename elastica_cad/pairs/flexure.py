@@ -38,7 +38,7 @@ from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
-from elastica_cad.mechanics.sheets import Sheet, require_flat
+from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
@@ -270,6 +270,7 @@ class Flexure:
             )  # fmt: skip
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
             raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
+        object.__setattr__(self, "label", require_name(self.label, "the label"))
         if not self.ignore_limits:
             for fault in self._faults():
                 raise fault

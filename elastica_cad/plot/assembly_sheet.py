@@ -36,7 +36,15 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring, RingOptions
 from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
-from elastica_cad.plot.canvas import INK, chinese_font, paint_patches, paint_polygons, text_in, write_pages
+from elastica_cad.plot.canvas import (
+    INK,
+    chinese_font,
+    empty_figure,
+    paint_patches,
+    paint_polygons,
+    text_in,
+    write_pages,
+)
 from elastica_cad.plot.model_pictures import (
     EDGE_MM,
     assembled_box,
@@ -206,9 +214,7 @@ def _pages(
 
 
 def _page(title: str, paper: FloatArray) -> Any:
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=tuple(paper / 72.0))
+    figure = empty_figure(tuple(paper / 72.0))
     figure.suptitle(title, x=MARGIN / paper[0], y=1 - MARGIN / paper[1], ha="left", fontsize=14, color=INK)
     return figure
 

@@ -198,27 +198,41 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: 
     paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, **style)
 
 
-def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
-    """Make a figure, `WIDTH_INCHES` wide, with axes for the panels one above another.
+def empty_figure(size: tuple[float, float]) -> Figure:
+    """Return a figure of the given width and height, inches, which draws names as they are.
 
-    The space for text is estimated, because matplotlib's layouts slowly measure every text.
+    Matplotlib would draw the text between two signs $ as a formula.
     """
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
+        from matplotlib.text import Text
     except ImportError as error:
         raise missing_library("pictures need matplotlib", "matplotlib") from error
 
     class Page(MatplotlibFigure):
         """Figure that a notebook displays only once, even as the last value of a cell."""
 
+        def draw(self, renderer: Any) -> None:
+            for text in self.findobj(Text):
+                text.set_parse_math(False)
+            super().draw(renderer)
+
         def _repr_png_(self) -> bytes:
             stream = BytesIO()
             self.savefig(stream, format="png", dpi=NOTEBOOK_DPI)
             return stream.getvalue()
 
+    return Page(figsize=size)
+
+
+def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
+    """Make a figure, `WIDTH_INCHES` wide, with axes for the panels one above another.
+
+    The space for text is estimated, because matplotlib's layouts slowly measure every text.
+    """
     headed = 2 * TITLE_INCHES + TITLE_LINE_INCHES * (title.count("\n") + 1) if title else 0.0
     height = headed + sum(panel.above + panel.height + panel.below for panel in panels)
-    figure = Page(figsize=(WIDTH_INCHES, height))
+    figure = empty_figure((WIDTH_INCHES, height))
     if title:
         top = 1 - TITLE_INCHES / height
         figure.suptitle(title, y=top, va="top", fontsize=TITLE_POINTS, color=INK)

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.plot.canvas import INK, write_pages
+from elastica_cad.plot.canvas import INK, empty_figure, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
 from elastica_cad.strip.drawing import Drawing
 
@@ -175,10 +175,8 @@ def save_templates(
 
 
 def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
-    from matplotlib.figure import Figure
-
     for k, name in enumerate(tiling.names):
-        page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
+        page = empty_figure((tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
         tile = f"   page {name}" if len(tiling.names) > 1 else ""
         _draw_page(page, drawing, tiling, k, f"{drawing.name}{tile}   print at 100 %")
         yield page

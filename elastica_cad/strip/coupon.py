@@ -6,7 +6,7 @@ from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
-from elastica_cad.mechanics.sheets import Sheet, require_flat, require_printable
+from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
@@ -108,7 +108,7 @@ def coupon_drawing(
             free=Length(free),
         )
     scale, figures = _scale_ticks_and_labels(free, width)
-    name = sheet.name if label is None else require_printable(label, "the label")
+    name = sheet.name if label is None else require_name(label, "the label")
     label_text = centred_text(name, (-clamp / 2, 0.0), min(4.0, 0.3 * width), 0.85 * clamp)
     texts = (*figures, label_text) if name else figures
     outline = Path.rectangle(clamp + free, width, corner=(-clamp, -width / 2))

@@ -26,7 +26,7 @@ from elastica_cad.geometry.plane_points import (
     turn_between,
 )
 from elastica_cad.geometry.segments import Segment, Spline, trim_segment
-from elastica_cad.mechanics.sheets import require_printable
+from elastica_cad.mechanics.sheets import require_name
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.lettering import Text, text_strokes
 
@@ -84,7 +84,7 @@ class Drawing:
     def __post_init__(self) -> None:
         object.__setattr__(self, "paths", several("paths", self.paths, LayeredPath, "LayeredPath"))
         object.__setattr__(self, "texts", several("texts", self.texts, Text, "Text"))
-        require_printable(self.name, "the drawing's name")
+        object.__setattr__(self, "name", require_name(self.name, "the drawing's name"))
         for text in self.texts:
             _check_layer(text.layer)
 

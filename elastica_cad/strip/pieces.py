@@ -1,6 +1,5 @@
 """Parts to be cut with their quantities, and detection of equal strips."""
 
-import re
 from bisect import bisect_left, bisect_right, insort
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
@@ -11,6 +10,7 @@ from operator import itemgetter
 
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, require_record, value_key
 from elastica_cad.errors import InputError
@@ -307,49 +307,6 @@ class Piece:
         if self.worked is not None:
             return self.worked
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
-
-
-LONGEST_WORD = 60
-"""Largest number of characters of a label in a file name, because file systems limit names to 255 bytes."""
-
-_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # Windows device names
-
-
-def file_word(text: str) -> str:
-    """Return the text with only characters that are valid in file names on all systems.
-
-    Examples
-    --------
-    >>> file_word("P 1/2: top")
-    'P-1-2-top'
-    >>> file_word("con.txt")  # a device of Windows
-    'con_.txt'
-    """
-    word = re.sub(r"[^\w.-]+", "-", text)[:LONGEST_WORD].strip("-.") or "part"
-    return _DEVICE.sub(r"\1_", word)
-
-
-def distinct(names: Iterable[str]) -> list[str]:
-    """Return the names with numbers appended to repeated names.
-
-    Names that differ only in case count as equal, because some file systems ignore case.
-
-    Examples
-    --------
-    >>> distinct(["A", "B", "a"])
-    ['A', 'B', 'a-2']
-    """
-    names = list(names)
-    first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
-    taken, unique = set(first), []
-    for i, name in enumerate(names):
-        number, candidate = 1, name
-        while first.get(name.casefold()) != i and candidate.casefold() in taken:
-            number += 1
-            candidate = f"{name}-{number}"
-        taken.add(candidate.casefold())
-        unique.append(candidate)
-    return unique
 
 
 def count_pieces(pieces: Iterable[Piece]) -> tuple[Piece, ...]:

@@ -48,7 +48,7 @@ from elastica_cad.mechanics.sheets import (
     Sheet,
     even_shear_ratio,
     require_flat,
-    require_printable,
+    require_name,
 )
 from elastica_cad.mechanics.sideways import (
     SidewaysSection,
@@ -501,7 +501,7 @@ class Strip:
             value = getattr(self, name)
             if value is not None:
                 require_positive(value, name)
-        require_printable(self.label, "the label")
+        object.__setattr__(self, "label", require_name(self.label, "the label"))
         if self.engrave is not None:
             require_engravable(self.engrave)
         require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")

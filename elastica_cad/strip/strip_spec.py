@@ -38,7 +38,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw, WidthRange, anticlastic_factor
-from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
+from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, require_name
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import (
     BoundedLaw,
@@ -571,6 +571,7 @@ class StripSpec(EqualByValue):
         _check_seam(self.seam_position, self.curve)
         settled = {
             "sheet": sheet,
+            "label": require_name(self.label, "the label"),
             "loads": self.loads
             if isinstance(self.loads, Weight)
             else several("loads", self.loads, PointMass | PointForce, "PointMass or PointForce"),

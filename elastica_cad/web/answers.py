@@ -11,6 +11,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
+from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART
 from elastica_cad.design.design_file import Design, design_of, parse_design
@@ -841,7 +842,7 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     tables = request["design"]
     labels = [strip.get("label") for strip in tables.get("strips", ()) if isinstance(strip, Mapping)]
     called = str(tables.get("name") or next(filter(None, labels[request.get("strip", 0) :]), "strip"))
-    name = "".join(c if c.isalnum() or c in "-_" else "-" for c in called)
+    name = file_word(called)
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         cutting = cutting_of(request["design"])

@@ -15,14 +15,16 @@ from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
+from freecad.elastica_wb.host import sheet_store
 from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.solving import strip_cache
 
+import elastica_cad as ec
 from elastica_cad import InputError
+from elastica_cad._text import distinct
 from elastica_cad.model import interlocking as interlock
 from elastica_cad.strip import PrismSolid
-from elastica_cad.strip.pieces import distinct
 from tests.freecad.features import change, new
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
@@ -498,6 +500,24 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     assert in_step.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
     change(laid, SheetWidth=100)
     assert "Invalid" in laid.State
+
+
+@pytest.mark.parametrize("sheet", ['plywood 1/32"', "a/../../../out", "..", "a\\b"])
+def test_no_file_leaves_the_folder_whatever_a_sheet_is_called(
+    document, standing, tmp_path, monkeypatch, sheet
+):
+    own = replace(ec.Sheet.named("birch-plywood-0.8"), name=sheet)
+    monkeypatch.setattr(sheet_store, "own_sheets", lambda: {sheet: own})
+    for feature in standing:
+        feature.Sheet = sheet_store.sheet_list()
+        feature.Sheet = sheet
+        feature.EngravedText = f"{feature.EngravedText}\u00a0\u200d1"
+    document.recompute()
+    assert [cut.piece.sheet.name for cut in cuts_of(standing)] == [sheet] * 2
+    folder = tmp_path / "deep" / "down" / "cut"
+    files = write_cutting_files(standing, folder, kinds=("svg", "csv", "nest", "step"))
+    assert {path for path in tmp_path.rglob("*") if path.is_file()} == set(files)
+    assert {path.parent for path in files} == {folder}
 
 
 def test_a_nest_lies_in_front_of_what_has_an_end(document, standing):

@@ -31,6 +31,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
+from elastica_cad._text import distinct, file_word
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import InputError
@@ -40,7 +41,6 @@ from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.cut_rows import cut_list
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.model.nesting import nest_pieces
-from elastica_cad.strip.pieces import distinct, file_word
 from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
@@ -98,15 +98,15 @@ def write_cutting_files(
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    stems = distinct(piece.file_stem for piece in pieces)
-    drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
+    drawings = [(piece.file_stem, piece.drawing, piece.sheet) for piece in pieces]
     if "nest" in kinds:
         nests = nest_pieces(pieces, sheet_size=sheet_size, kerf=cutting.kerf)
-        drawings += [(nest.name, nest, nest.sheet) for nest in nests]
+        drawings += [(file_word(nest.name), nest, nest.sheet) for nest in nests]
+    stems = distinct(stem for stem, *_ in drawings)
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
     files = [
         file
-        for stem, drawing, sheet in drawings
+        for stem, (_, drawing, sheet) in zip(stems, drawings, strict=True)
         for file in cutting_files(replace(drawing, name=stem), stem, cutting, sheet)
         if file.name.rpartition(".")[2] in kinds
     ]
@@ -117,7 +117,7 @@ def write_cutting_files(
     if "csv" in kinds:
         kind = flat[0] if flat else "dxf"
         cut_from = {
-            piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
+            piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=False)
         }
         blocks = {block.tab.key: (block, word) for word, obj in bodies.items() for block in blocks_for(obj)}
         cut_from |= {

@@ -225,10 +225,11 @@ def test_file_names_suit_every_system(design, tmp_path):
     assert {"my-kit-2.json", "my-kit-2-nest-1-felt-1-2.svg", "K-1_felt-1-2_1mm_x1.svg"} <= names
     second = "\n[[strips]]\nlabel = 'k1'\ncurve.ellipse = { semi_axes = [150, 100], start = 0.1, end = 2 }\n"
     design.write_text(DESIGN + second)
-    assert (
-        "k1: another part has the same file k1_birch"
-        in run("model", design, "-o", tmp_path / "no", code=2).stderr
-    )
+    run("model", design, "-o", tmp_path / "two", "--no-step", "--no-pictures")
+    rows = csv.DictReader((tmp_path / "two/kit-cut-list.csv").open(encoding="utf-8"))
+    files = {row["part"]: row["file"] for row in rows}
+    assert files["k1"].endswith("k1_birch-plywood-0.8_0.8mm_x1-2-mm.dxf")
+    assert all((tmp_path / "two" / file).is_file() for file in files.values())
 
 
 @pytest.fixture

@@ -161,3 +161,13 @@ def test_a_killed_run_is_cleaned_up_a_day_later_and_nothing_else_is(tmp_path):
     os.utime(killed, (day_ago, day_ago))
     write("second.txt")
     assert [path.name for path in tmp_path.glob(".elastica-*")] == [other.name]
+
+
+@pytest.mark.parametrize("name", ["../b.txt", "a/../../b.txt", "a/../b.txt", "/b.txt", ".."])
+def test_nothing_is_written_outside_the_folder(tmp_path, name):
+    folder = tmp_path / "out"
+    with pytest.raises(InputError, match="is outside the folder"):
+        check_folder(folder, [name])
+    with pytest.raises(InputError, match="is outside the folder"), write_together(folder, [name], force=True):
+        raise AssertionError
+    assert not [*tmp_path.iterdir()]

@@ -5,6 +5,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from matplotlib.text import Text as Matplotlib
 from PIL import Image
 
 import elastica_cad as ec
@@ -21,6 +22,8 @@ from elastica_cad import (
     plot,
 )
 from elastica_cad.plot.bow_picture import bow as draw_bow
+from elastica_cad.plot.strip_pictures import strip_sheet
+from elastica_cad.plot.template_pages import save_templates
 from elastica_cad.strip import CUT_OUTER, ENGRAVE, LayeredPath, Text
 
 CURVES = {
@@ -255,3 +258,16 @@ def test_shorter_cords_of_a_bow_are_named():
     (cords,) = [legend for legend in axes.artists if legend.get_title().get_text() == "shorter cords"]
     lengths = np.hypot(*shorter.end.T)
     assert [text.get_text() for text in cords.get_texts()] == [f"{length:.1f} mm" for length in lengths]
+
+
+@pytest.mark.parametrize("label", [r"$\frac$", "5$ and 6$", "a$b"])
+def test_names_with_dollar_signs_are_drawn_as_they_are(label, tmp_path):
+    strip = make_strip(CURVES["arch"], "birch-plywood-0.8", max_width=30, label=label)
+    figure = strip_sheet(strip)
+    plot.save_figure(figure, tmp_path / "strip.svg")
+    texts = [text for text in figure.findobj(Matplotlib) if label in text.get_text()]
+    assert texts
+    assert not any(text.get_parse_math() for text in texts)
+    save_templates([strip.drawing()], tmp_path / "paper.pdf", title=label)
+    model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name=label)
+    plot.save_assembly_sheet(model, tmp_path / "sheet.pdf")

@@ -21,8 +21,9 @@ from freecad.elastica_wb.features.strip import shown_strips, strip_of
 from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_plate, is_strip
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
+from elastica_cad._text import distinct
 from elastica_cad.errors import InputError
-from elastica_cad.strip.pieces import Piece, count_pieces, distinct
+from elastica_cad.strip.pieces import Piece, count_pieces
 from elastica_cad.strip.strip import Strip
 
 CHANGED = {

@@ -28,6 +28,7 @@ from freecad.elastica_wb.host.words import decimal_point
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.recording import recorded
 
+from elastica_cad._text import file_word
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
@@ -84,7 +85,7 @@ class CouponPanel(Panel):
         """Write the cutting file of the coupon."""
         sheet, cutting = sheet_called(self.value("sheet")), usual_cutting()
         drawing = coupon_drawing(sheet)
-        usual = cutting.file_name(drawing.name, "dxf")
+        usual = cutting.file_name(file_word(drawing.name), "dxf")
         title, kinds = translate("Elastica", "Save the coupon"), "DXF (*.dxf);;SVG (*.svg)"
         path, _ = QtWidgets.QFileDialog.getSaveFileName(Gui.getMainWindow(), title, usual, kinds)
         if path:
