@@ -47,6 +47,7 @@ from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, Listed, is_reported, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.lettering import engraved_names
 from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import not_computed_row, size_row, strip_rows
@@ -123,9 +124,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
     read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
+    engraved = engraved_names(requested.label for requested in curves)
     for requested in curves:
         try:
             spec = spec_from_options(requested.curve, requested.label, table, read_once)
+            if spec.engrave is None and spec.label == requested.label != engraved[spec.label]:
+                spec = spec.changed(engrave=engraved[spec.label])
             if len(curves) == 1:
                 suggest_later(partial(_refused_request, spec, requested, chosen), typed_change)
             result = _solve(requested, spec)
@@ -282,7 +286,8 @@ def _report_briefly(
         if row.stops:
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
-    say_row(Row(strip.label, f"{size_row(strip).text}{moved}"))
+    label = f"{strip.number} = {strip.label}" if strip.number else strip.label
+    say_row(Row(label, f"{size_row(strip).text}{moved}"))
     for row in _stable_rows(result, requested):
         say_row(row)
     voice().files += map(str, written)

@@ -75,6 +75,7 @@ def report_model(
                 **_strip(part.strip),
                 **(_deviations(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
+                "engraved": part.strip.engraved,
                 "count": part.count,
                 "measuring": None if held is None else report_measuring(part.strip),
             }

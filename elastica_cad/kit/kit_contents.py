@@ -110,8 +110,8 @@ def kit_contents(
     model = _with_plates_over_joints(model, spec, requests)
     deviations = _deviations(model, entries)
     messages = [
-        *_departure_notes(model, entries, deviations), *_instability_notes(model), *_pre_bend_notes(model),
-        *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
+        *_departure_notes(model, entries, deviations), *_instability_notes(model),
+        *_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
     ]  # fmt: skip
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
@@ -146,8 +146,9 @@ def kit_contents(
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
+    numbers = () if spec.cutting.service else _numbers_note(pieces)
     return KitContents(
-        model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages), deviations
+        model, spec, pieces, nests, tuple(holders), tuple(entries), held, (*numbers, *messages), deviations
     )
 
 
@@ -274,6 +275,16 @@ def _pre_bend_notes(model: Model) -> list[str]:
         note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
         for words, names in alike.items()
     ]
+
+
+def _numbers_note(pieces: Sequence[Piece]) -> Iterator[str]:
+    """Yield a note with the numbers that are engraved in place of names, if there are any."""
+    numbered = [piece.called for piece in pieces if piece.number]
+    if numbered:
+        yield note(
+            "Numbers are engraved in place of names for which the engraving has no letters: {pairs}",
+            pairs=", ".join(numbered),
+        )
 
 
 def count_strips(model: Model) -> str:

@@ -21,7 +21,7 @@ from elastica_cad.refusals import note
 from elastica_cad.strip.holding_template import angle_text, freedom_text, held_ends
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_colors, bent_sheets
-from elastica_cad.strip.strip import Placed, Strip, strip_names
+from elastica_cad.strip.strip import Placed, Strip, strip_marks, strip_names
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
 """Names of the classes that hold strips, for messages."""
@@ -205,9 +205,10 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
     require_model(model)
     places = _places_of_tabs(model, holders)
     parts = {member: part.name for part in model.parts for member in part.members}
+    marks = strip_marks(model.placed)
     steps = []
     for i in range(len(model.placed)):
-        names = [tab_name(model.name_of(i), end) for end in ENDS]
+        names = [tab_name(marks[i], end) for end in ENDS]
         by_hand = [_instruction_without_holder(model.placed[i], end) for end in ENDS]
         first, last = (" and ".join(places[name]) or hand for name, hand in zip(names, by_hand, strict=True))
         short, long = (
@@ -236,10 +237,10 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
         i: tuple(
             end
             for end in ENDS
-            if not places[tab_name(model.name_of(i), end)]
+            if not places[tab_name(mark, end)]
             and _instruction_without_holder(strip, end) not in (FREE, TO_START)
         )
-        for i, strip in enumerate(model.placed)
+        for i, (strip, mark) in enumerate(zip(model.placed, strip_marks(model.placed), strict=True))
     }
     return {i: ends for i, ends in by_hand.items() if ends}
 
@@ -252,7 +253,7 @@ def engraved_marks(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
         yield note("A strip without a label has the numbers 1 and 2 at its start and its end.")
     if any(isinstance(holder, EndFixture | BasePlate) and not isinstance(holder, Ring)
            for holder in single_holders(holders)):  # fmt: skip
-        first = tab_name(model.name_of(0), ENDS[0])
+        first = tab_name(strip_marks(model.placed)[0], ENDS[0])
         yield note("Each slot and block has the name of its end, such as {name}.", name=first)
 
 

@@ -116,7 +116,7 @@ def _label_lines(strip: Strip) -> list[str]:
     work = ": turn it to the diameters" if len(sizes) > 1 else f", {float(sizes.pop()):g} mm in diameter"
     instruction = wide if flat else f"{stock}, round{work}"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
-    blocks = strip.label or "batten", instruction, str(ends_message(strip)), ticks
+    blocks = strip.engraved or "batten", instruction, str(ends_message(strip)), ticks
     return [engravable(line) for block in blocks for line in wrap(block, LETTERS)]
 
 

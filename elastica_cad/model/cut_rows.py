@@ -20,14 +20,14 @@ CSV_COLUMNS = {
     "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}",
     "cut_length_mm": "{0.cut_length:.1f}",
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
-    "height_mm": "{0.thickness:.2f}",
+    "height_mm": "{0.thickness:.2f}", "engraved_number": "{0.number}",
 }  # fmt: skip
 """Columns of the CSV file, with the format of each value."""
 
 TABLE_COLUMNS = {
-    "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
-    "count": "{0.count}", "cut mm": "{0.cut_length:.0f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
-    "shape as": "{0.like}", "color": "{0.color}", "file": "{0.file}",
+    "part": "{0.called}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}",
+    "size mm": "{0.length:.1f} x {0.width:.1f}", "count": "{0.count}", "cut mm": "{0.cut_length:.0f}",
+    "g": "{0.mass:.2f}", "grain": "{0.grain}", "shape as": "{0.like}", "color": "{0.color}", "file": "{0.file}",
 }  # fmt: skip
 """Columns of the printed table, with the format of each value."""
 
@@ -52,7 +52,8 @@ class CutListRow:
 
     `grain` is the direction of `length` relative to the grain, or "" for material without grain. `like` is the
     name of the first piece with the same shape (possibly turned or flipped) but another engraving. `color` is
-    the colour of the piece in pictures and STEP files, as "#rrggbb". For a printed block, `thickness` is the
+    the colour of the piece in pictures and STEP files, as "#rrggbb". `number` is the number that is engraved in
+    place of the name, or "" if there is none. For a printed block, `thickness` is the
     height, and `cut_length` and `mass` are 0.
     """
 
@@ -68,6 +69,12 @@ class CutListRow:
     grain: str = ""
     like: str = ""
     color: str = ""
+    number: str = ""
+
+    @property
+    def called(self) -> str:
+        """Name of the part, after the number that is engraved in its place, as in "1 = Анна"."""
+        return f"{self.number} = {self.part}" if self.number else self.part
 
 
 @dataclass(frozen=True)
@@ -222,6 +229,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 "" if piece.is_rod or piece.sheet.grain == "none" else piece.sheet.grain,
                 _equal_piece(piece, shapes, first_names),
                 hex_color(sheet_color(piece.sheet)),
+                piece.number,
             )
         )
     return CutList(tuple(rows), tuple(_printed(blocks))).in_files({} if files is None else files)

@@ -21,7 +21,7 @@ from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, StripEnd, Tab
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
-from elastica_cad.strip.strip import Placed, Strip, require_placed, strip_names
+from elastica_cad.strip.strip import Placed, Strip, require_placed, strip_marks, strip_names
 from elastica_cad.strip.tab_seats import TabSeat, lean_against
 
 Key: TypeAlias = tuple[float, ...]
@@ -77,7 +77,7 @@ class PlacedTab:
         tab, end_width = strip.ends[k], strip.end_widths[k]
         if name is not None:
             require_record(name, str, "the name of a tab", "a text")
-        called = name or strip.label or "strip"
+        called = name or strip.number or strip.label or "strip"
         return cls(
             Frame(origin, out, sign * place.z_axis),
             tab.length,
@@ -109,7 +109,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
     """Return the tabs at these ends of all strips, in the order of the strips and named after the strips."""
     return [
         PlacedTab.of(member.strip, end, member.frame, name=name)
-        for member, name in zip(placed, strip_names(placed), strict=True)
+        for member, name in zip(placed, strip_marks(placed), strict=True)
         for end in ends
     ]
 

@@ -3,7 +3,7 @@
 Slots go half way into each strip, so that the strips slide into each other.
 """
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 from typing import Annotated, Literal, TypeVar
@@ -21,7 +21,14 @@ from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, str
 from elastica_cad.refusals import Length, Listed, note, sentences
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.slots import Relief, Slot
-from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
+from elastica_cad.strip.strip import (
+    Placed,
+    Strip,
+    distinct_names,
+    engraved_labels,
+    require_placed,
+    strip_names,
+)
 
 MOST_NEWTON_STEPS = 30
 
@@ -209,7 +216,9 @@ def interlock(
     up = None if above is None else direction(above, "above")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
     names = distinct_names(placed)
-    cutter = _Cutter(tuple(strip.strip for strip in placed), names, clearance, fit, relief, up)
+    cutter = _Cutter(
+        tuple(strip.strip for strip in placed), names, engraved_labels(placed), clearance, fit, relief, up
+    )
     joints: list[Joint] = []
     meeting = strips_may_meet(ruled)
     for i, j in _checked_pairs(len(placed), pairs):
@@ -270,6 +279,7 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 class _Cutter:
     strips: tuple[Strip, ...]
     names: tuple[str, ...]
+    marks: Mapping[str, str]
     clearance: float
     fit: Fit
     relief: Relief
@@ -305,7 +315,7 @@ class _Cutter:
         `frames` are the frames of the joint's first strip and of the first strip of `members`.
         """
         first, second = (
-            replace(slot, mate=self.strips[mate].label)
+            replace(slot, mate=self.marks[self.strips[mate].label])
             for slot, mate in zip(joint.slots, members[::-1], strict=True)
         )
         position = frames[1].point(frames[0].local(joint.position))
@@ -339,7 +349,7 @@ class _Cutter:
                     rows=Length(rows[0, 0]),
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
-            mate = self.strips[members[1 - which]].label
+            mate = self.marks[self.strips[members[1 - which]].label]
             slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)

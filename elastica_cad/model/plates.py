@@ -23,7 +23,7 @@ from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, ref
 from elastica_cad.refusals import FieldName, Point, both_names, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, text_width
+from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, engraved_names, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.solids import FlatSolid, convex_corners
@@ -321,7 +321,14 @@ class BasePlate:
     @property
     def piece(self) -> Piece:
         """The plate as a piece to be cut."""
-        return Piece(self.name, self.drawing, self.sheet)
+        number = "" if self.engraved == self.name else self.engraved
+        return Piece(self.name, self.drawing, self.sheet, number=number)
+
+    @property
+    def engraved(self) -> str:
+        """Engraved name: the name, or a number that no strip in the plate has, if it has other letters."""
+        strips = (slot.name.rpartition(":")[0] for slot in self.slots)
+        return engraved_names([*strips, self.name])[self.name]
 
     def _name_inside_slots(self) -> tuple[Text, ...]:
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
@@ -330,7 +337,7 @@ class BasePlate:
         center = _mean_center([slot.corners for slot in self.slots])
         inner = max(float(np.hypot(*(loop.points(0.1) - center).T).max()) for loop in loops)
         free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
-        return _rim_text(self.name, inner + CLEAR_MM, free, center)
+        return _rim_text(self.engraved, inner + CLEAR_MM, free, center)
 
     def _name_anywhere(self, engraved: Sequence[FloatArray] = ()) -> tuple[Text, ...]:
         """Return the name as the largest legible text clear of cuts and of `engraved` loops, or no text.
@@ -338,7 +345,7 @@ class BasePlate:
         The name is above the middle of the plate, or turned around the middle by the least angle.
         """
         loops = [*(path.points(FLAT_MM) for path in self._inner_loops), *engraved]
-        edge, name = self.outline.points(FLAT_MM), engravable(self.name)
+        edge, name = self.outline.points(FLAT_MM), engravable(self.engraved)
         cuts = np.concatenate([dense_points(loop) for loop in (edge, *loops)]) - self._middle
         for height in np.linspace(LABEL_MM, LEAST_LABEL_MM, 6).tolist():
             half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
@@ -725,7 +732,9 @@ class Ring(BasePlate):
         inner = max(
             float(np.hypot(*loop.T).max()) for loop in [*(slot.corners for slot in self.slots), *seats]
         )
-        name = _rim_text(self.name, inner + CLEAR_MM, self.radii[1] - CLEAR_MM) or self._name_anywhere(seats)
+        name = _rim_text(self.engraved, inner + CLEAR_MM, self.radii[1] - CLEAR_MM) or self._name_anywhere(
+            seats
+        )
         return Drawing(self.name, tuple(paths), name)
 
 

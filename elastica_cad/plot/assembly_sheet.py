@@ -469,8 +469,9 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
             shapes.setdefault(row.like or (row.part if size is flat else size.format(row)), []).append(k)
         for places in shapes.values():
             rows = [cut_rows[k] for k in places]
-            names = [row.part for row in rows]
-            name = _range(names) if places[-1] - places[0] < len(places) else _joined(names)
+            names = [row.called for row in rows]
+            in_order = places[-1] - places[0] < len(places) and not any(row.number for row in rows)
+            name = _range(names) if in_order else _joined(names)
             count = sum(row.count for row in rows)
             sheet = note("{sheet}", sheet=rows[0].sheet)
             file = note("{file}{others}", file=rows[0].file, others=and_more(rows))

@@ -208,7 +208,7 @@ def draw_layers(
         )
         texts = _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
         if layout.stack is not None:
-            texts = (_leaf_text(name, layer),)
+            texts = (_leaf_text(engraved or name, layer),)
         elif i == 0:
             pairs = [*zip(slots, layer.slots, strict=True)]
             texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)

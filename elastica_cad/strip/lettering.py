@@ -1,8 +1,9 @@
 """Single-stroke alphabet for engraving; its letters consist of lines and arcs."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import count
 from pathlib import Path as FilePath
 from unicodedata import combining, normalize
 
@@ -91,8 +92,35 @@ def engravable(text: str) -> str:
     >>> engravable("Träger")
     'Trager'
     """
-    plain = normalize("NFKD", text.replace("ß", "ss"))
-    return "".join(c if c in _glyphs() else "_" for c in plain if not combining(c))
+    return "".join(c if c in _glyphs() else "_" for c in _without_accents(text))
+
+
+def _without_accents(text: str) -> str:
+    return "".join(c for c in normalize("NFKD", text.replace("ß", "ss")) if not combining(c))
+
+
+def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None) -> dict[str, str]:
+    """Return the text that is engraved for each name: the name itself, or a number.
+
+    A name has a number if the alphabet lacks one of its letters, or if an earlier name is equal without its
+    accents. No number is the text of another name. `given` maps names to texts that are engraved in place of a
+    number.
+
+    Examples
+    --------
+    >>> engraved_names(["Träger", "左", "2", "右", "Trager"])
+    {'Träger': 'Träger', '左': '1', '2': '2', '右': '3', 'Trager': '4'}
+    """
+    texts = {name: _without_accents(name) for name in names}
+    given = given or {}
+    taken, seen = {*texts.values(), *given.values()}, set[str]()
+    numbers = (str(number) for number in count(1) if str(number) not in taken)
+    engraved = {}
+    for name, text in texts.items():
+        legible = text not in seen and _glyphs().keys() >= set(text) and bool(text) == bool(name)
+        engraved[name] = name if legible else given.get(name) or next(numbers)
+        seen.add(text)
+    return engraved
 
 
 def text_width(text: str, height: float) -> float:

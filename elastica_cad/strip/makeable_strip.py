@@ -326,7 +326,7 @@ class Splice:
             span = self._clear_of_holes(whole, low, high)
         cuts = Cuts(holes, marks, rim=Cut(outline, "outside"))
         called = self.strip.label or "strip"
-        text = f"{called if self.strip.engrave is None else self.strip.engrave}{name.removeprefix(called)}"
+        text = f"{self.strip.labelled(called).engraved}{name.removeprefix(called)}"
         label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), label)
@@ -337,7 +337,8 @@ class Splice:
             *(LayeredPath(CUT_INNER, hole) for hole in holes),
             LayeredPath(CUT_OUTER, outline),
         )
-        return Piece(name, Drawing(name, paths, (*label, *mates, *numbers)), layer.sheet)
+        number = text if self.strip.labelled(called).number else ""
+        return Piece(name, Drawing(name, paths, (*label, *mates, *numbers)), layer.sheet, number=number)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
         joint = next(at for at in whole.joints if at in (low, high))

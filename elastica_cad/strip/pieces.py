@@ -240,6 +240,8 @@ class Piece:
         Number of copies.
     worked : float, optional
         Mass of a planed or turned piece, g; by default the mass of the flat part.
+    number : str
+        Number that is engraved in place of the name, or "" if there is none.
 
     Examples
     --------
@@ -255,6 +257,7 @@ class Piece:
     sheet: Sheet
     count: int = 1
     worked: float | None = None
+    number: str = ""
 
     def __post_init__(self) -> None:
         require_record(self.drawing, Drawing, "the drawing of a piece", "a Drawing")
@@ -264,6 +267,11 @@ class Piece:
             )
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
             raise InputError(f"{self.name}: there is no closed outer cut; close the outline of the part")
+
+    @property
+    def called(self) -> str:
+        """Name, after the number that is engraved in its place, as in "1 = Анна"."""
+        return f"{self.number} = {self.name}" if self.number else self.name
 
     @property
     def file_stem(self) -> str:
@@ -333,7 +341,8 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
         if used[name] > 1:
             name = next(f"{name}-{n}" for n in count(used[name]) if f"{name}-{n}" not in taken)
             taken.add(name)
-            strip = replace(strip, label=name)
+            engrave = f"{strip.engraved}{name.removeprefix(part.name)}" if strip.number else strip.engrave
+            strip = replace(strip, label=name, engrave=engrave)
         for i, (drawing, layer) in enumerate(zip(strip.drawings(), strip.layers, strict=True)):
             called = layer.called(name)
             marks: tuple[Text, ...] = ()
@@ -343,7 +352,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
             texts = (*drawing.texts, *marks)
             sheet, worked = _stock(strip, layer)
             drawn = replace(drawing, name=called, texts=texts)
-            pieces.append(Piece(called, drawn, sheet, part.count, worked))
+            pieces.append(Piece(called, drawn, sheet, part.count, worked, strip.number))
     return tuple(pieces)
 
 

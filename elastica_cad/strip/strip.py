@@ -71,7 +71,7 @@ from elastica_cad.strip.element_cuts import (
 )
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
 from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
-from elastica_cad.strip.lettering import LEAST_LABEL_MM, engravable, require_engravable
+from elastica_cad.strip.lettering import LEAST_LABEL_MM, engravable, engraved_names, require_engravable
 from elastica_cad.strip.outline import SHOULDER_MM, USUAL_TABS, Ends, Tab, pair_of_tabs
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
@@ -824,6 +824,12 @@ class Strip:
     def _label_notes(self) -> Iterator[str]:
         if not self.engraved:
             return
+        if self.number:
+            yield note(
+                "The strip is engraved with the number {number}, because the engraving has no letters for its "
+                "name: {number} = {label}",
+                number=self.number, label=self.label,
+            )  # fmt: skip
         label = engravable(self.engraved)
         if not any(text.text.startswith(label) for text in self.drawing().texts):
             yield note(
@@ -1008,8 +1014,13 @@ class Strip:
 
     @property
     def engraved(self) -> str:
-        """Text engraved on the strip."""
-        return self.label if self.engrave is None else self.engrave
+        """Text engraved on the strip. By default it is the label, or a number if it has other letters."""
+        return engraved_names([self.label])[self.label] if self.engrave is None else self.engrave
+
+    @property
+    def number(self) -> str:
+        """Number that is engraved in place of the label, or "" if there is none."""
+        return self.engraved if self.engraved.isdecimal() and self.engraved != self.label else ""
 
     @property
     def backing_side(self) -> str:
@@ -1086,13 +1097,38 @@ PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
 
 
 def require_placed(placed: object) -> tuple[Placed, ...]:
-    """Return placed strips as a tuple. Raise InputError for other values."""
-    return several("placed", placed, Placed, "Placed", PLACED_BY)
+    """Return placed strips as a tuple, with different engraved texts for different labels.
+
+    Raise InputError for other values.
+    """
+    members = several("placed", placed, Placed, "Placed", PLACED_BY)
+    marks, numbered = engraved_labels(members), dict[int, Strip]()
+    for strip in {id(member.strip): member.strip for member in members}.values():
+        if strip.engrave is None and strip.engraved != marks[strip.label]:
+            numbered[id(strip)] = replace(strip, engrave=marks[strip.label])
+    new = (numbered.get(id(member.strip)) for member in members)
+    return tuple(
+        member if strip is None else member.with_strip(strip)
+        for member, strip in zip(members, new, strict=True)
+    )
+
+
+def engraved_labels(placed: Sequence[Placed]) -> dict[str, str]:
+    """Return, by label, the text that is engraved on other parts for a strip: the label, or a number."""
+    given = {member.strip.label: member.strip.engrave for member in placed if member.strip.engrave}
+    return engraved_names((member.strip.label for member in placed), given)
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
     """Return the name of each strip for messages: its label, or its index, counted from 1."""
     return tuple(item.strip.label or f"strip {i}" for i, item in enumerate(placed, start=1))
+
+
+def strip_marks(placed: Sequence[Placed]) -> tuple[str, ...]:
+    """Return the name of each strip that is engraved on other parts: see `engraved_labels` and `strip_names`."""
+    marks = engraved_labels(placed)
+    named = zip(placed, strip_names(placed), strict=True)
+    return tuple(marks[item.strip.label] or name for item, name in named)
 
 
 def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:

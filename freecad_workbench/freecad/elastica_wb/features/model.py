@@ -5,7 +5,6 @@
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
-from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -31,7 +30,6 @@ from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
-from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
@@ -198,7 +196,7 @@ def _placed_strips(obj: Any, as_displayed: bool) -> Iterator[tuple[Strip, App.Pl
         if is_strip(original):
             world = drawn_curve(original.Curve, original).world if original is obj else place
             strip = strip_in(original).mirrored() if is_image else strip_in(original)
-            yield _with_label(strip, original.EngravedText or obj.Label, obj.Name), world
+            yield _labelled(strip, original.EngravedText or obj.Label), world
         elif is_model(original):
             here = container(original).inverse()
             for placed in model_in(original).placed:
@@ -224,14 +222,8 @@ def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
 
 
 @remembered
-def _with_label(strip: Strip, label: str, name: str) -> Strip:
-    """Return the strip with the label, or with `name` if no letter of the label can be engraved."""
-    engrave = None if any(map(str.isalnum, engravable(label))) else name
-    return (
-        strip
-        if (strip.label, strip.engrave) == (label, engrave)
-        else replace(strip, label=label, engrave=engrave)
-    )
+def _labelled(strip: Strip, label: str) -> Strip:
+    return strip.labelled(label)
 
 
 def _numbers(world: App.Placement) -> tuple[float, ...]:

@@ -7,7 +7,7 @@ Later features of the document, such as a pocket or a cut, are not included.
 """
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 from typing import Any
@@ -24,7 +24,7 @@ from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 from elastica_cad._text import distinct
 from elastica_cad.errors import InputError
 from elastica_cad.strip.pieces import Piece, count_pieces
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip import Placed, Strip, require_placed
 
 CHANGED = {
     "Part::Cut": ("Base",),
@@ -67,7 +67,9 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
     InputError
         The sources contain nothing to cut, or an object that failed.
     """
-    cuts = [(cut, count) for obj, count in counted(sources).items() for cut in _cuts(obj)]
+    counts = counted(sources)
+    strips = _numbered_strips(counts)
+    cuts = [(cut, count) for obj, count in counts.items() for cut in _cuts(obj, strips)]
     if not cuts:
         raise InputError("there is nothing to cut: select strips, models or base plates")
     names = distinct(cut.piece.name for cut, _ in cuts)
@@ -104,7 +106,16 @@ def is_cut(obj: Any) -> bool:
     return is_strip(obj) or is_model(obj) or is_plate(obj) or is_flexure(obj)
 
 
-def _cuts(obj: Any) -> list[Cut]:
+def _numbered_strips(objects: Iterable[Any]) -> dict[Any, Strip]:
+    """Return the strips outside models. Their engraved numbers differ from each other and from those in models."""
+    objects = [obj for obj in objects if not why_left_out(obj)]
+    single = [obj for obj in objects if is_strip(obj)]
+    in_models = [placed for obj in objects if is_model(obj) for placed in model_of(obj).placed]
+    placed = require_placed([*in_models, *(Placed(strip_of(obj)) for obj in single)])
+    return dict(zip(single, (item.strip for item in placed[len(in_models) :]), strict=True))
+
+
+def _cuts(obj: Any, strips: Mapping[Any, Strip]) -> list[Cut]:
     lost = why_left_out(obj)
     if lost:
         raise InputError(lost)
@@ -121,10 +132,13 @@ def _cuts(obj: Any) -> list[Cut]:
             Cut(Piece(name, replace(drawing, name=name), part.sheet, obj.Quantity))
             for name, drawing in drawings
         ]
-    strip, name = strip_of(obj), obj.EngravedText or obj.Label
+    strip, name = strips[obj], obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [
-        Cut(Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity), strip)
+        Cut(
+            Piece(called, replace(drawing, name=called), layer.sheet, obj.Quantity, number=strip.number),
+            strip,
+        )
         for called, drawing, layer in zip(names, strip.drawings(), strip.layers, strict=False)
     ]
 

@@ -141,5 +141,5 @@ def _piece_line(piece: Piece) -> str:
     long, short = map(Length, piece.size)
     return note(
         "{count} x {piece}: {long:.5g} x {short:.5g}, {sheet}",
-        count=piece.count, piece=piece.name, long=long, short=short, sheet=piece.sheet.name,
+        count=piece.count, piece=piece.called, long=long, short=short, sheet=piece.sheet.name,
     )  # fmt: skip
