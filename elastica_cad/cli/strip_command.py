@@ -132,7 +132,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                 spec = spec.changed(engrave=engraved[spec.label])
             if len(curves) == 1:
                 suggest_later(partial(_refused_request, spec, requested, chosen), typed_change)
-            result = _solve(requested, spec)
+            result = _solve(requested, spec, unmarked=files.cutting.service)
             say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
             places = [chosen["output"] / file.name for file in kit.files]
@@ -220,12 +220,14 @@ def _curve_keys(requested: RequestedCurve, folder: Path) -> dict[str, Any]:
     return {"file": seen_from(requested.path, folder), **(which if requested.count > 1 else {}), **unit}
 
 
-def _solve(requested: RequestedCurve, spec: StripSpec) -> StripResult:
+def _solve(requested: RequestedCurve, spec: StripSpec, *, unmarked: bool) -> StripResult:
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = requested.bendable(spec.smooth)
     rod = solve_rod(spec.rod_spec)
-    return StripResult(spec, rod, spec.make(rod), requested.name, requested.drawn.joints)
+    strip = spec.make(rod)
+    strip = replace(strip, unmarked=True) if unmarked else strip
+    return StripResult(spec, rod, strip, requested.name, requested.drawn.joints)
 
 
 def _refused_request(
@@ -320,7 +322,8 @@ def _report(
     tabs = result.spec.tabs_message
     more = [pre_bend_message(strip), tabs]
     joined = [
-        f"It {end} at corner {joint} of the curve, where another strip has an end with the same number."
+        f"It {end} at corner {joint} of the curve, where another strip has an end"
+        f"{'.' if cutting.service else ' with the same number.'}"
         for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
         if joint
     ]

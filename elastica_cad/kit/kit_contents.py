@@ -107,6 +107,9 @@ def kit_contents(
     """
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
+    if spec.cutting.service:
+        unmarked = {id(strip): replace(strip, unmarked=True) for strip in model.strips}
+        model = model.with_strips([unmarked[id(strip)] for strip in model.strips])
     model = _with_plates_over_joints(model, spec, requests)
     deviations = _deviations(model, entries)
     messages = [

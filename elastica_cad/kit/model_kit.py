@@ -323,7 +323,8 @@ def _rows_in_files(contents: KitContents, *, parts: bool) -> Iterator[CutListRow
     no_file = not parts or contents.spec.cutting.service
     for (stem, piece), row in zip(_stems_of_parts(contents), contents.cut_list.rows, strict=True):
         name = contents.spec.cutting.file_name(stem if parts else sheets.get(piece.name, ""), "dxf")
-        yield replace(row, file="" if piece.is_rod and no_file else name)
+        number = "" if contents.spec.cutting.service else row.number
+        yield replace(row, file="" if piece.is_rod and no_file else name, number=number)
 
 
 def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
@@ -338,9 +339,9 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
         ),
         *(f"To buy: {item}{_sawn(item)}." for item in listed.stock),
         *_block_lines(contents, report["files"]),
-        " ".join(engraved_marks(contents.model, (*contents.model.plates, *contents.holders)))
-        if not contents.spec.cutting.service
-        else "Nothing is written on the parts: write the name of its file on each when they arrive.",
+        *["Nothing is written on the parts: write the name of its file on each when they arrive."]
+        * contents.spec.cutting.service,
+        " ".join(engraved_marks(contents.model, (*contents.model.plates, *contents.holders))),
     ]
     files = {file: what for file, what in report["files"].items() if file != START_PAGE}
     return compose_start_page(contents.model.name, lines, [*one_of_each(report["reports"])], files)

@@ -247,14 +247,24 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 def engraved_marks(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
     """Yield sentences on the text engraved at the ends of strips and on slots and blocks."""
+    cut_only, first = is_unmarked(model), tab_name(strip_marks(model.placed)[0], ENDS[0])
+    if cut_only:
+        # printed blocks have their names even if nothing is engraved on the parts that are cut
+        if any(isinstance(holder, EndFixture) for holder in single_holders(holders)):
+            yield note("Each block has the name of its end, such as {name}.", name=first)
+        return
     if any(strip.engraved for strip in model.strips):
         yield note("A strip starts (1) where its label starts.")
     if holders and not all(strip.engraved for strip in model.strips):
         yield note("A strip without a label has the numbers 1 and 2 at its start and its end.")
     if any(isinstance(holder, EndFixture | BasePlate) and not isinstance(holder, Ring)
            for holder in single_holders(holders)):  # fmt: skip
-        first = tab_name(strip_marks(model.placed)[0], ENDS[0])
         yield note("Each slot and block has the name of its end, such as {name}.", name=first)
+
+
+def is_unmarked(model: Model) -> bool:
+    """Return True if nothing is engraved or marked on the parts, because a cutting service cuts them."""
+    return all(strip.unmarked for strip in model.strips)
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:

@@ -25,6 +25,7 @@ from elastica_cad.model.assembly import (
     angle_in_space,
     direction_in_space,
     engraved_marks,
+    is_unmarked,
     list_assembly_steps,
     side_in_space,
     single_holders,
@@ -94,6 +95,11 @@ LAPS = (
     "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints, between the marks. "
     "Let the glue dry before you bend the strips."
 )
+LAPS_WITHOUT_MARKS = (
+    "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints. Let the glue dry "
+    "before you bend the strips."
+)
+SEATS = "Glue or bolt each tab to its place on {rings}."
 LAPS_OF_LAYERS = (
     "The layers of {strips} are made of pieces. Put the pieces end to end, flat, and glue their plates (lap) over "
     "the joints, on the outer face of each layer."
@@ -336,7 +342,10 @@ def _flat_gluing(model: Model) -> Iterator[str]:
     joined = [part for part in model.parts if part.strip.plates is not None]
     for text, parts in (
         (LAYERS, layered),
-        (LAPS, [part for part in joined if part not in layered]),
+        (
+            LAPS_WITHOUT_MARKS if is_unmarked(model) else LAPS,
+            [part for part in joined if part not in layered],
+        ),
         (LAPS_OF_LAYERS, [part for part in joined if part in layered]),
     ):
         if parts:
@@ -354,7 +363,8 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
         )
     seats = [plate.name for plate in plates if isinstance(plate, Ring) and plate.seats]
     if seats:
-        yield note("Glue or bolt each tab to its engraved outline on {rings}.", rings=_joined(seats))
+        outline = "Glue or bolt each tab to its engraved outline on {rings}."
+        yield note(SEATS if is_unmarked(model) else outline, rings=_joined(seats))
     if any(plate.glued for plate in plates):
         yield note(
             "Glue each foot into the corner between its plate and the tab in its name, such as tab A:1 for "

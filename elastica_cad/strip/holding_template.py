@@ -426,7 +426,8 @@ def holding_template(strip: Strip) -> Drawing:
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
     left = float(min(first.position[0], last.position[0]))
     drawn_text = [
-        f"{engravable(strip.engraved or strip.label or 'strip')}: its first letter points to its start (1)",
+        engravable(strip.engraved or strip.label or "strip")
+        + (": its first letter points to its start (1)" if strip.engraved and not strip.unmarked else ""),
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
             f"{name}: strip {angle_text(end.tilt)}"

@@ -1,7 +1,7 @@
 """Flat strip with the stiffness of a rod: outline, strain, mass, reactions, warnings, and position in space."""
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from importlib import import_module
@@ -58,7 +58,7 @@ from elastica_cad.mechanics.sideways import (
     stations_of_sideways,
 )
 from elastica_cad.mechanics.stiffness_law import RoundLaw
-from elastica_cad.refusals import BareLength, FieldName, Length, Span, note
+from elastica_cad.refusals import BareLength, FieldName, Length, Span, note, sentences
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
     StrainedCut,
@@ -270,22 +270,19 @@ def _mark_on_backing(curvature: FloatArray) -> str:
     return word if np.all(np.sign(bent) == np.sign(bent[0])) else f"{word} AT START"
 
 
-def _backing_message(mark: str) -> str:
-    if not mark:
-        return ""
-    texts = {
-        "INSIDE": "When the strip is bent, the backing is on the inside. The word {mark} is engraved on "
-        "base and backing, on the face that points to the inside of the bend.",
-        "OUTSIDE": "When the strip is bent, the backing is on the outside. The word {mark} is engraved on "
-        "base and backing, on the face that points to the outside of the bend.",
-        "INSIDE AT START": "When the strip is bent, the backing is on the inside of the bend at the start (x = 0 "
-        "in the cutting files). After an inflection, the same face is on the outside. The words {mark} are "
-        "engraved on base and backing.",
-        "OUTSIDE AT START": "When the strip is bent, the backing is on the outside of the bend at the start (x = 0 "
-        "in the cutting files). After an inflection, the same face is on the inside. The words {mark} are "
-        "engraved on base and backing.",
-    }
-    return note(texts[mark], mark=mark)
+BACKING_SIDES: Mapping[str, str] = {
+    "INSIDE": note("When the strip is bent, the backing is on the inside."),
+    "OUTSIDE": note("When the strip is bent, the backing is on the outside."),
+    "INSIDE AT START": note(
+        "When the strip is bent, the backing is on the inside of the bend at the start (x = 0 in the cutting "
+        "files). After an inflection, the same face is on the outside."
+    ),
+    "OUTSIDE AT START": note(
+        "When the strip is bent, the backing is on the outside of the bend at the start (x = 0 in the cutting "
+        "files). After an inflection, the same face is on the inside."
+    ),
+}
+"""Sentence for each word that is engraved on a laminate."""
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
@@ -460,6 +457,9 @@ class Strip:
         Plates that join the pieces of a strip that is longer than the stock.
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps: see `held`.
+    unmarked : bool
+        True if nothing will be engraved or marked on the parts, as by a cutting service. Messages then mention no
+        engraving.
 
     Notes
     -----
@@ -487,6 +487,7 @@ class Strip:
     correction: Profile | None = None
     plates: "LapPlates | None" = None
     tolerance: MakingTolerance = USUAL_TOLERANCE
+    unmarked: bool = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
@@ -822,7 +823,7 @@ class Strip:
 
     @property
     def _label_notes(self) -> Iterator[str]:
-        if not self.engraved:
+        if not self.engraved or self.unmarked:
             return
         if self.number:
             yield note(
@@ -1020,12 +1021,19 @@ class Strip:
     @property
     def number(self) -> str:
         """Number that is engraved in place of the label, or "" if there is none."""
-        return self.engraved if self.engraved.isdecimal() and self.engraved != self.label else ""
+        numbered = self.engraved.isdecimal() and self.engraved != self.label and not self.unmarked
+        return self.engraved if numbered else ""
 
     @property
     def backing_side(self) -> str:
         """Sentence that states on which side of the bend the backing of a laminate is; empty for other strips."""
-        return _backing_message(self._backing_mark)
+        mark = self._backing_mark
+        if not mark or self.unmarked:
+            return BACKING_SIDES.get(mark, "")
+        engraved = note(
+            "On base and backing, the face with the engraving {mark} points to this side.", mark=mark
+        )
+        return sentences([BACKING_SIDES[mark], engraved], " ")
 
     @property
     def _backing_mark(self) -> str:

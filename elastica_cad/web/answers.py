@@ -866,7 +866,8 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     rod = solve_rod(strip_spec.rod_spec)
     paper = "A4" if kind == "pdf" else None
     files = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
-    kit = StripResult(strip_spec, rod, strip_spec.make(rod), name).kit(files)
+    strip = replace(strip_spec.make(rod), unmarked=design.kit.cutting.service)
+    kit = StripResult(strip_spec, rod, strip, name).kit(files)
     paths = zip(kit.files, kit.write(folder), strict=True)
     (path,) = (path for file, path in paths if file.description == kind)
     return Download(path.name, path.read_bytes())
