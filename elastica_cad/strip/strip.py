@@ -1021,8 +1021,9 @@ class Strip:
     @property
     def number(self) -> str:
         """Number that is engraved in place of the label, or "" if there is none."""
-        numbered = self.engraved.isdecimal() and self.engraved != self.label and not self.unmarked
-        return self.engraved if numbered else ""
+        text = self.engraved
+        numbered = text.replace("-", "").isdecimal() and text != self.label and not self.unmarked
+        return text if numbered else ""
 
     @property
     def backing_side(self) -> str:

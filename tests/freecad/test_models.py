@@ -343,7 +343,18 @@ def named(document, drawn):
 def test_parts_are_called_as_in_the_tree_whatever_can_be_engraved(named):
     found = model.model_of(named)
     assert [one.label for one in found.strips] == ["Träger strip", "\u808b\u9aa8"]
-    assert [text.text for one in found.strips for text in one.drawing().texts] == ["Trager strip", "Strip001"]
+    assert [text.text for one in found.strips for text in one.drawing().texts] == ["Trager strip", "1"]
+    assert [cut.piece.called for cut in cuts_of([named])] == ["Träger strip", "1 = \u808b\u9aa8"]
+
+
+def test_numbers_of_single_strips_and_of_models_differ(document, standing, named, tmp_path):
+    for feature, label in zip(standing, ("\u5de6", "\u53f3"), strict=True):
+        change(feature, EngravedText=label)
+    called = {cut.piece.called for cut in cuts_of([named, *standing])}
+    assert called == {"Träger strip", "1 = \u808b\u9aa8", "2 = \u5de6", "3 = \u53f3"}
+    write_cutting_files([named, *standing], tmp_path, kinds=("csv",))
+    with (tmp_path / "cut-list.csv").open(newline="", encoding="utf-8") as file:
+        assert {row["engraved_number"] for row in csv.DictReader(file)} == {"", "1", "2", "3"}
 
 
 @pytest.mark.campaign

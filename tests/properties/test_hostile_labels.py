@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
@@ -18,6 +19,7 @@ from hypothesis import strategies as st
 import elastica_cad as ec
 from elastica_cad import InputError, save_model
 from elastica_cad._text import distinct, file_word, plain_name
+from elastica_cad.model.assembly import list_assembly_steps
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 ARCH = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.3, 3.1), SHEET, max_width=30, label="A")
@@ -176,3 +178,63 @@ def test_labels_that_clean_to_the_same_file_have_two_files(tmp_path):
     assert len({file.casefold() for file in files.values()}) == len(labels)
     assert set(files.values()) <= set(saved.files)
     assert distinct(map(file_word, labels[:3])) == ["a-b", "a-b-2", "A-b-3"]
+
+
+def arch(label, **options):
+    curve = ec.PlaneCurve.arc((0, 0), 100, math.pi, 0)
+    return ec.make_strip(curve, "birch-plywood-0.8", max_width=20, label=label, **options)
+
+
+def upright(strip, y=0.0):
+    return ec.Placed(strip, (0, y, 0), (1, 0, 0), (0, 0, 1))
+
+
+@pytest.mark.parametrize(
+    "labels", [("左", "右"), ("Л", "П"), ("α", "β"), ("ø", "ł"), ("é", "e"), ("左", "1")]
+)
+def test_labels_that_differ_are_engraved_differently_everywhere(labels, tmp_path):
+    model = ec.Model([upright(arch(label), 40.0 * k) for k, label in enumerate(labels)], name="模型")
+    assert [strip.label for strip in model.strips] == [*labels]
+    first, second = ([text.text for text in strip.drawing().texts] for strip in model.strips)
+    assert first != second
+    base = model.base_plate("mdf-3", name="底板")
+    slots = {slot.name.rpartition(":")[0] for slot in base.slots}
+    texts = {text.text for text in base.drawing.texts}
+    assert len(slots) == 2
+    assert not any("_" in text for text in (*first, *second, *texts))
+    assert len(texts) == 5
+    (nest,) = model.nest()
+    assert {*first, *second} <= {text.text for text in nest.texts}
+    steps = list_assembly_steps(model, [base])
+    assert all(end.startswith("slot ") for step in steps for end in step.ends)
+    saved = ec.save_model(model, tmp_path, step=False, pictures=False)
+    numbered = [strip for strip in model.strips if strip.number]
+    listed, page = (
+        (tmp_path / name).read_text(encoding="utf-8") for name in ("模型-cut-list.txt", "index.html")
+    )
+    for strip in numbered:
+        assert f"{strip.number} = {strip.label}" in listed
+        assert f"{strip.number} = {strip.label}" in page
+    report = json.loads((tmp_path / "模型.json").read_text(encoding="utf-8"))
+    assert [part["engraved"] for part in report["parts"]] == [strip.engraved for strip in model.strips]
+    assert "模型.json" in saved.files
+
+
+def test_mates_and_equal_labels_have_the_same_numbers():
+    across = ec.Placed(arch("右"), (60, 0, -20), (0, 1, 0), (0, 0, 1))
+    model = ec.Model([upright(arch("左")), across]).interlock()
+    assert [strip.engraved for strip in model.strips] == ["1", "2"]
+    assert [slot.mate for strip in model.strips for slot in strip.slots] == ["2", "1"]
+    longer = ec.make_strip(
+        ec.PlaneCurve.arc((0, 0), 120, 3.0, 0.1), "birch-plywood-0.8", max_width=20, label="左"
+    )
+    pieces = ec.Model([upright(arch("左")), upright(longer, 50)]).pieces
+    assert [piece.called for piece in pieces] == ["1 = 左", "1-2 = 左-2"]
+
+
+def test_a_single_strip_names_its_number():
+    strip = arch("Łukasz")
+    assert (strip.label, strip.engraved) == ("Łukasz", "1")
+    assert any("1 = Łukasz" in text for text in strip.warnings)
+    assert arch("Träger").engraved == "Träger"
+    assert not arch("Łukasz", engrave="L").number

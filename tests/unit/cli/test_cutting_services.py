@@ -1,5 +1,6 @@
 """Files for cutting services, which cut every line: from the commands and Python, read again with ezdxf."""
 
+import json
 import zipfile
 
 import ezdxf
@@ -7,6 +8,10 @@ import pytest
 
 from elastica_cad import InputError, read_curves, save_model
 from elastica_cad.design import Cutting, read_design
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
+from elastica_cad.model.assembly import engraved_marks
+from elastica_cad.strip.holding_template import holding_template
 from tests.command_line import run
 
 KIT = """schema = 1
@@ -94,3 +99,38 @@ def test_save_model_writes_cutting_files_as_the_record_says(tmp_path):
 def test_a_record_of_wrong_values_is_refused(values):
     with pytest.raises(InputError, match=f"cutting {next(iter(values))} is"):
         Cutting(**values)
+
+
+def test_papers_of_a_service_state_what_is_in_its_files(tmp_path):
+    """A kit for one's own machine has engravings, and a service only cuts."""
+    design = tmp_path / "kit.toml"
+    for recipient, engraved in (("service", False), ("workshop", True)):
+        design.write_text(KIT.replace('for = "service"', f'for = "{recipient}"').replace('"K"', '"左"'))
+        read = read_design(design, read_curves)
+        model = read.model()
+        contents = kit_contents(model, read.kit, entries=read.entries)
+        kit = model_kit(contents, step=False, pictures=False)
+        marks = [*engraved_marks(contents.model, contents.holders)]
+        assert bool(marks) == engraved
+        assert any("1 = 左" in text for text in contents.notes) == engraved
+        kit.write(tmp_path / recipient)
+        page = (tmp_path / recipient / "index.html").read_text(encoding="utf-8")
+        assert ("Nothing is written on the parts" in page) != engraved
+        assert ("where its label starts" in page) == engraved
+        assert (
+            "1 = 左" in (tmp_path / recipient / "kit-cut-list.txt").read_text(encoding="utf-8")
+        ) == engraved
+        (strip,) = contents.model.strips
+        lines = [text.text for text in holding_template(strip).texts]
+        assert any("its first letter" in line for line in lines) == engraved
+
+
+@pytest.mark.parametrize("service", [False, True])
+def test_a_laminate_for_a_service_has_no_word_on_it(arch, tmp_path, service):
+    style = 'style={kind="laminated", width=30, backing="card-200gsm"}'
+    options = ("--set", "cut.for=service") if service else ()
+    words = ("strip", arch, "--sheet", "card-200gsm", "--set", style, *options, "--no-step", "--no-pictures")
+    run(*words, "-o", tmp_path / "out")
+    side = json.loads((tmp_path / "out/arch.json").read_text())["backing_side"]
+    assert "side" in side
+    assert ("engraving" in side) != service
