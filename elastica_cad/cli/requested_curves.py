@@ -30,6 +30,9 @@ from elastica_cad.report_rows import Row
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+LONGEST_LABEL = 200
+"""Largest number of characters of a label, as declared by `StripSpec.label`."""
+
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
 """Options that select a curve of a file, as messages list them."""
 
@@ -210,7 +213,7 @@ def _number_of(piece: DrawnCurve) -> list[str]:
 
 
 def _printable(name: str) -> str:
-    return "".join(sign if sign.isprintable() else "_" for sign in plain_name(name))
+    return "".join(sign if sign.isprintable() else "_" for sign in plain_name(name))[:LONGEST_LABEL]
 
 
 def drawn_curves(
