@@ -44,25 +44,25 @@ POLICY = (
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 
-NO_ENTRY = "This page is for the person who started it: open the address that `elastica studio` printed.\n"
-
 
 @dataclass(frozen=True)
 class Entrance:
-    """Check of requests: a request must have the token, name this computer as host, and come from this site."""
+    """Check of requests: a request must name this computer as host and come from this site.
+
+    The files of the page are public. A socket is answered only after it has sent the key.
+    """
 
     port: int
-    token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
+    key: str = field(default_factory=lambda: secrets.token_urlsafe(24))
 
     @property
     def address(self) -> str:
-        """Address of the page for a browser, with the token."""
-        return f"http://{HOST}:{self.port}/?token={self.token}"
+        """Address of the page for a browser. The key is in the fragment, which browsers do not send."""
+        return f"http://{HOST}:{self.port}/#key={self.key}"
 
-    @property
-    def cookie(self) -> str:
-        """Name of the cookie, with the port because all ports of a host share their cookies."""
-        return f"elastica-studio-{self.port}"
+    def has_key(self, message: str) -> bool:
+        """Return True if the first message of a socket is the key."""
+        return hmac.compare_digest(message.encode(), self.key.encode())
 
     def refusal(self, connection: HTTPConnection) -> str:
         """Return why a request is refused, or "" if it is permitted."""
@@ -72,10 +72,7 @@ class Entrance:
         origin = connection.headers.get(
             "origin", "" if connection.scope["type"] == "websocket" else f"http://{host}"
         )
-        if origin != f"http://{host}":
-            return "This server answers to its own page only.\n"
-        token = connection.query_params.get("token") or connection.cookies.get(self.cookie, "")
-        return "" if hmac.compare_digest(token.encode(), self.token.encode()) else NO_ENTRY
+        return "" if origin == f"http://{host}" else "This server answers to its own page only.\n"
 
 
 class Guard:
@@ -103,10 +100,8 @@ class Guard:
                 headers["X-Content-Type-Options"] = "nosniff"
                 headers["Referrer-Policy"] = "no-referrer"
                 headers["Cross-Origin-Resource-Policy"] = "same-origin"
+                headers["Cross-Origin-Opener-Policy"] = "same-origin"
                 headers["Cache-Control"] = "no-cache"
-                if not refusal and "token" in connection.query_params:
-                    cookie = f"{self.entrance.cookie}={self.entrance.token}"
-                    headers.append("Set-Cookie", f"{cookie}; Path=/; HttpOnly; SameSite=Strict")
             await send(message)
 
         if not refusal:
@@ -128,7 +123,7 @@ class Studio:
     """
 
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
-        self.path = path
+        self.entrance, self.path = entrance, path
         if path is not None and path.exists():
             # report an invalid design in the terminal before the page opens
             open_design(path)
@@ -165,6 +160,9 @@ class Studio:
             await send(b"text", json.dumps({"design": None} | json.loads(opened) | self._hello).encode())
 
         try:
+            if not self.entrance.has_key(await talk.receive_text()):
+                await talk.close(1008, "wrong key")
+                return
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)

@@ -59,13 +59,12 @@ class Server:
         self.process = process
         self.address = process.stdout.readline().strip()
         parts = urlsplit(self.address)
-        self.host, self.port, self.token = parts.netloc, parts.port, parts.query.removeprefix("token=")
-        self.cookie = f"elastica-studio-{self.port}={self.token}"
+        self.host, self.port, self.key = parts.netloc, parts.port, parts.fragment.removeprefix("key=")
 
     @contextmanager
-    def page(self, **headers):
-        """What `Page.ask` needs; with the headers of our own page unless others are given."""
-        sent = {"Cookie": self.cookie, "Host": self.host} | headers
+    def page(self, key=None, **headers):
+        """What `Page.ask` needs; with the key and the headers of our own page unless others are given."""
+        sent = {"Host": self.host} | headers
         origin = sent.pop("Origin", f"http://{self.host}")
         host = sent.pop("Host")
         plain = socket.create_connection(("127.0.0.1", self.port))  # whatever the name of the host
@@ -77,6 +76,7 @@ class Server:
             max_size=2**26,
             compression=None,
         ) as talk:
+            talk.send(self.key if key is None else key)
             yield Page(talk)
 
 

@@ -11,7 +11,7 @@ import sys
 import time
 
 import pytest
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from elastica_cad.web.saved_design import compose_design
 from tests.studio.conftest import ARCH, Server, design, running
@@ -30,33 +30,33 @@ def fetched(server, path, **headers):
     return got.status, got.headers, text
 
 
-def test_the_token_becomes_a_cookie_and_the_page_has_a_policy(server):
-    status, headers, text = fetched(server, f"/?token={server.token}")
+def test_the_files_of_the_page_have_a_policy_and_set_no_cookie(server):
+    status, headers, text = fetched(server, "/")
     assert status == 200
     assert "page.js" in text
-    cookie = headers["Set-Cookie"]
-    assert server.cookie in cookie
-    assert "HttpOnly" in cookie
-    assert "SameSite=Strict" in cookie
+    assert "Set-Cookie" not in headers
     policy = headers["Content-Security-Policy"]
     assert "default-src 'none'" in policy
     assert "unsafe" not in policy
-    assert fetched(server, "/studio.js", Cookie=server.cookie)[0] == 200
+    assert all(server.key not in part for part in (text, str(headers)))
 
 
-@pytest.mark.parametrize(
-    "path", ["/", "/?token=", "/?token=guess", "/studio.js", "/vendor/three.module.min.js"]
-)
-def test_without_the_token_nothing_is_shown(server, path):
-    status, headers, text = fetched(server, path)
-    assert status == 403
-    assert text.count("\n") == 1
-    assert "Set-Cookie" not in headers
+@pytest.mark.parametrize("key", ["", "guess", "\ud7ff\0", '{"do": "open"}', '{"do": "save", "mark": ""}'])
+def test_without_the_key_no_question_is_answered(server, key):
+    with pytest.raises(ConnectionClosed) as closed, server.page(key):
+        pass
+    assert closed.value.rcvd.code == 1008
+    for elsewhere in (
+        {"Cookie": f"elastica-studio-{server.port}={server.key}"},
+        {"Authorization": server.key},
+    ):
+        with pytest.raises(ConnectionClosed), server.page("guess", **elsewhere):
+            pass
 
 
 @pytest.mark.parametrize("host", ["evil.example", "127.0.0.1", "evil.example:80", "127.0.0.1.evil.example"])
 def test_a_name_that_was_bound_to_this_computer_is_refused(server, host):
-    assert fetched(server, f"/?token={server.token}", Host=host)[0] == 403
+    assert fetched(server, "/", Host=host)[0] == 403
     with pytest.raises(InvalidStatus), server.page(Host=host):
         pass
 
@@ -65,10 +65,8 @@ def test_a_name_that_was_bound_to_this_computer_is_refused(server, host):
 def test_other_sites_open_no_socket(server, origin):
     with pytest.raises(InvalidStatus), server.page(Origin=origin):
         pass
-    with pytest.raises(InvalidStatus), server.page(Cookie="elastica-studio-1=guess"):
-        pass
     if origin:
-        assert fetched(server, "/", Cookie=server.cookie, Origin=origin)[0] == 403
+        assert fetched(server, "/", Origin=origin)[0] == 403
 
 
 @pytest.mark.parametrize(
@@ -84,7 +82,7 @@ def test_other_sites_open_no_socket(server, origin):
     ],
 )
 def test_no_path_leads_out_of_the_page(server, path):
-    status, _, text = fetched(server, path, Cookie=server.cookie)
+    status, _, text = fetched(server, path)
     assert status in (400, 404, 405)
     assert "import" not in text
 
@@ -189,7 +187,7 @@ def test_saving_many_points_does_not_hold_up_another_page(tmp_path):
         other.ask("edit", design=design(), remove=3)  # both workers are there
         one.talk.send(json.dumps({"do": "save", "design": design(many), "mark": one.hello["mark"]}))
         began = time.monotonic()
-        assert fetched(server, "/studio.js", Cookie=server.cookie)[0] == 200
+        assert fetched(server, "/studio.js")[0] == 200
         assert "curve" in other.ask("edit", design=design(), remove=3)
         waited = time.monotonic() - began
         assert "saved" in one.answer()

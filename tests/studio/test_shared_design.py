@@ -101,11 +101,12 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             save(studio, lambda: "Saved" in studio.text(".said"))
             assert "by hand" in path.read_text()
 
-            studio.browser.switch_to.window(kept)  # it has the new cookie, and finds its server again
-            studio.until(lambda: studio.all("dialog[open]"))
+            studio.browser.switch_to.window(kept)  # the new server has another key
+            assert "server has stopped" in studio.text(".said")
             assert shown(studio) == 35
-            studio.click("Use the file's design", "dialog button")
-            studio.until(lambda: shown(studio) == 21)
+            studio.browser.get(server.address)
+            studio.until(lambda: "differs from the file" in studio.text(".said"))
+            assert shown(studio) == 21
             studio.until(lambda: studio.verdict().startswith("It can"))
 
             change(studio, 36)

@@ -31,11 +31,13 @@ class Questions {
   }
 }
 
-// To the server of the page.
+const WRONG_KEY = 1008;
+
+// To the server of the page, which answers after it has received the key. `opened` has its greeting, or null if the key is wrong.
 export class Channel extends Questions {
-  constructor(address) {
+  constructor(address, key) {
     super();
-    this.address = address;
+    Object.assign(this, { address, key });
     this.opened = new Promise((resolve) => { this.greeted = resolve; });
     this.connect();
   }
@@ -47,6 +49,7 @@ export class Channel extends Questions {
   connect() {
     this.socket = new WebSocket(this.address);
     this.socket.binaryType = "arraybuffer";
+    this.socket.onopen = () => this.socket.send(this.key);
     this.socket.onmessage = ({ data }) => {
       const [answer, content] = typeof data === "string" ? [JSON.parse(data)] : opened(data);
       if (answer.do !== "hello") this.take(answer, content);
@@ -55,11 +58,12 @@ export class Channel extends Questions {
         this.onstate(true, answer);
       }
     };
-    this.socket.onclose = () => {
+    this.socket.onclose = ({ code }) => {
       this.onstate(false);
       for (const under of this.waiting.values()) for (const done of under.values()) done(null);
       this.waiting.clear();
-      setTimeout(() => this.connect(), 2000);
+      if (code === WRONG_KEY) this.greeted(null); // the server is another one than at the time of the key
+      else setTimeout(() => this.connect(), 2000);
     };
   }
 }

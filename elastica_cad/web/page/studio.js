@@ -606,7 +606,7 @@ class Studio {
     }
     this.assembly = null;
     this.paint(null);
-    this.tell(this.t("The server has stopped. Your design is kept in this page and its address. Run elastica studio again."));
+    this.tell(this.t("The server has stopped. Your design is kept in this page and its address. Run elastica studio again and open its address in this tab."));
   }
 
   // The file is not as this page read it last: the user chooses, and nothing is lost.
