@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from elastica_cad.cli.voice import answer, say
-from elastica_cad.errors import MissingDependencyError
+from elastica_cad.errors import missing_library
 
 NEEDED = ("starlette", "uvicorn", "websockets", "tomlkit")
 
@@ -28,10 +28,7 @@ def studio(design: Path | None, port: int, no_browser: bool) -> None:
     """
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
-        raise MissingDependencyError(
-            'The page needs {missing}. Install it with pip install "elastica-cad[studio]".',
-            missing=missing[0],
-        )
+        raise missing_library(f"the page needs {missing[0]}", "elastica-cad[studio]")
     from elastica_cad.web.server import Entrance, Studio, bound_socket, serve
 
     bound = bound_socket(port)

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -615,6 +615,13 @@ class Strip:
     def holes(self) -> tuple[Path, ...]:
         """Closed loops of the holes."""
         return self.layers[0].holes
+
+    def bent_as(self, rod: Rod) -> "Strip":
+        """Return the strip with the same cut in another shape, such as a step of `bend_strip`, under its loads."""
+        bent = object.__new__(type(self))
+        vars(bent).update({field.name: getattr(self, field.name) for field in fields(self)})
+        vars(bent).update(rod=rod, layout=self.layout, _unloaded=None)
+        return bent
 
     def labelled(self, label: str) -> "Strip":
         """Return the strip with another label.

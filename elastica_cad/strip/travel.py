@@ -26,7 +26,6 @@ from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.stability_limits import Course
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
-from elastica_cad.strip.styles import Bends
 
 RESOLUTION_FRACTION = 1e-4
 """Tolerance of the position at which the strip snaps, is overstrained or crosses itself, as a fraction of a
@@ -221,7 +220,7 @@ class Travel:
     @cached_property
     def strained_at(self) -> float | None:
         """First value of `path_length` at which the strain exceeds the limit of the sheet, or None."""
-        return self._first_failure(lambda rod: _most_strained(self.strip, rod)[2] < 1)
+        return self._first_failure(lambda rod: not self.strip.bent_as(rod).most_strained.judged().allowed)
 
     @cached_property
     def snaps_at(self) -> float | None:
@@ -364,7 +363,10 @@ def bend_strip(
     movement = Movement.of([strip.rod, *rods])
     start_force, end_force = B * np.stack([rod.support_forces for rod in rods], axis=1)
     moment = np.array([rod.moment for rod in rods])
-    skins = [_most_strained(strip, rod) for rod in rods]
+    layers = [strip.bent_as(rod).most_strained for rod in rods]
+    strain = np.array([layer.largest for layer in layers])
+    with np.errstate(divide="ignore"):
+        safety = np.array([layer.limit for layer in layers]) / strain
     return Travel(
         strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end,
         travel=movement.travel[1:], turn=movement.turn[1:],
@@ -372,9 +374,9 @@ def bend_strip(
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
         force_along=np.sum(end_force * _path_directions(end, designed), axis=1),
         energy=np.array([B * rod.bending_energy for rod in rods]),
-        strain=np.array([strain for strain, _, _ in skins]),
-        stress=np.array([stress for _, stress, _ in skins]),
-        safety=np.array([safety for _, _, safety in skins]),
+        strain=strain,
+        stress=strain * [layer.sheet.youngs_modulus for layer in layers],
+        safety=safety,
         verdicts=tuple(stability(rod) for rod in rods),
         sideways=tuple(strip_sideways(rod, strip.layout) for rod in rods),
     )  # fmt: skip
@@ -391,14 +393,3 @@ def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray
 
 def _crosses_itself(rod: Rod) -> bool:
     return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
-
-
-def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
-    """Return strain, elastic stress (MPa) and safety factor of the layer nearest to the strain limit."""
-    bent = np.abs(rod.curvature - rod.natural_curvature)
-    layers = strip.layout.strains(Bends(bent, rod.s))
-    k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)
-    worst = layers[k]
-    with np.errstate(divide="ignore"):
-        safety = float(np.divide(worst.limit, worst.largest))
-    return worst.largest, worst.largest * strip.layers[k].sheet.youngs_modulus, safety

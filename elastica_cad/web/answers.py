@@ -49,7 +49,7 @@ from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends, Plain
 from elastica_cad.strip.suggestions import Suggestion, instruction, suggest
-from elastica_cad.strip.summary import strip_rows
+from elastica_cad.strip.summary import stability_row, strain_rows, strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
     OF_MODELS,
@@ -398,8 +398,8 @@ def _inflections(rod: Rod) -> Record:
     }
 
 
-def _stations(strip: Strip, rod: Rod | None = None) -> Record:
-    rod = rod or strip.rod
+def _stations(strip: Strip) -> Record:
+    rod = strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
     rest = np.broadcast_to(rod.natural_curvature, rod.s.shape)[k]
@@ -575,12 +575,16 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
 
 
 def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
-    shape = _stations(strip, travel.rods[k])
+    bent = strip.bent_as(travel.rods[k])
+    shape, verdict, rows = _stations(bent), travel.verdicts[k], [*strain_rows(bent)]
+    if verdict.rating != "stable":
+        rows.append(stability_row(bent, verdict))
     return {
         "part": round(float(part), 4),
         "force": float(f"{travel.support_force[k]:.3g}"),
         "moment": float(f"{travel.support_moment[k]:.3g}"),
-        "stable": bool(travel.stable[k]),
+        "stable": verdict.stable,
+        "rows": _rows(rows),
         **{key: shape[key] for key in ("position", "shares")},
     }
 

@@ -11,6 +11,7 @@ from elastica_cad.mechanics.sheets import sheets_by_kind
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.web.answers import CATALOGUES, DOWNLOADS
+from elastica_cad.web.saved_design import OF_MODELS
 from elastica_cad.words import catalogue
 
 
@@ -36,5 +37,6 @@ def page_words() -> dict[str, Any]:
         ],
         "downloads": [kind for kind in DOWNLOADS if kind not in missing],
         "missing": missing,
+        "model_keys": OF_MODELS,
         "nearest": {"margin": SAFE_MARGIN},
     }

@@ -14,7 +14,7 @@ import elastica_cad as ec
 from elastica_cad.cli import main
 from elastica_cad.mechanics.sheets import cut_sheets
 from elastica_cad.strip.suggestions import suggest
-from elastica_cad.strip.summary import strip_rows
+from elastica_cad.strip.summary import strain_rows, strip_rows
 from elastica_cad.web.answers import Download, answer, requested_spec, with_point_near, without_point
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
@@ -135,6 +135,30 @@ def test_force_and_moment_beside_the_bar_are_the_larger_of_both_ends(points):
     shown = next(frame for frame in answer({"do": "bend", "design": drawn})["frames"] if frame["part"] == 1)
     assert shown["moment"] == pytest.approx(max(start, end), rel=1e-2)
     assert shown["force"] == pytest.approx(strip.bending_stiffness * np.hypot(*strip.rod.force[0]), rel=1e-2)
+
+
+@pytest.mark.parametrize(("scale", "sheet"), [(1.5, "birch-plywood-0.8"), (2, "pom-1")])
+def test_each_shape_of_the_slider_has_the_rows_of_the_report(scale, sheet):
+    drawn = design(np.divide(ARCH, scale).tolist(), sheet=sheet, max_width=25)
+    frames = answer({"do": "bend", "design": drawn})["frames"]
+    made = requested_spec(drawn).make()
+    (strain,) = strain_rows(made)
+    shown = next(frame for frame in frames if frame["part"] == 1)
+    assert [str(row["text"]) for row in shown["rows"]] == [str(strain.text)]
+    beyond = [max(frame["shares"]) > 1 for frame in frames]
+    assert 0 < sum(beyond) < len(frames)
+    assert beyond == [frame["rows"][0]["stops"] for frame in frames]
+    assert f"{made.sheet.name} allows" in str(frames[-1]["rows"][0]["text"])
+
+
+def test_a_shape_that_snaps_has_the_row_on_its_stability():
+    points = [(0, 0), (50, 120), (100, 144), (150, 120), (200, 0)]
+    turned_over = design(points, sheet="spring-steel-0.2", max_width=15, natural_curvature=-1 / 60)
+    frames = answer({"do": "bend", "design": turned_over | {"ignore_limits": True}})["frames"]
+    assert not all(frame["stable"] for frame in frames)
+    for frame in frames:
+        texts = [row["text"].text for row in frame["rows"] if str(row["label"]) == "Stability"]
+        assert frame["stable"] == ("unstable: the strip snaps into another shape" not in texts)
 
 
 def test_copies_between_rings_stand_in_their_places():

@@ -1,5 +1,6 @@
 """Walks through the studio in Chromium, by mouse and keyboard; the long ones are a campaign."""
 
+import re
 import statistics
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import pytest
 import elastica_cad as ec
 from tests.house.stored_files import STORED
 from tests.studio.browser import TIMED, chromium
-from tests.studio.conftest import ARCH, link, running, wave, without_command
+from tests.studio.conftest import ARCH, design, link, running, wave, without_command
 
 CURVE = [(0.12, 0.75), (0.2, 0.6), (0.3, 0.25), (0.5, 0.15), (0.7, 0.25), (0.8, 0.6), (0.88, 0.75)]
 """Places on the drawing, in shares of its size."""
@@ -128,6 +129,47 @@ def test_a_change_after_a_refusal_is_shown_applied_and_undone(server, tmp_path):
         assert not studio.all(".cure")
         studio.click("Undo")
         studio.until(lambda: studio.verdict() == "It cannot be made" and studio.all(".cure"))
+
+
+def test_the_verdict_is_of_the_whole_model_however_it_was_opened(server, tmp_path):
+    """A lamp whose plates are too far apart for its tabs, as a link, loaded again, and as a file."""
+    spline = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
+    lamp = design(spline, sheet="polypropylene-0.8", max_width=30, ends={"length": 24})
+    lamp |= {"patterns": [{"rotate": {"count": 6}}], "rings": {"sheet": "mdf-3", "gap": 20}}
+
+    def is_refused():
+        return studio.verdict() and "does not reach through the second plate" in studio.text(".verdict")
+
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{link(lamp)}")
+        studio.until(is_refused)
+        studio.browser.refresh()
+        studio.until(is_refused)
+        studio.all("#whole")[0].click()  # shows the strip alone, which is part of the model nevertheless
+        studio.until(lambda: not studio.text(".said"))
+        assert is_refused()
+        path = studio.download("design", "arch.toml")
+        studio.start("arch")
+        assert studio.verdict() == "It can be made"
+        studio.all("input[type=file]")[0].send_keys(str(path))
+        studio.until(is_refused)
+
+
+def test_the_slider_is_judged_in_the_words_of_the_report(server, tmp_path):
+    near_the_limit = design(np.divide(ARCH, 1.5).tolist(), max_width=25)
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{link(near_the_limit)}")
+        studio.until(
+            lambda: studio.verdict() == "It can be made" and "allows 0.87 %" in studio.text(".numbers")
+        )
+        drawn = studio.text(".numbers")
+        studio.all(".bend input")[0].send_keys("\ue010")  # End: pressed together
+        studio.until(lambda: studio.verdict() == "Read the warnings before you bend it this far")
+        assert re.search(r"The strain is 1\.\d+ % at \d+ mm .* allows 0\.87 %", studio.text(".verdict"))
+        assert "Strain" not in studio.text(".numbers")
+        studio.click("as drawn")
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.until(lambda: studio.text(".numbers") == drawn)
 
 
 @pytest.mark.campaign

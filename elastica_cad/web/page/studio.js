@@ -128,7 +128,7 @@ class Studio {
     this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
     this.marks = html("div", { class: "marks" });
-    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked ?? Boolean(this.design.revolution), onchange: () => this.model() });
+    this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked, onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.which = html("div", {});
     const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -213,14 +213,13 @@ class Studio {
     const { fields, pair_fields } = this.hello, all = pair ? pair_fields : [...fields, ...COPIES];
     const groups = Object.entries(GROUPS).map(([title, names]) => [title, names.flatMap((name) => all.filter((field) => field.name === name))]);
     for (const field of COPIES) if (field.held) field.when = () => Boolean(holding(this.design));
-      else if (field.many) field.when = () => isModel(this.design);
+      else if (field.many) field.when = () => this.isModel();
     const shown = groups.flatMap(([, of]) => of);
     this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
       t: this.t, boxed: this.boxed, sheets: this.sheetsOf, begin: (table) => this.begin(table),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
-        this.whole.checked ||= Boolean(copy);
         this.history.change((one) => (copy ? copy.set(one, value) : put(table(one, path[0]), path, value)));
       },
     });
@@ -241,6 +240,9 @@ class Studio {
   }
 
   // ---- what is asked
+
+  // A design of several strips, or of a strip and what holds it: the kit and the verdict are of all.
+  isModel(design = this.design) { return design.strips?.length > 1 || design.strips?.some((strip) => "count" in strip) || this.hello.model_keys.some((key) => key in design); }
 
   curve(design = this.design) { return design.pair ? design.pair[STATES[this.strip]] : design.strips?.[this.strip]?.curve; }
 
@@ -363,7 +365,9 @@ class Studio {
     if (this.strip >= (design.pair ? 2 : design.strips?.length ?? 0)) this.strip = 0;
     this.pairing.setAttribute("aria-pressed", Boolean(design.pair));
     if (this.formOf !== Boolean(design.pair)) this.formFor(design);
-    this.frames = this.framing = null;
+    const isModel = this.isModel(design);
+    if (isModel !== this.wasModel) this.whole.checked = this.wasModel = isModel;
+    this.frames = this.framing = this.slid = null;
     this.length = this.before;
     this.before = null;
     Object.assign(this.bar, { max: FURTHEST, value: 1 });
@@ -454,7 +458,7 @@ class Studio {
 
   async model() {
     const design = this.design;
-    if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
+    if (!(this.whole.checked || this.isModel()) || !(design.strips?.length || design.revolution)) {
       this.alone();
       this.assembly = null;
       this.tabulate();
@@ -465,10 +469,10 @@ class Studio {
     const answer = await this.channel.ask({ do: "model", design });
     if (!answer) return;
     this.tell("");
-    if (!this.whole.checked) return;
+    if (!(this.whole.checked || this.isModel())) return;
     this.assembly = answer;
     if (this.answer || design.revolution) this.judge();
-    if (answer.places) {
+    if (answer.places && this.whole.checked) {
       this.space.showModel(answer);
       this.explain(true);
     } else this.alone();
@@ -513,16 +517,17 @@ class Studio {
 
   flatten() { showFlat(this.flat, this.answer?.flat, this.answer && `${this.t("Flat strip")}, ${this.number(this.answer.length)} mm`); }
 
-  // One verdict on the strip and, where the whole model is shown, on what holds it.
+  // One verdict on the strip and on what holds it, which waits for the answer on the whole model. Warnings of the shape that the slider shows come last.
   judge() {
     const { t, answer } = this, assembly = answer || this.design.revolution ? this.assembly : null, refused = answer?.refused ?? assembly?.refused;
-    const stops = (answer?.rows ?? []).filter((row) => row.stops).map((row) => row.text);
-    const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
-    const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
+    const stops = (rows = []) => rows.filter((row) => row.stops).map((row) => row.text);
+    const known = !refused && (this.isModel() ? assembly : answer ?? assembly);
+    const warnings = known ? [...stops(answer?.rows), ...(assembly?.warnings ?? [])] : [], slid = known ? stops(this.slid?.rows) : [];
+    const state = refused ? "no" : warnings.length || slid.length ? "care" : known ? "yes" : "";
     const clashes = Array.isArray(refused?.where?.field); // of several settings
-    const title = { yes: "It can be made", care: "Read the warnings before you cut", no: clashes ? "These settings cannot be combined" : "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
+    const title = { yes: "It can be made", care: warnings.length ? "Read the warnings before you cut" : "Read the warnings before you bend it this far", no: clashes ? "These settings cannot be combined" : "It cannot be made" }[state] ?? (answer || this.design.revolution || this.lost ? "" : "Draw at least three points");
     const unchecked = this.keeps && refused && !answer?.refused ? [t("“Keep it possible” checks each strip alone, not its copies and holders.")] : [];
-    const all = refused ? [refused.message, ...unchecked] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
+    const all = refused ? [refused.message, ...unchecked] : state ? [...warnings, ...slid, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const texts = [...new Set(all)].filter((text) => !all.some((other) => other !== text && other.includes(text)));
     const said = [title, ...texts].join();
@@ -539,7 +544,7 @@ class Studio {
 
   // The kit of all strips comes before the files of one strip; what cannot be made has no files, and one line with the reason.
   offerFiles(title) {
-    const { t, answer, assembly, design } = this, several = isModel(design), list = this.downloads.lastChild, buttons = [...list.querySelectorAll("[data-kind]")];
+    const { t, answer, assembly, design } = this, several = this.isModel(), list = this.downloads.lastChild, buttons = [...list.querySelectorAll("[data-kind]")];
     const isMade = (kind) => kind === "design" || (kind === "kit" && assembly ? !assembly.refused : Boolean(answer?.position) || (kind === "kit" && Boolean(design.revolution)));
     for (const button of buttons) {
       const { kind } = button.dataset;
@@ -553,12 +558,18 @@ class Studio {
     if (buttons.some((button) => button.disabled)) list.prepend(html("p", { class: "reason" }, `${t("Not available")}: ${t(title || "It cannot be made")}`));
   }
 
+  // The report on the strip; the slider has other rows for the shape that it shows.
+  rows() {
+    const { rows = [] } = this.answer ?? {}, shape = this.slid?.rows ?? [], isOfShape = ({ label }) => shape.some((row) => row.label === label);
+    return rows.filter((row) => !isOfShape(row)).toSpliced(rows.findIndex(isOfShape), 0, ...shape);
+  }
+
   // Only the values that change are written anew.
   tabulate() {
     const { t, answer } = this, row = (label, text) => ({ label: t(label), text, details: [] });
     const read = this.read && same(this.read.curve, this.curve()) ? [row("Read", this.read.text)] : []; // until the curve is changed
-    const model = (answer || this.design.revolution) && this.whole.checked && this.assembly?.text ? [row("Model", this.assembly.text), ...this.assembly.notes.map((text) => row("Note", text))] : [];
-    const rows = [...read, ...(answer?.rows ?? []).filter(({ stops }) => !stops), ...model];
+    const model = (answer || this.design.revolution) && this.assembly?.text ? [row("Model", this.assembly.text), ...this.assembly.notes.map((text) => row("Note", text))] : [];
+    const rows = [...read, ...this.rows().filter(({ stops }) => !stops), ...model];
     const cells = this.numbers.children;
     if (cells.length !== 2 * rows.length) this.numbers.replaceChildren(...rows.flatMap(() => [html("dt"), html("dd")]));
     rows.forEach(({ label, text, details }, k) => [label, text].forEach((content, i) => {
@@ -726,7 +737,6 @@ class Studio {
       this.refit = k > 0;
       this.forget();
       this.history.replace(k ? design : emptied(this.design));
-      this.whole.checked = isModel(this.design);
       this.dialog.close();
       this.draws(!this.points().length);
       this.changed();
@@ -782,7 +792,10 @@ class Studio {
     if (!this.frames) return;
     const { t } = this, part = +this.bar.value;
     const frame = this.frames.reduce((best, one) => (Math.abs(one.part - part) < Math.abs(best.part - part) ? one : best));
-    const shape = { ...this.answer, ...frame, moved: frame.part !== 1 };
+    const moved = frame.part !== 1, shape = { ...this.answer, ...frame, moved };
+    this.slid = moved ? frame : null;
+    this.judge();
+    this.tabulate();
     this.drawing.show({ answer: shape });
     if (!this.whole.checked) this.space.showAll([shape]);
     this.travel(shape, frame);
@@ -876,8 +889,6 @@ function paired({ schema, name, sheet, strips }, strip = 0) {
   return { schema, name, pair: { first, second, sheet: strips[strip].sheet ?? sheet } };
 }
 
-// More than one strip: the model has a kit of all.
-const isModel = (design) => Boolean(design.patterns || design.revolution || design.strips?.length > 1);
 const reach = (table, path) => path.reduce((value, key) => value?.[key], table);
 
 function put(table, path, value) {
