@@ -122,6 +122,11 @@ def test_a_drag_and_every_command(tmp_path):
     assert len(others) > 100
     assert not {keys.split(",")[0] for keys in ours} & {keys.split(",")[0] for keys in others}
     assert "mm" in found["strip panel"]
+    (kind,) = found["label with tags"].values()
+    assert kind.endswith("PlainText")
+    assert not any(kind.endswith("AutoText") for kind in found["formats"])
+    assert "&lt;i&gt;row&lt;/i&gt;" in found["row with tags"]
+    assert "&lt;b&gt;text&lt;/b&gt;" in found["row with tags"]
     assert "can take this curve" in found["check"]
     assert found["check"].startswith("Read: ")
     assert found["check overlay"]["comb"] > 100

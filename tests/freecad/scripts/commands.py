@@ -66,7 +66,17 @@ def strip_command(document, drawn):
     panel.reject()
     assert until(lambda: names(document) == before), "Cancel left something"
     choose(drawn)
+    usual, drawn.Label = drawn.Label, "<b>arch</b> &lt; <img src=x>"
     panel = open_panel("Elastica_Strip")
+    formats = {label.text(): str(label.textFormat()) for label in panel.form.findChildren(QtWidgets.QLabel)}
+    answers["label with tags"] = {text: kind for text, kind in formats.items() if drawn.Label in text}
+    from freecad.elastica_wb.panels.property_panel import table_of
+
+    from elastica_cad.report_rows import Row
+
+    answers["row with tags"] = table_of([Row("<i>row</i>", "<b>text</b>")])
+    answers["formats"] = sorted(set(formats.values()))
+    drawn.Label = usual
     fill(panel, MaxWidth=25.0)
     panel.form.EngravedText.setText("A1")
     panel.form.EngravedText.textEdited.emit("A1")

@@ -227,6 +227,7 @@ class LengthCard(QtCore.QObject):
         self.frame.setObjectName("ElasticaVerdict")
         self.heading, self.words = QtWidgets.QLabel(self.frame), QtWidgets.QLabel(self.frame)
         self.words.setWordWrap(True)
+        self.words.setTextFormat(QtCore.Qt.PlainText)
         self.length = quantity_box()
         self.length.setParent(self.frame)
         self.length.setObjectName("length")

@@ -49,6 +49,8 @@ class VerdictCard(QtCore.QObject):
         self.frame.setObjectName("ElasticaVerdict")
         self.frame.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
         self.heading, self.words, self.legend = (QtWidgets.QLabel(self.frame) for _ in range(3))
+        # names of sheets may look like HTML
+        self.words.setTextFormat(QtCore.Qt.PlainText)
         layout = QtWidgets.QVBoxLayout(self.frame)
         layout.setSpacing(4)
         for label in (self.heading, self.words, self.legend):

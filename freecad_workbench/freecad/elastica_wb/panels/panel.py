@@ -49,8 +49,10 @@ class Panel:
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
-        # a label may look like HTML
-        self.form.message.setTextFormat(QtCore.Qt.PlainText)
+        # labels of objects and names of sheets may look like HTML
+        for label in self.form.findChildren(QtWidgets.QLabel):
+            if label.textFormat() == QtCore.Qt.AutoText:
+                label.setTextFormat(QtCore.Qt.PlainText)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)

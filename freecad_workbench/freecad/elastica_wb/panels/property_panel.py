@@ -150,6 +150,7 @@ class PropertyPanel(Panel):
         form.message, form.numbers = QtWidgets.QLabel(), QtWidgets.QLabel()
         form.message.setWordWrap(True)
         form.numbers.setWordWrap(True)
+        form.numbers.setTextFormat(QtCore.Qt.RichText)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
         form.suggestions = [_ChangeButton(number, self._preview) for number in range(MOST_SUGGESTED)]
@@ -293,7 +294,7 @@ class PropertyPanel(Panel):
         failed = bool(why_not_made(obj))
         rows = () if failed else layout.results(obj)
         self.form.numbers.setToolTip(
-            "\n".join(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
+            _tip(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
         )
         self.form.numbers.setText(table_of(rows))
         self.form.numbers.setVisible(bool(rows))
@@ -349,7 +350,7 @@ class PropertyPanel(Panel):
             self.form.suggestions, [*self._suggested, *none], effects, strict=False
         ):
             button.setText(fill(worded(text), BUTTON_LETTERS))
-            button.setToolTip(effect)
+            button.setToolTip(_tip([effect]))
             button.setVisible(bool(text))
 
     def _begin_search(self) -> None:
@@ -476,11 +477,16 @@ def _title(suggestion: Suggestion) -> Refusal:
 def table_of(rows: Sequence[Row]) -> str:
     """Return rows as an HTML table for a label, or "" without rows."""
     table = "".join(
-        f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
+        f"<tr><td>{html_text(worded(row.label))}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
         f"{html_text(worded(row.text))}</td></tr>"
         for row in rows
     )
     return f"<table>{table}</table>" if rows else ""
+
+
+def _tip(lines: Iterable[str]) -> str:
+    # a tip has no format, and Qt reads words that look like HTML as HTML
+    return "<br>".join(f"<span>{html_text(line)}</span>" for line in lines if line)
 
 
 def _plain(value: Any) -> Any:
