@@ -5,6 +5,7 @@ from pathlib import Path
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
+from sphinx.search.zh import SearchChinese
 
 from elastica_cad import __version__
 
@@ -78,18 +79,47 @@ def list_contents(_app, docname, source):
             )
 
 
+def show_contributing(_app, docname, source):
+    """Show the file of the repository on its page of the manual, so that links to it stay inside of the site."""
+    if docname == "contributing":
+        text = (DOCS.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
+        source[0] = text.replace("](docs/", "](")
+
+
 def lead_to_english(app, doctree):
-    """Pages that this language has not are linked in English; files outside of the manual by its English index."""
+    """Pages that this language has not are linked in English."""
     up = "../" * (app.env.docname.count("/") + 1)
     for link in list(doctree.findall(pending_xref)):
-        page = "index" if link["reftarget"].startswith("/") else link["reftarget"]
-        if link["refdomain"] == "doc" and link["reftarget"] not in app.env.found_docs:
+        page = link["reftarget"]
+        is_missing = page not in app.env.found_docs and not page.startswith("/")
+        if app.config.language != "en" and link["refdomain"] == "doc" and is_missing:
             target = f"{up}{page}.html" + (f"#{link['reftargetid']}" if link.get("reftargetid") else "")
             link.replace_self(nodes.reference("", "", *link.children, refuri=target, internal=True))
 
 
+HAN = re.compile(r"[\u3400-\u9fff]+")
+
+
+class ChineseSearch(SearchChinese):
+    """Search without a dictionary: a character, two neighbouring characters and a whole run of them are words."""
+
+    language_name = "English"  # of the stemmer, which Sphinx looks for by the name of the language
+
+    def split(self, text):
+        """Return the words of a text; the page finds longer words within the runs."""
+        runs = HAN.findall(text)
+        pairs = [run[k : k + 2] for run in runs for k in range(len(run) - 1)]
+        return [*runs, *pairs, *"".join(runs), *super().split(text)]
+
+    def word_filter(self, word):
+        """Return True for words that are searched."""
+        return super().word_filter(word) or bool(HAN.match(word))
+
+
 def setup(app):
     """Connect the functions above to the events of Sphinx."""
+    app.add_search_language(ChineseSearch)
     app.connect("source-read", list_contents)
+    app.connect("source-read", show_contributing)
     app.connect("html-page-context", name_languages)
     app.connect("doctree-read", lead_to_english)

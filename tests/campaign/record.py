@@ -21,7 +21,7 @@ PAGE = ROOT / "docs" / "trust.md"
 HEAD = """# What the long test runs found
 
 The tests of `make test` are run for every change. Long test runs are called *campaigns*. A campaign is run when a
-change affects the code that it tests, and before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says how to run
+change affects the code that it tests, and before a release. [How to contribute](contributing.md) says how to run
 them. The campaigns *elements* and *solids* have pages of their own: [strips bent by finite
 elements](finite_elements.md) and [bodies in three CAD programs](kernels.md).
 

@@ -39,6 +39,8 @@ def test_a_page_of_the_manual(tmp_path):
     packages |= {"published", "strip"}
     assert [name for name in ec.__all__ if name not in packages and f'id="{name.lower()}"' not in shown] == []
     assert crawled(site, "--page", "tutorials/first_strip.html") == 1
+    assert 'href="contributing.html"' in (site / "trust.html").read_text(encoding="utf-8")
+    crawled(site, "--find", "lamps", "tutorials/lamp.html", "--find", "pytest", "contributing.html")
 
 
 @pytest.mark.campaign
@@ -48,6 +50,14 @@ def test_the_whole_site_in_three_languages(tmp_path):
         first = (site / language / "tutorials" / "first_strip.html").read_text(encoding="utf-8")
         assert title in first
         assert 'href="../../explanation/which_curves.html"' in first  # what is in English only
+        assert 'href="../contributing.html"' in (site / language / "index.html").read_text(encoding="utf-8")
+    words = {
+        "lamps": "tutorials/lamp.html",
+        "Lampen": "de/tutorials/lamp.html", "Krümmung": "de/tutorials/bow.html",
+        "灯": "zh_CN/tutorials/lamp.html", "曲率": "zh_CN/tutorials/first_strip.html",
+        "FreeCAD": "zh_CN/tutorials/freecad.html",
+    }  # fmt: skip
+    crawled(site, *(part for search in words.items() for part in ("--find", *search)))
     assert crawled(site) > 100
 
 
