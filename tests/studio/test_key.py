@@ -94,6 +94,7 @@ def test_pages_of_other_servers_get_neither_key_nor_design(tmp_path):
         assert path.read_bytes() == before
 
 
+@pytest.mark.campaign
 def test_the_key_is_kept_for_the_tab_alone(server, tmp_path):
     with chromium(tmp_path) as studio:
         browser = studio.browser

@@ -155,6 +155,7 @@ def test_the_verdict_is_of_the_whole_model_however_it_was_opened(server, tmp_pat
         studio.until(is_refused)
 
 
+@pytest.mark.campaign
 def test_the_slider_is_judged_in_the_words_of_the_report(server, tmp_path):
     near_the_limit = design(np.divide(ARCH, 1.5).tolist(), max_width=25)
     with chromium(tmp_path) as studio:
