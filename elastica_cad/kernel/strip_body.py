@@ -246,8 +246,8 @@ class MadeStrip:
     @property
     def face(self) -> Shape:
         """Flat pattern as a TopoDS_Face."""
-        outline, *holes = (in_smooth_pieces(loop) for loop in (self.strip.outline, *self.strip.holes))
-        return make_face(outline, holes)
+        holes = [in_smooth_pieces(hole, 1) for hole in self.strip.holes]
+        return make_face(in_smooth_pieces(self.strip.outline), holes)
 
 
 class StripBody:

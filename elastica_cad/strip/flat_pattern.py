@@ -3,7 +3,8 @@
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby, islice, pairwise
+from itertools import groupby, pairwise
+from math import ceil
 from operator import itemgetter
 
 import numpy as np
@@ -14,7 +15,14 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.splines import SplineFunction, interpolated, interpolation_sites, knot_runs
+from elastica_cad.geometry.splines import (
+    SplineFunction,
+    adaptive_spline,
+    greville,
+    interpolated,
+    interpolation_sites,
+    knot_runs,
+)
 from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
@@ -24,16 +32,20 @@ SMOOTH = 2
 RAMP_FRACTION = 2e-5
 """Length, relative to the extent in x, below which a piece between two kinks counts as a step of the width."""
 
-NO_JUMP = 1e-4
-"""A jump of the second derivative is smoothed if jump * (span length)^2 is at most this value, mm.
+SIDE_PIECES = 24
+"""Number of edges of the long sides of a smoothed strip.
 
-The smoothing moves the spline by at most 1 % of this value."""
+The second derivative of a smoothed width jumps a little at many knots, whose number changes with the curve. The
+edges of a CAD model must keep their number and order, because dimensions and sketches refer to them."""
+
+SIDE_DEGREE, SIDE_SPANS, SIDE_MM = 5, 48, 0.004
+"""Degree and least number of spans of a smoothed side, and its largest distance from the drawing, mm."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
 
 
-def in_smooth_pieces(path: Path) -> Path:
+def in_smooth_pieces(path: Path, pieces: int = SIDE_PIECES) -> Path:
     """Return the loop with its splines divided at kinks.
 
     A step of the width becomes a line perpendicular to the strip.
@@ -43,6 +55,12 @@ def in_smooth_pieces(path: Path) -> Path:
     smooth inside. Areas do not change. Points move by at most half a ramp: 5e-6 of the length for the ramps of a
     `Profile`, and 1e-5 for the longest allowed ramp (`RAMP_FRACTION`).
 
+    Parameters
+    ----------
+    pieces : int
+        Number of edges of all sides together, if the second derivative of the sides jumps at so many knots or more.
+        The sides are then approximated within `SIDE_MM` between steps, and kinks are rounded.
+
     Examples
     --------
     >>> knots = [0, 0, 0, 20, 20, 40, 40, 40]
@@ -51,16 +69,14 @@ def in_smooth_pieces(path: Path) -> Path:
     >>> len(in_smooth_pieces(loop).segments)
     4
     """
-    if not any(_possible_kinks(segment).size for segment in path.segments):
-        return path
+    sides = [segment for segment in path.segments if isinstance(segment, Spline) and pace(segment)]
+    bends = sum(_kinks(side, SMOOTH).size - _kinks(side, 1).size for side in sides)
+    each = ceil(pieces / len(sides)) if bends >= pieces else 0
     ramp = RAMP_FRACTION * _extent(path)
-    smooth = [_smoothed(segment) for segment in path.segments]
-    cuts = [_cut(segment, ramp) for segment in smooth]
-    parts = iter([cut.curve.trimmed(*ends) for cut in cuts if cut is not None for ends in cut.kept])
-    pieces: list[Segment] = []
-    for segment, cut in zip(smooth, cuts, strict=True):
-        pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
-    return Path(pieces, path.closed)
+    divided = [_in_pieces(segment, ramp, each) for segment in path.segments]
+    if sum(map(len, divided)) == len(path.segments) and not each:
+        return path
+    return Path([piece for pieces in divided for piece in pieces], path.closed)
 
 
 MOST_SPANS = 6
@@ -98,86 +114,75 @@ def _extent(path: Path) -> float:
     return float(np.ptp(np.concatenate(rows)[:, 0]))
 
 
-def _possible_kinks(segment: Segment) -> FloatArray:
+def _kinks(spline: Spline, smooth: int) -> FloatArray:
+    """Return the inner knots at which fewer than `smooth` derivatives are continuous."""
+    curve = spline.curve
+    knots, counts = knot_runs(curve.knots)
+    first, last = curve.domain
+    return np.asarray(knots[(counts > curve.degree - smooth) & (knots > first) & (knots < last)], dtype=float)
+
+
+def _in_pieces(segment: Segment, ramp: float, each: int) -> list[Segment]:
+    """Return the smooth pieces of a segment. A side becomes `each` edges between its steps, if this is not 0."""
     if not isinstance(segment, Spline):
-        return np.empty(0)
-    curve = segment.curve
-    knots, counts = knot_runs(curve.knots)
-    first, last = curve.domain
-    return np.asarray(knots[(counts > curve.degree - SMOOTH) & (knots > first) & (knots < last)], dtype=float)
-
-
-def _smoothed(segment: Segment) -> Segment:
-    if not isinstance(segment, Spline) or segment.curve.weights is not None:
-        return segment
+        return [segment]
+    kinks, even = _kinks(segment, SMOOTH).tolist(), pace(segment)
+    if not kinks and not (even and each):
+        return [segment]
     curve = clamp_ends(segment.curve)
-    degree, first, last = curve.degree, *curve.domain
-    knots, counts = knot_runs(curve.knots)
-    double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
-    if not double.any():
-        return segment
-    rows = SplineFunction(curve.knots, curve.control_points, degree)
-    at, gaps = double.nonzero()[0], knots[1:] - knots[:-1]
-    reach = np.minimum(gaps[at - 1], gaps[at])
-    before, after = rows(np.array([knots[at] - 1e-6 * reach, knots[at] + 1e-6 * reach]), SMOOTH)
-    jump = np.abs(after - before).max(axis=1)
-    slight = jump * reach**2 < NO_JUMP
-    if not slight.any():
-        return segment
-    counts[double] -= slight
-    whole = np.repeat(knots, counts)
-    sites = interpolation_sites(whole, degree)
-    points = interpolated(sites, rows(sites), whole, degree)
-    points[[0, -1]] = curve.control_points[[0, -1]]
-    return Spline(PlaneCurve(whole, points, degree, None))
+    first, last = curve.domain
+    inner = [*_joints(even[1], kinks, ramp)] if even else [(kink, kink, kink) for kink in kinks]
+    if even and each:
+        inner = [joint for joint in inner if joint[1] < joint[2]]
+    joints = [(first, first, first), *inner, (last, last, last)]
+    pieces: list[Segment] = []
+    for (a, _, low), (b, high, _) in pairwise(joints):
+        part = _extended(curve.trimmed(low, high), a, b)
+        for piece in _approximated(part, *even, each) if even and each else [part]:
+            pieces += _joined(pieces, piece)
+    return pieces
 
 
-@dataclass(frozen=True, eq=False)
-class _Cut:
-    """Division of a spline into smooth parts.
+def _joined(pieces: Sequence[Segment], part: PlaneCurve) -> list[Segment]:
+    """Return the part as a spline that starts at the end of the pieces, or after a step."""
+    if not pieces:
+        return [Spline(part)]
+    meeting = pieces[-1].end
+    step = float(np.hypot(*(part.control_points[0] - meeting)))
+    if step > NO_STEP:
+        return [Line(meeting, part.control_points[0]), Spline(part)]
+    met = np.vstack([meeting, part.control_points[1:]])
+    return [Spline(PlaneCurve(part.knots, met, part.degree, part.weights))]
 
-    `kept` has the parameter ranges of the parts, and `over` the wider ranges to which the parts are extended.
+
+def _approximated(side: PlaneCurve, offset: float, speed: float, count: int) -> list[PlaneCurve]:
+    """Return a side with x = offset + speed * parameter, approximated and divided into `count` edges.
+
+    The edges have equal numbers of spans, because CAD kernels compute areas with a fixed number of points for each
+    edge.
     """
-
-    curve: PlaneCurve
-    kept: list[tuple[float, float]]
-    over: list[tuple[float, float]] | None
-
-    def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
-        if self.over is None:
-            return [Spline(part) for part in parts]
-        parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
-        pieces: list[Segment] = [Spline(parts[0])]
-        for part in parts[1:]:
-            meeting = pieces[-1].end
-            step = float(np.hypot(*(part.control_points[0] - meeting)))
-            if step > NO_STEP:
-                pieces += [Line(meeting, part.control_points[0]), Spline(part)]
-            else:
-                met = np.vstack([meeting, part.control_points[1:]])
-                pieces.append(Spline(PlaneCurve(part.knots, met, part.degree, part.weights)))
-        return pieces
+    knots, y = adaptive_spline(
+        SplineFunction(side.knots, side.control_points[:, 1], side.degree), side.domain,
+        degree=SIDE_DEGREE, tolerance=SIDE_MM, knots=np.linspace(*side.domain, SIDE_SPANS + 1),
+    )  # fmt: skip
+    areas = knots[SIDE_DEGREE + 1 :] - knots[: -SIDE_DEGREE - 1]
+    for end, beside in ((0, 1), (-1, -2)):
+        # meet the exact end without changing the area
+        y[beside] += (y[end] - side.control_points[end, 1]) * areas[end] / areas[beside]
+        y[end] = side.control_points[end, 1]
+    whole = PlaneCurve(
+        knots, np.column_stack([offset + speed * greville(knots, SIDE_DEGREE), y]), SIDE_DEGREE
+    )
+    edges, _ = knot_runs(knots)
+    ends = edges[np.linspace(0, edges.size - 1, count + 1).round().astype(int)].tolist()
+    return [whole.trimmed(*piece) for piece in pairwise(ends)]
 
 
-def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    kinks = _possible_kinks(segment).tolist()
-    if not isinstance(segment, Spline) or not kinks:
-        return None
-    curve = clamp_ends(segment.curve)
-    first, last = curve.domain
-    if pace(segment) is None:
-        return _Cut(curve, list(pairwise([first, *kinks, last])), None)
-    joints = [(first, first, first), *_joints(curve, kinks, ramp), (last, last, last)]
-    spans = [(low, high) for (_, _, low), (_, high, _) in pairwise(joints)]
-    return _Cut(curve, spans, [(a, b) for (a, _, _), (b, _, _) in pairwise(joints)])
-
-
-def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
+def _joints(speed: float, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
     """Yield (middle, first, last) of each group of kinks closer together than `ramp`, mm."""
-    speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
-        while kinks and (kinks[0] - last) * speed < ramp:
+        while kinks and (kinks[0] - last) * abs(speed) < ramp:
             last = kinks.pop(0)
         yield (first + last) / 2, first, last
 

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_color
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.bent_boundary import BentMap, Boundary, BoundaryMaker, Map, bent_maps
-from elastica_cad.strip.flat_pattern import CutPattern, cut_across, in_smooth_pieces
+from elastica_cad.strip.flat_pattern import SIDE_DEGREE, CutPattern, cut_across, in_smooth_pieces
 from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
@@ -148,7 +148,7 @@ class FlatSolid:
         return tuple(
             cls(
                 in_smooth_pieces(layer.outline),
-                tuple(map(in_smooth_pieces, layer.holes)),
+                tuple(in_smooth_pieces(hole, 1) for hole in layer.holes),
                 layer.sheet.thickness,
                 frame.shifted(z=layer.low),
                 {} if layer.name else joints,
@@ -168,11 +168,16 @@ class FlatSolid:
 
     @property
     def is_prism(self) -> bool:
-        """True if the plate can be extruded. With many spans in a spline, CAD kernels compute wrong areas."""
+        """True if the plate can be extruded. With many spans in a spline, CAD kernels compute wrong areas.
+
+        The result is False for smoothed sides, because the number of their spans changes with the curve.
+        """
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [
             spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational
         ]
+        if any(spline.curve.degree == SIDE_DEGREE for spline in splines):
+            return False
         many = [spline for spline in splines if knot_runs(spline.curve.knots)[0].size > FEW_SPANS + 1]
         return not many or _misread_area(many) <= AREA_TOLERANCE * self.area
 
@@ -399,8 +404,8 @@ class BentSolid:
         bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
         stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]
         require_record(outline, Path, "the outline of a pattern", "a Path")
-        loops = [in_smooth_pieces(loop) for loop in (outline, *several("holes", holes, Path, "Path"))]
-        pattern = cut_across(loops[0], loops[1:], stations)
+        smooth_holes = [in_smooth_pieces(hole, 1) for hole in several("holes", holes, Path, "Path")]
+        pattern = cut_across(in_smooth_pieces(outline), smooth_holes, stations)
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
         solid = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
         if not solid.boundary.is_closed:

@@ -1,12 +1,20 @@
 """Outlines with an edge for every smooth piece: where they are cut, and that nothing else changes."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
-from elastica_cad import Path, PlaneCurve, Profile, Rod, Sheet, Strip, optimal_rod
+from elastica_cad import Path, Perforated, PlaneCurve, Sheet, Slot, Strip, optimal_rod
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.strip import flat_pattern
-from elastica_cad.strip.flat_pattern import MOST_SPANS, in_short_pieces, in_smooth_pieces
+from elastica_cad.strip.flat_pattern import (
+    MOST_SPANS,
+    SIDE_PIECES,
+    in_short_pieces,
+    in_smooth_pieces,
+)
 
 pytestmark = pytest.mark.core
 
@@ -51,15 +59,77 @@ def test_nothing_moves():
             assert np.abs(np.abs(y) - strip.width(x) / 2).max() < 1e-9
 
 
-def test_sides_without_slight_jumps_are_cut_and_not_fitted_anew(monkeypatch):
+def test_sides_with_few_jumps_are_cut_and_not_approximated(monkeypatch):
     strip = strip_of([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)], degree=4)
     assert min(continuity for _, continuity in strip.width.breaks) == 1
 
-    def fitted(*_):
-        raise AssertionError("a side is fitted anew")
+    def approximated(*_, **__):
+        raise AssertionError("a side is approximated")
 
-    monkeypatch.setattr(flat_pattern, "interpolated", fitted)
+    monkeypatch.setattr(flat_pattern, "adaptive_spline", approximated)
     assert len(in_smooth_pieces(strip.outline).segments) > len(strip.outline.segments)
+
+
+SKETCH = np.array([(0, 0), (70, 90), (150, 110), (240, -60), (330, -110), (400, 0.0)])
+"""A cubic that has corners in its outline where its pieces meet."""
+
+
+def smoothed_strip(points, smooth=1.0, **options):
+    return Strip(
+        optimal_rod(smooth_curve(PlaneCurve.spline(points, degree=3), smooth).curve), SHEET, **options
+    )
+
+
+def long_sides(path):
+    return [segment for segment in path.segments if isinstance(segment, Spline)]
+
+
+@pytest.mark.parametrize("smooth", [0.1, 0.5, 2.0])
+def test_the_sides_of_a_smoothed_strip_have_as_many_edges_wherever_the_poles_are(smooth):
+    for pole, move in ((0, (0, 0)), (1, (3, -2)), (2, (-4, 5)), (3, (2, 2)), (4, (-1, 3)), (5, (6, 1))):
+        points = SKETCH.copy()
+        points[pole] += move
+        strip = smoothed_strip(points, smooth, max_width=40)
+        outline = in_smooth_pieces(strip.outline)
+        sides = long_sides(outline)
+        assert (len(sides), len(outline.segments)) == (SIDE_PIECES, SIDE_PIECES + 6)
+        forth, back = sides[: SIDE_PIECES // 2], sides[SIDE_PIECES // 2 :]
+        for run, (start, end) in ((forth, (0, strip.rod.length)), (back, (strip.rod.length, 0))):
+            assert [run[0].start[0], run[-1].end[0]] == pytest.approx([start, end])
+            assert all(np.array_equal(one.end, other.start) for one, other in pairwise(run))
+        assert outline.area == pytest.approx(strip.outline.area, rel=2e-7)
+        for side in sides:
+            x, y = side.at(np.linspace(0, 1, 101)).T
+            assert np.abs(np.abs(y) - strip.width(x) / 2).max() < 0.005
+
+
+def test_a_symmetric_wave_has_as_many_edges_as_one_beside_it():
+    """Where the inflection is at a knot of the smoothed curve, the width has a kink."""
+    wave = np.array([(0, 0), (60, 60), (130, 40), (200, -40), (270, -60), (330, 0.0)])
+    counts = set()
+    for off in (0.0, 0.5):
+        strip = smoothed_strip(wave + np.eye(6, 1, -5) * [0, off], 0.5, max_width=40)
+        counts.add(
+            (any(order < 1 for _, order in strip.width.breaks), len(in_smooth_pieces(strip.outline).segments))
+        )
+    assert counts == {(True, SIDE_PIECES + 6), (False, SIDE_PIECES + 6)}
+
+
+def test_the_holes_of_a_smoothed_strip_have_the_edges_of_their_drawing():
+    points = [(0, 0), (90, 70), (180, 100), (270, 80), (360, -10)]
+    strip = smoothed_strip(points, style=Perforated(width=40))
+    edges = [segment for hole in strip.holes for segment in long_sides(hole)]
+    assert any(np.unique(edge.curve.knots, return_counts=True)[1][1:-1].max(initial=0) == 2 for edge in edges)
+    for hole in strip.holes:
+        assert len(in_smooth_pieces(hole, 1).segments) == len(hole.segments)
+
+
+def test_slots_and_the_sides_of_a_smoothed_strip_share_the_edges():
+    slots = [Slot(at, 4.0, 2.0) for at in (60.0, 150.0, 270.0)]
+    outline = smoothed_strip(SKETCH, max_width=40, slots=slots).outline
+    between = len(long_sides(outline))
+    assert between == 5
+    assert len(long_sides(in_smooth_pieces(outline))) == 5 * between
 
 
 def test_a_ramp_becomes_a_step():
@@ -76,15 +146,6 @@ def test_a_ramp_becomes_a_step():
         assert step.start[0] == pytest.approx(step.end[0], abs=1e-12)
         assert step.length == pytest.approx(rise, rel=1e-4)
     assert cut.area == pytest.approx(strip.outline.area, rel=1e-9)
-
-
-def test_a_jump_of_curvature_that_is_none_costs_no_edge():
-    knots = np.array([0, 0, 0, 0, 40, 40, 100, 100, 100, 100.0])
-    smooth = Profile(knots, 1 + np.array([0, 40 / 3, 80 / 3, 60, 80, 100]) / 50)
-    strip = Strip(Rod.straight(100.0, smooth), SHEET, max_width=30)
-    assert len(in_smooth_pieces(strip.outline).segments) == 8
-    bent = Profile(knots, smooth.coefficients + np.array([0, 0.1, 0.1, 0.0, 0.4, 0.3]))
-    assert len(in_smooth_pieces(Strip(Rod.straight(100.0, bent), SHEET, max_width=30).outline).segments) > 8
 
 
 def test_a_smooth_outline_is_itself():
