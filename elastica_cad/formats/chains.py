@@ -13,11 +13,23 @@ from elastica_cad._values import SEEN_APART, distinct_digits
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
-from elastica_cad.geometry.fairing import FIT_TOLERANCE, allowed_distance, fit_polyline, smooth_through
+from elastica_cad.geometry.fairing import (
+    FIT_TOLERANCE,
+    SIDE_TOLERANCES,
+    allowed_distance,
+    fit_polyline,
+    smooth_through,
+)
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along, near_pairs
+from elastica_cad.geometry.plane_points import (
+    SMOOTH_TURN,
+    is_closed,
+    lengths_along,
+    near_pairs,
+    sharp_points,
+)
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
 from elastica_cad.geometry.tangent_healing import heal_tangents
@@ -35,13 +47,10 @@ _ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1
 # points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13
-# largest turn, degrees, at a point that is not a corner: in a curve through points, and in a polyline that no
-# smooth curve follows
-LARGEST_TURN, LEAST_TURN = 50.0, 5.0
+# largest turn, degrees, at a point of a polyline that no smooth curve follows, if the point is not a corner
+LEAST_TURN = 5.0
 # ends are tangent if their directions differ by less than 1 degree
 _SMOOTH_COSINE = np.cos(np.radians(1.0))
-# least length, as a multiple of the tolerance, of a polyline side that is meant to be straight
-_STRAIGHT_SIDE_TOLERANCES = 20.0
 # largest error of an end point, as a multiple of the coordinates' rounding; 1.1 allows for rounded angles
 _DIGIT = 1.1 * np.sqrt(2.0)
 # a spline with more inner knots than this was interpolated through points
@@ -551,22 +560,28 @@ def curve_from_points(
         raise InputError("a curve has fewer than two different points: draw the curve again, or leave it out")
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
-    noise = measured.noise if measured.is_noisy else 0.0
-    cuts = [
-        0,
-        *_corners(points, LARGEST_TURN, _STRAIGHT_SIDE_TOLERANCES * max(tolerance, noise)),
-        len(points) - 1,
-    ]
-    if len(cuts) == 2 and measured.is_noisy:
+    noise, is_noisy = measured.noise, measured.is_noisy
+    corners = sharp_points(points, SMOOTH_TURN, SIDE_TOLERANCES * max(tolerance, noise))
+    if is_closed(points):
+        if corners:  # begin at a corner, because the curve is smooth at other points
+            first = corners.pop(0)
+            points = np.concatenate([points[first:-1], points[: first + 1]])
+            corners = [corner - first for corner in corners]
+        else:
+            measured = replace(measured, is_smoothed=not measured.outlier)
+    cuts = [0, *corners, len(points) - 1]
+    if len(cuts) == 2 and is_noisy:
         try:
-            curve = smooth_through(points, tolerance)
+            curve = smooth_through(points, tolerance, noise)
         except NotConvergedError:
             curve = _polyline(points)
         _require_near(curve, points, tolerance)
         return curve.drawn_as(replace(drawn, measured=measured))
     allowed = allowed_distance(points) if sides else np.inf
     pieces = [
-        piece for i, j in pairwise(cuts) for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed)
+        piece
+        for i, j in pairwise(cuts)
+        for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed, noise)
     ]
     if len(pieces) == 1:
         _require_near(pieces[0], points, tolerance)
@@ -602,23 +617,17 @@ def _polyline(points: FloatArray) -> PlaneCurve:
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
 
 
-def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
-    step = np.diff(points, axis=0)
-    size = np.hypot(step[:, 0], step[:, 1])
-    cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])
-    long = np.minimum(size[:-1], size[1:]) > least
-    return [int(i) + 1 for i in np.flatnonzero(long & (cosine < np.cos(np.radians(angle))))]
-
-
-def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
+def _smooth_pieces(
+    points: FloatArray, tolerance: float, allowed: float, noise: float
+) -> list[PlaneCurve]:
     if len(points) == 2 or np.isinf(allowed):
-        return [smooth_through(points, tolerance)]
-    curve, distance = fit_polyline(points, tolerance)
-    corners = _corners(points, LEAST_TURN) if distance > allowed else []
+        return [smooth_through(points, tolerance, noise)]
+    curve, distance = fit_polyline(points, tolerance, noise)
+    corners = sharp_points(points, LEAST_TURN) if distance > allowed else []
     if not corners:
         _require_distance(distance, allowed)
         return [curve]
-    cuts = [0, *corners, len(points) - 1]
+    cuts = sorted({0, *corners, len(points) - 1})
     return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
 
 

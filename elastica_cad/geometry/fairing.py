@@ -20,9 +20,9 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, lengths_along
+from elastica_cad.geometry.plane_points import is_smooth_around, left_of, lengths_along
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.geometry.splines import bezier_spans, fit_spline, smoothest_spline
+from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
 from elastica_cad.refusals import Length
 
@@ -30,10 +30,16 @@ POLYLINE_DEGREE = 4
 FIT_TOLERANCE = 0.05
 """Largest distance, mm, between a curve and the points to which it is fitted."""
 
+CLOSED_DEGREE = 5
+"""Degree of curves through closed points. FITPACK is less accurate for even degrees."""
+
+SIDE_TOLERANCES = 20.0
+"""Length of the sides at a corner of a polyline, as a multiple of the tolerance or the noise."""
+
 _SAMPLES_PER_SIDE = 4
 
 
-def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, float]:
+def fit_polyline(vertices: FloatArray, tolerance: float, noise: float = 0.0) -> tuple[PlaneCurve, float]:
     """Return the smooth curve within `tolerance` mm of polyline vertices (n, 2), and its distance from the sides.
 
     Raises
@@ -48,7 +54,7 @@ def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, fl
     >>> round(curve.length, 1), round(distance, 1)
     (314.2, 0.1)
     """
-    curve = smooth_through(vertices, tolerance)
+    curve = smooth_through(vertices, tolerance, noise)
     return curve, _distance_from_sides(curve, vertices)
 
 
@@ -57,11 +63,14 @@ def allowed_distance(vertices: FloatArray) -> float:
     return max(0.5, 0.005 * float(np.ptp(vertices, axis=0).max()))
 
 
-def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
+def smooth_through(points: FloatArray, tolerance: float, noise: float = 0.0) -> PlaneCurve:
     """Return the line through points (n, 2), or a spline if the points are not collinear.
 
-    The distance of the spline from the points is at most `tolerance` mm.
+    The distance of the spline from the points is at most `tolerance` mm. A spline through closed points is smooth
+    where it starts and ends, and its mean distance from the points is their `noise`, mm.
     """
+    if is_smooth_around(points, SIDE_TOLERANCES * max(tolerance, noise)):
+        return PlaneCurve(*closed_spline(points, CLOSED_DEGREE, tolerance, noise), CLOSED_DEGREE)
     chord = points[-1] - points[0]
     x, y = chord / max(float(np.hypot(*chord)), 1e-300)
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T

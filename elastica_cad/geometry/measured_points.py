@@ -2,13 +2,12 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import rounded_up
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import is_closed, lengths_along, thinned
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
@@ -19,7 +18,10 @@ FEWEST = 8
 """Least number of divided differences for an estimate of the noise."""
 
 SETTLED = 0.7
-"""Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise."""
+"""Ratio of divided differences of successive orders: smaller for a smooth curve, larger for noise.
+
+Orders k and k + 2 are compared first, because differences of odd orders are 0 across the chord of a circle.
+"""
 
 CROWDED_SHARE = 0.1
 """Noise above which its estimate omits every other point, as a fraction of the point spacing.
@@ -63,25 +65,29 @@ class MeasuredPoints:
         Standard deviation that rounding alone causes, mm.
     rounding : float
         Largest rounding error of a coordinate, from the number of its decimals, mm.
+    is_smoothed : bool
+        True if the curve is smoothed by the noise already, as curves through closed points are.
     """
 
     points: FloatArray
     noise: float
     least: float = 0.0
     rounding: float = 0.0
+    is_smoothed: bool = False
 
     @classmethod
     def of(cls, points: FloatArray, least: float = 0.0, rounding: float = 0.0) -> "MeasuredPoints":
         """Return the record of points (n, 2), with an estimate of their noise. Neighbouring points must differ.
 
-        If `rounding` is 0, it is computed from the decimals of the coordinates.
+        `rounding` is at least half a unit of the last decimal of the coordinates.
         """
-        return cls(points, max(estimate_noise(points), least), least, rounding or _half_last_decimal(points))
+        rounding = max(rounding, _half_last_decimal(points))
+        return cls(points, max(_credible_noise(points, rounding / np.sqrt(3)), least), least, rounding)
 
     @property
     def is_noisy(self) -> bool:
-        """True if the noise is large enough to be reported."""
-        return self.noise >= REPORTED_MM
+        """True if the curve has noise that is large enough to be reported."""
+        return self.noise >= REPORTED_MM and not self.is_smoothed
 
     @property
     def resolution(self) -> float:
@@ -186,11 +192,27 @@ def _half_last_decimal(points: FloatArray) -> float:
     return float(0.5 * 10.0 ** -next(decimals, MOST_DECIMALS))
 
 
+def _credible_noise(points: FloatArray, rounding: float) -> float:
+    """Return the noise, mm, of points whose coordinates have rounding errors of standard deviation `rounding`.
+
+    Curves through closed points are smoothed by their noise. The estimate is therefore replaced by the rounding errors
+    if it is within their scatter, or if too few points for the shape cause it: every other point gives more noise.
+    """
+    noise = estimate_noise(points)
+    if not is_closed(points):
+        return noise
+    half = thinned(points, 2)
+    is_scatter = noise < (1 + 4 / np.sqrt(len(points))) * rounding
+    if is_scatter or not is_closed(half) or estimate_noise(half) > 2 * noise:
+        return rounding
+    return noise
+
+
 def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
     The result is the scaled median of divided differences normal to the curve. The order of the differences is
-    increased as long as this reduces the estimate. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
+    increased as long as this reduces the estimate. Differences of closed points continue beyond the last point. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
     order 2. The result is 0 for too few points, or if the differences decrease like those of a smooth curve.
 
     Examples
@@ -202,12 +224,14 @@ def estimate_noise(points: FloatArray) -> float:
     (0.0, 0.5)
     """
     while True:
-        sizes = [_across(points, order) for order in ORDERS if len(points) - order >= FEWEST]
-        noise = next((higher for lower, higher in pairwise(sizes) if higher > SETTLED * lower), 0.0)
+        around = [np.concatenate([points, points[1 : order * is_closed(points)]]) for order in ORDERS]
+        sizes = [_across(p, order) for p, order in zip(around, ORDERS, strict=True) if len(p) - order >= FEWEST]
+        pairs = ((gap, *pair) for gap in (2, 1) for pair in zip(sizes, sizes[gap:], strict=False))
+        noise = next((higher for gap, lower, higher in pairs if higher > SETTLED**gap * lower), 0.0)
         spacing = lengths_along(points)[-1] / len(points)
         if noise <= CROWDED_SHARE * spacing or len(points) < 4 * FEWEST:
             return noise
-        points = points[::2]
+        points = thinned(points, 2)
 
 
 def _across(points: FloatArray, order: int) -> float:
@@ -302,11 +326,12 @@ class Provenance:
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
         holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
         offset = m[:2, 2] / m[2, 2]
-        measured = self.measured and MeasuredPoints(
-            self.measured.points @ linear.T + offset,
-            stretch * self.measured.noise,
-            stretch * self.measured.least,
-            stretch * self.measured.rounding,
+        measured = self.measured and replace(
+            self.measured,
+            points=self.measured.points @ linear.T + offset,
+            noise=stretch * self.measured.noise,
+            least=stretch * self.measured.least,
+            rounding=stretch * self.measured.rounding,
         )
         return replace(
             self,

@@ -14,7 +14,7 @@ from elastica_cad._values import is_whole, numbers, require_number, require_reco
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
-from elastica_cad.geometry.plane_points import box_about, cross, dot, norm, place, turn_between
+from elastica_cad.geometry.plane_points import box_about, cross, dot, is_smooth_around, norm, place, turn_between
 from elastica_cad.geometry.polynomials import (
     binomials,
     interior_roots,
@@ -30,6 +30,7 @@ from elastica_cad.geometry.splines import (
     adaptive_spline,
     bezier_spans,
     check_knots,
+    closed_spline,
     distinct_points,
     finite,
     fit_spline,
@@ -611,7 +612,8 @@ class NurbsCurve:
         Parameters
         ----------
         points : (n, 2) array_like
-            Points in order, mm; the curve starts and ends exactly at the first and last point.
+            Points in order, mm. The curve starts and ends exactly at the first and last point. If these points are
+            equal, the curve is closed and smooth there.
         degree : int
             Degree of the spline: 3, 4 or 5.
         tolerance : float
@@ -629,8 +631,14 @@ class NurbsCurve:
         >>> round(curve.length, 2)
         300.0
         """
-        knots, control_points = fit_spline(points, degree, tolerance, smoothing)
-        provenance = Provenance(measured=MeasuredPoints.of(distinct_points(points)))
+        data = distinct_points(points)
+        closed = smoothing is None and is_smooth_around(data)
+        knots, control_points = (
+            closed_spline(data, degree, tolerance)
+            if closed
+            else fit_spline(data, degree, tolerance, smoothing)
+        )
+        provenance = Provenance(measured=MeasuredPoints.of(data))
         return cls(knots, control_points, degree, provenance=provenance)
 
     @classmethod

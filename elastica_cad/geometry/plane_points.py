@@ -91,6 +91,52 @@ def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
     return hypot(a, c) / abs(last), atan2(hand * c, hand * a), 1.0 if a * d > b * c else -1.0
 
 
+SMOOTH_TURN = 50.0
+"""Largest turn, degrees, between neighbouring sides of a polyline through the points of a smooth curve."""
+
+FEWEST_AROUND = 8
+"""Smallest number of points of a smooth closed outline, because they turn by 360 degrees in total."""
+
+
+def is_closed(points: FloatArray) -> bool:
+    """Return True if points (n, 2) return to the first one, after at least `FEWEST_AROUND` points."""
+    gap = np.abs(points[-1] - points[0]).max()
+    return len(points) > FEWEST_AROUND and bool(gap <= 1e-9 * np.abs(points).max())
+
+
+def sharp_points(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
+    """Return the points at which a polyline (n, 2) turns by more than `angle` degrees.
+
+    Both sides at such a point are longer than `least`, mm. On a closed polyline, the last point is examined too.
+    """
+    step = np.diff(np.concatenate([points, points[1:2]]) if is_closed(points) else points, axis=0)
+    size = norm(step)
+    long = np.minimum(size[:-1], size[1:]) > least
+    turn = np.abs(turn_between(step[:-1], step[1:]))
+    return [int(i) + 1 for i in np.flatnonzero(long & (turn > np.radians(angle)))]
+
+
+def is_smooth_around(points: FloatArray, least: float = 0.0) -> bool:
+    """Return True if points (n, 2) are closed without a corner where they begin and end.
+
+    Corners with a side of at most `least` mm are ignored.
+
+    Examples
+    --------
+    >>> angle = np.linspace(0.0, 2 * np.pi, 25)
+    >>> circle = np.column_stack([np.cos(angle), np.sin(angle)])
+    >>> circle[-1] = circle[0]
+    >>> is_smooth_around(circle), is_smooth_around(circle[:-1])
+    (True, False)
+    """
+    return is_closed(points) and len(points) - 1 not in sharp_points(points, SMOOTH_TURN, least)
+
+
+def thinned(points: FloatArray, step: int) -> FloatArray:
+    """Return every `step`-th of points (n, d), and the last point."""
+    return np.concatenate([points[:-1:step], points[-1:]])
+
+
 def box_about(points: FloatArray) -> FloatArray:
     """Return the least and largest coordinates (2, d) of points (n, d).
 

@@ -11,7 +11,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
-from elastica_cad.geometry.plane_points import distinct, lengths_along, numbers_in_groups
+from elastica_cad.geometry.plane_points import FEWEST_AROUND, distinct, lengths_along, numbers_in_groups
 from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
@@ -657,6 +657,52 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     t = _chord_parameters(data)
     problem = _Problem(_knots_for(t, degree), degree, data)
     return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
+
+
+NOISE_SPARE, FREEDOM = 1.3, 12
+"""Mean square distance of a closed spline from n points, as a multiple of their squared noise, is NOISE_SPARE n / (n +
+FREEDOM).
+
+A spline near few points follows a part of their noise. A spline near many points would show waves if its distance
+were less than the noise.
+"""
+
+FINE_SHARE = 0.02
+"""Smallest mean distance of a closed spline from its points, as a fraction of the tolerance."""
+
+_CROWDED_SHARE = 0.1
+"""Mean distance from the points, as a fraction of their spacing, above which points are left out."""
+
+
+def closed_spline(
+    points: FloatArray, degree: int, tolerance: float, noise: float = 0.0
+) -> tuple[FloatArray, FloatArray]:
+    """Return knots and control points of the smooth closed spline near closed points (n, 2).
+
+    The spline is smooth where it starts and ends, and does not depend on the first of the points. Its root mean
+    square distance from the points is their noise (mm, a standard deviation), but at least so small that points
+    without noise are within `tolerance` mm (Dierckx, Curve and Surface Fitting with Splines, 1993, section 6.2).
+    """
+    from scipy.interpolate import splev, splprep
+
+    count = len(points) - 1
+    noise *= np.sqrt(NOISE_SPARE * count / (count + FREEDOM))
+    mean = max(noise, tolerance * min(FINE_SHARE, 1 / np.sqrt(count)))
+    first = int(np.lexsort(points[:-1].T)[0])  # a start that depends on the shape alone
+    around = np.roll(points[:-1], -first, axis=0)
+    crowd = ceil(mean / _CROWDED_SHARE * count / lengths_along(points)[-1])
+    step = max(1, min(crowd, count // FEWEST_AROUND))
+    some = np.concatenate([around[::step], around[:1]])
+    (periodic, places), *_ = splprep(
+        some.T, s=(len(some) - 1) * mean**2, k=degree, per=True, quiet=2, full_output=True
+    )
+    start = np.interp(count - first, np.append(np.arange(0, count, step), count), places)
+    near = np.sort((periodic[0][degree : -degree - 1] - start) % 1.0)
+    inner = near[(near > _SAME_BREAK_SHARE) & (near < 1 - _SAME_BREAK_SHARE)]
+    knots = clamped_knots(np.concatenate([[0.0], inner, [1.0]]), {}, degree)
+    sites = interpolation_sites(knots, degree)
+    values = np.column_stack(splev((sites + start) % 1.0, periodic))
+    return knots, interpolated(sites, values, knots, degree)
 
 
 class _Problem:
