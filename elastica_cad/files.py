@@ -129,7 +129,7 @@ def read_drawing(
         if suffix == ".txt":
             from elastica_cad.formats.point_files import read_text_drawing
 
-            return read_text_drawing(file, unit=unit)
+            return read_text_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".json":
             from elastica_cad.formats.json_curves import read_json_drawing
 

@@ -32,12 +32,11 @@ from elastica_cad.cli.suggestions import (
     listing_note,
     suggest_later,
     typed_length,
-    typed_line,
 )
 from elastica_cad.cli.voice import answer, exit_code, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
-from elastica_cad.errors import ElasticaError, InputError, rounded_up
+from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
@@ -247,18 +246,17 @@ class _Request:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def enlarging(self, requested: RequestedCurve, report: Mapping[str, Any]) -> str:
+        from elastica_cad.strip.suggestions import try_change
+
         least = report["sheets"][0]
         smoothed = self.examined(requested)[1].fairing is not None
         if least["scale"] <= 1 or smoothed or self.smooth or self.natural_curvature or self.between:
             return ""
-        # the key `length` includes the straight ends of the curve
-        length = rounded_up(SPARE_LENGTH * least["scale"] * requested.curve.length, 3)
-        width = typed_length(rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3))
-        line = typed_line(
-            "--sheet", least["name"], "--max-width", width, "--set", f"length={length:g}", "-o", _unused_folder(),
-            instead="strip",
-        )  # fmt: skip
-        return f"Enlarge the curve for {least['name']}: `{line}`, or with another width and folder."
+        spec = common_request(requested.curve, self.supports).changed(
+            sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
+        )
+        larger = try_change(spec, Change("size", rounded_up(SPARE_LENGTH * least["scale"], 4)))
+        return "" if larger is None else f"Enlarge the curve for {least['name']}: {self.typed(larger)}."
 
     def typed(self, suggestion: "Suggestion") -> str:
         from elastica_cad.cli.strip_options import typed_change
@@ -301,7 +299,7 @@ def _widths_row(ratio: float) -> Row:
     )
     if WIDE_MM / ratio >= NARROWEST_MM:
         return Row("Widths", text)
-    advice = "Draw another curve, or change it by `elastica strip --nearest`"
+    advice = "Draw another curve, or take the nearest curve (--nearest of `elastica strip`)"
     return warning_row(f"{text}, which is too narrow to cut. {advice}", "Widths")
 
 

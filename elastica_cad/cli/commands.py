@@ -279,8 +279,8 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica bow arch.dxf --rod 8                 a rod bent by a cord
       elastica sections pot.obj --radial 16         curves where 16 half planes cut a mesh or a STEP body
 
-    Curves come from DXF, SVG, CSV, JSON, TXT (the control points of a spline) and, if build123d or CadQuery is
-    installed, STEP. Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v. The
+    Curves come from DXF, SVG, CSV, JSON, TXT (points, or control points of a spline) and, if build123d or CadQuery
+    is installed, STEP. Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v. The
     options below may stand before or after the command. `elastica help` lists all settings of a strip (keys of a
     design file and of --set), and `elastica help KEY` explains a key.
 

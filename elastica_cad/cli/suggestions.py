@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
 import click
 
@@ -55,16 +55,21 @@ MOST_REFUSALS = 7
 def typed_line(*added: str, instead: str | None = None) -> str:
     """Return the running command as typed, with added options, which replace earlier values.
 
-    `instead` is another command, which gets the same options except those for output.
+    `instead` is another command, which gets the same options except those for output and those that it lacks.
     """
     context = click.get_current_context()
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
+        here, there = (
+            {name for option in command.params for name in option.opts}
+            for command in (context.command, cast(click.Group, context.find_root().command).commands[instead])
+        )
+        words = _without_values(words, here - there)
     return f"{name_program()} {quote_words([*_without_values(words, added), *added])}"
 
 
-def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
+def _without_values(words: Sequence[str], added: Collection[str]) -> list[str]:
     remaining = list(words)
     for option in click.get_current_context().command.params:
         single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)

@@ -617,9 +617,7 @@ def _polyline(points: FloatArray) -> PlaneCurve:
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
 
 
-def _smooth_pieces(
-    points: FloatArray, tolerance: float, allowed: float, noise: float
-) -> list[PlaneCurve]:
+def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float, noise: float) -> list[PlaneCurve]:
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance, noise)]
     curve, distance = fit_polyline(points, tolerance, noise)

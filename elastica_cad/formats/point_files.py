@@ -18,6 +18,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.chains import curve_from_points
 from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit
 from elastica_cad.formats.source_file import (
+    MOST_DEGREE,
     MOST_PIECES,
     UNIT,
     check_count,
@@ -29,7 +30,8 @@ from elastica_cad.formats.source_file import (
 )
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.refusals import Length, note
+from elastica_cad.geometry.plane_points import SMOOTH_TURN, is_closed, norm, sharp_points
+from elastica_cad.refusals import Length, Listed, note
 
 ALONG = ("distance", "station")
 """Headings of the x column that all curves of a table of offsets share. The first heading found is used."""
@@ -458,6 +460,9 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     return values
 
 
+LARGEST_GAP = 1.6
+"""Largest ratio of the distance between the ends of a closed outline to the steps beside the ends, or inverse."""
+
 # points with a rounding error of at least this, mm, count as measured with a ruler
 RULER_MM = 0.25
 # largest number of numbers whose decimals are counted
@@ -489,6 +494,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
     noise = rounded / np.sqrt(3) if by_rule else 0.0
     makers: list[tuple[str, int, Callable[[], PlaneCurve]]] = []
+    closed: list[str] = []
     for name, rows in table.columns:
         try:
             blocks = _blocks(rows, scale)
@@ -498,9 +504,11 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
             makers.append((name, 0, partial(_raise, problem)))
             continue
         digits = Provenance(rounding=rounded, name=name)
-        makers += [
-            (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
-        ]
+        for block in blocks:
+            points = _outline_of(block)
+            makers.append((name, len(block), partial(_fitted, points, fit_tolerance, digits, noise)))
+            if points is not block:
+                closed.append(f"curve {len(makers)}")
     message = note(
         "the numbers were read as inches (fractions, or feet-inches-eighths): set the unit if they are not "
         "inches"
@@ -513,7 +521,23 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
         known = ReadUnit.requested(unit) if unit else ReadUnit(table.unit, "stated", note("the heading"))
     else:
         known = ReadUnit("in", "guessed", note=message) if inches else ReadUnit("mm")
-    return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note))
+    remarks = [note(
+        "{curves} is closed from the last to the first point, which are as far apart as other points. To keep it "
+        "open, add a point between an end and its neighbour",
+        curves=Listed(closed),
+    )] if closed else []  # fmt: skip
+    return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note), remarks=tuple(remarks))
+
+
+def _outline_of(points: FloatArray) -> FloatArray:
+    """Return points (n, 2), with the first one repeated at the end if they go round without a larger gap."""
+    closed = np.concatenate([points, points[:1]])
+    if not is_closed(closed):
+        return points
+    before, gap, after = norm(np.diff(np.concatenate([closed[-3:], closed[1:2]]), axis=0))
+    is_turned = {len(points) - 1, len(points)} & {*sharp_points(closed, SMOOTH_TURN)}
+    is_gap = gap > LARGEST_GAP * min(before, after) or gap * LARGEST_GAP < max(before, after)
+    return points if is_turned or is_gap else closed
 
 
 def read_path_points(file: Path) -> FloatArray:
@@ -535,10 +559,11 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: flo
     return curve_from_points(points, tolerance=tolerance, drawn=digits, noise=noise)
 
 
-def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
-    """Read a file of control points: a line "degree count", then `count` lines "x y".
+def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
+    """Read a file of control points, or of measured points like a .csv file: see `read_csv_drawing`.
 
-    The knots are the integers from -degree to count: a uniform spline, not clamped at its ends.
+    Control points follow a line "degree count", as `count` lines "x y". The knots are the integers from -degree to
+    count: a uniform spline, not clamped at its ends.
     """
     scale = look_up_unit(unit or "mm")
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
@@ -548,24 +573,17 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
             "the file has no numbers: write the degree and the number of control points in the first line"
         )
     number, head = rows[0]
-    if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
-        raise InputError(
-            "line {number} is {given} instead of two whole numbers, the degree and the number of control points: "
-            "correct this line, or put measured points into a .csv file",
-            number=number,
-            given=quoted(" ".join(head)),
-        )
-    if max(len(word) for word in head) > 9:
-        raise InputError(
-            "line {number} has a number of {most} digits: check this number",
-            number=number,
-            most=max(len(w) for w in head),
-        )
-    degree, count = check_degree(int(head[0])), int(head[1])
+    if not re.fullmatch(r"[1-9]\d{0,8} \d{1,9}", " ".join(head)):  # measured points, or a heading
+        return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
+    degree, count = map(int, head)
+    if degree > MOST_DEGREE and len(rows) - 1 != count:
+        return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
+    check_degree(degree)
     check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
     if len(rows) - 1 != count:
         raise InputError(
-            "line {number} announces {count} control points, but {given} lines follow: correct the count",
+            "line {number} announces {count} control points, but {given} lines follow: correct the count, or put "
+            "measured points into a .csv file",
             number=number,
             count=count,
             given=len(rows) - 1,

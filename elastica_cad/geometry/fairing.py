@@ -191,8 +191,8 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
         spans *= 2
     if best is None:
         raise InputError(
-            "jumps of the curvature cannot be smoothed within {tolerance}: set a smoothing distance of at "
-            "least {tolerance_2}",
+            "jumps of the curvature cannot be smoothed within {tolerance}: set a smoothing distance of about "
+            "{tolerance_2} or more",
             tolerance=Length(tolerance),
             tolerance_2=Length(2 * tolerance),
         )

@@ -174,29 +174,30 @@ class MeasuredPoints:
     def noise_message(self) -> str:
         """Message about the noise, without a full stop."""
         return note(
-            "the points have noise of about {noise}: set {field} to {reach:g} to smooth them",
+            "the points have noise of about {noise}: set {field} to about {reach:g} to smooth them",
             noise=self.rounded_noise, field=FieldName("smooth"), reach=Length(self.reach),
         )  # fmt: skip
 
 
 def _half_last_decimal(points: FloatArray) -> float:
-    """Return half a unit of the last decimal of coordinates, or of the ninth decimal if they have more.
+    """Return half the step of coordinates: one or five units of their last decimal, at most the ninth decimal.
 
     Examples
     --------
-    >>> _half_last_decimal(np.array([[0.0, 12.5], [3.25, 7.0]]))
-    0.005
+    >>> _half_last_decimal(np.array([[0.0, 12.53], [3.25, 7.0]])), _half_last_decimal(np.array([[0.5, 12.0]]))
+    (0.005, 0.25)
     """
     exact = 1e-15 * np.abs(points).max(initial=1.0)
-    decimals = (k for k in range(MOST_DECIMALS) if np.abs(np.round(points, k) - points).max() <= exact)
-    return float(0.5 * 10.0 ** -next(decimals, MOST_DECIMALS))
+    steps = (units * 10.0**-k for k in range(MOST_DECIMALS) for units in (1.0, 0.5))
+    whole = (step for step in steps if np.abs(np.round(points / step) * step - points).max() <= exact)
+    return float(0.5 * next(whole, 10.0**-MOST_DECIMALS))
 
 
 def _credible_noise(points: FloatArray, rounding: float) -> float:
     """Return the noise, mm, of points whose coordinates have rounding errors of standard deviation `rounding`.
 
-    Curves through closed points are smoothed by their noise. The estimate is therefore replaced by the rounding errors
-    if it is within their scatter, or if too few points for the shape cause it: every other point gives more noise.
+    Curves through closed points are smoothed by their noise. The rounding errors therefore replace the estimate
+    if it is within their scatter, or if it decreases with more points, because it is then due to the shape.
     """
     noise = estimate_noise(points)
     if not is_closed(points):
@@ -212,8 +213,9 @@ def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
     The result is the scaled median of divided differences normal to the curve. The order of the differences is
-    increased as long as this reduces the estimate. Differences of closed points continue beyond the last point. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
-    order 2. The result is 0 for too few points, or if the differences decrease like those of a smooth curve.
+    increased as long as this reduces the estimate. Gasser, Sroka and Jennen-Steinmetz (Biometrika 73, 1986) use
+    order 2. The result is 0 for too few points, or if the differences decrease like those of a smooth curve. On a
+    closed curve, the differences continue beyond the last point.
 
     Examples
     --------
@@ -225,7 +227,9 @@ def estimate_noise(points: FloatArray) -> float:
     """
     while True:
         around = [np.concatenate([points, points[1 : order * is_closed(points)]]) for order in ORDERS]
-        sizes = [_across(p, order) for p, order in zip(around, ORDERS, strict=True) if len(p) - order >= FEWEST]
+        sizes = [
+            _across(p, order) for p, order in zip(around, ORDERS, strict=True) if len(p) - order >= FEWEST
+        ]
         pairs = ((gap, *pair) for gap in (2, 1) for pair in zip(sizes, sizes[gap:], strict=False))
         noise = next((higher for gap, lower, higher in pairs if higher > SETTLED**gap * lower), 0.0)
         spacing = lengths_along(points)[-1] / len(points)

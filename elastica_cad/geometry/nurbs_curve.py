@@ -14,7 +14,15 @@ from elastica_cad._values import is_whole, numbers, require_number, require_reco
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
-from elastica_cad.geometry.plane_points import box_about, cross, dot, is_smooth_around, norm, place, turn_between
+from elastica_cad.geometry.plane_points import (
+    box_about,
+    cross,
+    dot,
+    is_smooth_around,
+    norm,
+    place,
+    turn_between,
+)
 from elastica_cad.geometry.polynomials import (
     binomials,
     interior_roots,

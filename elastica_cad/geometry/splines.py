@@ -659,9 +659,8 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
 
 
-NOISE_SPARE, FREEDOM = 1.3, 12
-"""Mean square distance of a closed spline from n points, as a multiple of their squared noise, is NOISE_SPARE n / (n +
-FREEDOM).
+NOISE_SPARE, FREEDOM = 1.3, 18
+"""The mean square distance of a closed spline from n points is the squared noise times 1.3 n / (n + 18).
 
 A spline near few points follows a part of their noise. A spline near many points would show waves if its distance
 were less than the noise.
@@ -834,7 +833,7 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
     worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
     return note(
         "the points have noise of {typical:.2g} about a smooth curve, up to {worst:.2g} (at {place}), more "
-        "than the tolerance of {tolerance:g}: set a tolerance of {enough:.1g} or a smoothing, or remove "
+        "than the tolerance of {tolerance:g}: set a tolerance of about {enough:.1g} or a smoothing, or remove "
         "outliers",
         typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
         tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),

@@ -19,10 +19,12 @@ from elastica_cad.geometry.control_point_constraints import (
     SmoothJoints,
     least_norm_newton,
 )
+from elastica_cad.geometry.fairing import smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve, line_crossings
+from elastica_cad.geometry.plane_points import is_closed, thinned
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.self_intersections import find_view_angles
 from elastica_cad.geometry.splines import fit_spline, smoothest_spline
@@ -88,13 +90,19 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield two fits within the resolution of the points, a fit of every other point, and a smoother fit."""
+    """Yield two fits within the resolution of the points, a fit of every other point, and a smoother fit.
+
+    For a closed outline, only the last two are made.
+    """
     step = -(-len(points.points) // MOST_POINTS)
-    some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
+    some, half = thinned(points.points, step), thinned(points.points, 2 * step)
+    loose = max(distance, points.resolution)
+    if is_closed(points.points):
+        yield from (smooth_through(near, loose, loose) for near in (some, half) if is_closed(near))
+        return
     for degree in (3, 5):
         with suppress(ElasticaError):
             yield PlaneCurve(*fit_spline(some, degree, points.resolution), degree)
-    loose = max(distance, points.resolution)
     smoother = max(points.reach, loose)
     with suppress(ElasticaError):
         coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
@@ -102,10 +110,6 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
         yield coarse
     with suppress(ElasticaError):
         yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
-
-
-def _thinned(points: FloatArray, step: int) -> FloatArray:
-    return np.concatenate([points[:-1:step], points[-1:]])
 
 
 def _largest_distance(points: MeasuredPoints, curve: PlaneCurve) -> float:

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, pair, require_number
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.fairing import smooth_for_corners
-from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
+from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.tangent_healing import Turn
@@ -239,7 +239,8 @@ class EquilibriumCheck:
         points = measured_points(self.curve)
         if points is None:
             return ()
-        noise = points.noise_text if self.bent_ends else points.noise_message
+        # a refused curve has tested changes instead of advice
+        noise = points.noise_message if self.realizable else points.noise_text
         return points.outlier or (note("The curve was fitted to points, and {points}.", points=noise),)
 
     @property
@@ -443,11 +444,13 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    points = measured_points(curve)
-    if points is not None and points.outlier:
+    points = None if curve.provenance is None else curve.provenance.measured
+    nearest = Change("nearest", True)
+    if points is None or points.noise < REPORTED_MM:
+        return (nearest,)
+    if points.is_noisy and points.outlier:
         return ()
-    smoothing = [] if points is None else [Change("smooth", times * points.reach) for times in (1, 2)]
-    return (*smoothing, Change("nearest", True))
+    return Change("smooth", points.reach), Change("smooth", 2 * points.reach), nearest
 
 
 def lengths(s: Iterable[float]) -> Listed:
@@ -558,7 +561,7 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
     if not slight:
         return ""
     size = Length(slight[0].value)
-    return note(", or set {field} to {size:g} to smooth it", field=SMOOTH, size=size)
+    return note(", or set {field} to about {size:g} to smooth it", field=SMOOTH, size=size)
 
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
@@ -951,7 +954,7 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     if jumps:
         yield note(
             "The curvature jumps from one sign to the other {places} from the start, where the stiffness "
-            "would have to be 0. Support the strip there, or set {field} to {within:g} to let the "
+            "would have to be 0. Support the strip there, or set {field} to about {within:g} to let the "
             "curvature pass smoothly through 0.",
             places=lengths(jumps),
             field=SMOOTH,
@@ -995,7 +998,7 @@ def _warn_of_widths(
     if steps:
         yield Refusal(
             "kinks",
-            "The width of the strip jumps at {places}, because the curvature jumps there. Set {field} to "
+            "The width of the strip jumps at {places}, because the curvature jumps there. Set {field} to about "
             "{within:g} to smooth the curve, which moves it by at most that distance.",
             {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, changes=SMOOTHED,
             severity="warning",
@@ -1004,7 +1007,7 @@ def _warn_of_widths(
         yield Refusal(
             "kinks",
             "The edges of the strip have a corner at {places}, because the curvature changes abruptly there. "
-            "Set {field} to {within:g} to smooth the curve, which moves it by at most that distance."
+            "Set {field} to about {within:g} to smooth the curve, which moves it by at most that distance."
             if curve.degree < 4 else
             "The edges of the strip have a corner at {places}, because the curvature changes abruptly there. "
             "Do not repeat the knot there.",

@@ -279,7 +279,9 @@ def suggest(
         for changes in _changes(spec, problem, fields):
             tried = (change for change in changes if fields is None or change.field in fields)
             held = (
-                _held(spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size)
+                try_change(
+                    spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size
+                )
                 for change in islice(tried, MOST_TRIED)
             )
             found += islice(filter(None, held), 1)
@@ -316,7 +318,7 @@ def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
     The requests have the same sheet. At most `MOST_TRIED` thicknesses on sale are tested.
     """
     for thickness in islice(thinner_on_sale(specs[0].material), MOST_TRIED):
-        if all(_held(spec, Change("thickness", thickness)) for spec in specs):
+        if all(try_change(spec, Change("thickness", thickness)) for spec in specs):
             return thickness
     return None
 
@@ -403,7 +405,7 @@ def _requests(
     return [] if changed is None else [changed]
 
 
-def _held(
+def try_change(
     spec: StripSpec, change: Change, widths: int = 0, sheet_size: tuple[float, float] | None = None
 ) -> Suggestion | None:
     """Return the suggestion for a change, or None if the strip is impossible or unsuitable.
@@ -439,7 +441,7 @@ def _tested(
             away.append(largest_move(spec.curve, request.curve))
         wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
         if not (wide or strip.strain_verdict.allowed):
-            raise overstrained(strip)  # `_held` tries the width that the error names
+            raise overstrained(strip)  # `try_change` tries the width that the error names
         if wide or not stability(strip.rod).stable or strip.unloading_warnings:
             return None
         used.append(strip.strain_verdict.percent)

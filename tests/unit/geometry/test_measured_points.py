@@ -94,7 +94,8 @@ def test_a_check_tells_of_them_before_all_else():
     undecided = check_equilibrium(noisy)
     assert str(undecided).startswith("The points are too few ")
     assert "Set smooth" in str(undecided)
-    assert "have noise of about 0.3 mm: set smooth to 0.82 mm to smooth them" in undecided.details[1]
+    assert undecided.details[1].endswith("the points have noise of about 0.3 mm.")
+    assert noisy.provenance.measured.noise_message.endswith(": set smooth to about 0.77 mm to smooth them")
     told = str(check_equilibrium(mistyped))
     assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
     assert "smooth" not in told
