@@ -122,14 +122,11 @@ def read_drawing(
             return read_svg_drawing(
                 file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
             )
-        if suffix == ".csv":
-            from elastica_cad.formats.point_files import read_csv_drawing
+        if suffix in (".csv", ".txt"):
+            from elastica_cad.formats.point_files import read_csv_drawing, read_text_drawing
 
-            return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
-        if suffix == ".txt":
-            from elastica_cad.formats.point_files import read_text_drawing
-
-            return read_text_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
+            read = read_csv_drawing if suffix == ".csv" else read_text_drawing
+            return read(file, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".json":
             from elastica_cad.formats.json_curves import read_json_drawing
 

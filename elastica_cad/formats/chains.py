@@ -25,6 +25,7 @@ from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     SMOOTH_TURN,
+    begun_at,
     is_closed,
     lengths_along,
     near_pairs,
@@ -565,24 +566,23 @@ def curve_from_points(
     if is_closed(points):
         if corners:  # begin at a corner, because the curve is smooth at other points
             first = corners.pop(0)
-            points = np.concatenate([points[first:-1], points[: first + 1]])
+            points = begun_at(points, first)
             corners = [corner - first for corner in corners]
         else:
             measured = replace(measured, is_smoothed=not measured.outlier)
     cuts = [0, *corners, len(points) - 1]
-    if len(cuts) == 2 and is_noisy:
-        try:
-            curve = smooth_through(points, tolerance, noise)
-        except NotConvergedError:
-            curve = _polyline(points)
-        _require_near(curve, points, tolerance)
-        return curve.drawn_as(replace(drawn, measured=measured))
-    allowed = allowed_distance(points) if sides else np.inf
-    pieces = [
-        piece
-        for i, j in pairwise(cuts)
-        for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed, noise)
-    ]
+    is_noisy = is_noisy and len(cuts) == 2
+    allowed = allowed_distance(points) if sides and not is_noisy else np.inf
+    try:
+        pieces = [
+            piece
+            for i, j in pairwise(cuts)
+            for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed, noise)
+        ]
+    except NotConvergedError:
+        if not is_noisy:
+            raise
+        pieces = [_polyline(points)]
     if len(pieces) == 1:
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))

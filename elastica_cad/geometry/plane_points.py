@@ -132,6 +132,11 @@ def is_smooth_around(points: FloatArray, least: float = 0.0) -> bool:
     return is_closed(points) and len(points) - 1 not in sharp_points(points, SMOOTH_TURN, least)
 
 
+def begun_at(points: FloatArray, first: int) -> FloatArray:
+    """Return closed points (n, 2) in the same order from another start, which is repeated at the end."""
+    return np.concatenate([points[first:-1], points[: first + 1]])
+
+
 def thinned(points: FloatArray, step: int) -> FloatArray:
     """Return every `step`-th of points (n, d), and the last point."""
     return np.concatenate([points[:-1:step], points[-1:]])

@@ -11,7 +11,14 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
-from elastica_cad.geometry.plane_points import FEWEST_AROUND, distinct, lengths_along, numbers_in_groups
+from elastica_cad.geometry.plane_points import (
+    FEWEST_AROUND,
+    begun_at,
+    distinct,
+    lengths_along,
+    numbers_in_groups,
+    thinned,
+)
 from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
@@ -688,14 +695,14 @@ def closed_spline(
     noise *= np.sqrt(NOISE_SPARE * count / (count + FREEDOM))
     mean = max(noise, tolerance * min(FINE_SHARE, 1 / np.sqrt(count)))
     first = int(np.lexsort(points[:-1].T)[0])  # a start that depends on the shape alone
-    around = np.roll(points[:-1], -first, axis=0)
+    around = begun_at(points, first)
     crowd = ceil(mean / _CROWDED_SHARE * count / lengths_along(points)[-1])
     step = max(1, min(crowd, count // FEWEST_AROUND))
-    some = np.concatenate([around[::step], around[:1]])
+    some = thinned(around, step)
     (periodic, places), *_ = splprep(
         some.T, s=(len(some) - 1) * mean**2, k=degree, per=True, quiet=2, full_output=True
     )
-    start = np.interp(count - first, np.append(np.arange(0, count, step), count), places)
+    start = np.interp(count - first, thinned(np.arange(count + 1.0), step), places)
     near = np.sort((periodic[0][degree : -degree - 1] - start) % 1.0)
     inner = near[(near > _SAME_BREAK_SHARE) & (near < 1 - _SAME_BREAK_SHARE)]
     knots = clamped_knots(np.concatenate([[0.0], inner, [1.0]]), {}, degree)

@@ -173,8 +173,6 @@ class EquilibriumCheck:
         small a slope. At `jumps`, kappa - kappa_0 jumps from one sign to the other.
     flats : tuple of (float, float)
         Start and end of straight pieces, mm.
-    bent_ends : bool
-        True if an end that is free to turn is bent. Smoothing the points of the curve does not change this.
     moved : float
         Largest displacement, mm, of the curve by moving its inflections onto a line.
     curve : PlaneCurve
@@ -203,7 +201,6 @@ class EquilibriumCheck:
     curvature_touches: tuple[float, ...] = ()
     jumps: tuple[float, ...] = ()
     flats: tuple[tuple[float, float], ...] = ()
-    bent_ends: bool = False
     moved: float = 0.0
     zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
     bent_beforehand: bool = False
@@ -741,9 +738,8 @@ def examine_curvature(
     bent_joints, gentle_joints = _faulty_joints(excess, joints, largest)
     gentle += gentle_joints
     loaded = [flat for k, flat in enumerate(flats) if k not in {end * (len(flats) - 1) for end in tails}]
-    bent_ends = [*_pinned_end_reasons(excess, supports, zeros)]
     reasons = [
-        *bent_ends,
+        *_pinned_end_reasons(excess, supports, zeros),
         *_straight_part_reasons(excess, supports, loaded, largest),
         *bent_joints,
         *_jump_reasons(jumps),
@@ -753,7 +749,6 @@ def examine_curvature(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
-        bent_ends=bool(bent_ends),
         warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *crossing_notes(curve)),
         curvature_touches=tuple(sorted([*touches, *gentle])),
     )
