@@ -53,9 +53,9 @@ def read_curves(
     Parameters
     ----------
     path : str or Path
-        .dxf; .svg, .svgz (y turned up); .csv: measured points x, y; .txt: "degree count", then control points of a
-        uniform unclamped spline; .json: as written by this program; .step, .stp, .brep: with build123d or
-        CadQuery.
+        .dxf; .svg, .svgz (y turned up); .csv: measured points x, y; .txt: the same, or "degree count", then
+        control points of a uniform unclamped spline; .json: as written by this program; .step, .stp, .brep: with
+        build123d or CadQuery.
     tolerance : float
         Largest distance of ends that are joined, mm.
     fit_tolerance : float
