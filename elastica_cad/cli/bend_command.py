@@ -47,7 +47,14 @@ from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, Gravity, PointMass, Supports
+from elastica_cad.mechanics.loads import (
+    STANDARD_GRAVITY_M_S2,
+    End,
+    Gravity,
+    PointMass,
+    Supports,
+    require_supports,
+)
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
@@ -241,7 +248,7 @@ def _supports(rod: Rod, present: Supports, chosen: dict[str, Any]) -> Supports:
     start, end = chosen["hold_start"] or present.start, chosen["hold_end"] or present.end
     try:
         supports = Supports(start, end)
-        supports.require_held(between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)))
+        require_supports(supports, between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)))
     except InputError as problem:
         loaded = rod.gravity is not None or bool(elements_of(chosen, LOADS))
         has_free_end = any((at if isinstance(at, End) else End.named(at)).is_free for at in (start, end))

@@ -145,17 +145,24 @@ class _Sentences(click.Group):
             ctx.exit(_refuse(problem))
 
 
+SUPPORTS_IN_DESIGN = {
+    "supports.start": "the first value of supports", "supports.end": "the second value of supports",
+}  # fmt: skip
+
+
 def _spelled(path: str) -> str:
     """Return the option that sets a field. Without such an option, name a key of `elastica strip`."""
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
-    if any(typed in parameter.opts for parameter in context.command.params):
-        return typed
+    held = f"--hold{typed[1:]}" if path.startswith("supports.") else typed
+    for option in (held, typed):
+        if any(option in parameter.opts for parameter in context.command.params):
+            return option
     if context.info_name == "strip":
         from elastica_cad.cli.strip_options import typed_name
 
         return typed_name(path) or path
     if context.info_name == "model":  # fields are keys of the design file
-        return "the second value of supports" if path == "supports.end" else path
+        return SUPPORTS_IN_DESIGN.get(path, path)
     records = _records_of(context)
     if records:
         from elastica_cad.design.records import paths_of

@@ -28,6 +28,8 @@ from elastica_cad.mechanics.elements import (
     Tie,
     lumped,
     require_elements,
+    require_held,
+    resultant,
     weight_with_loads,
     with_placed_masses,
 )
@@ -190,14 +192,15 @@ def bend(
         supports=rod.supports if supports is None else require_supports(supports, between=bool(elements)),
         between=elements,
     )
-    requested.supports.require_held(between=bool(elements))
+    if not elements:
+        requested.supports.require_held()
     if not (isinstance(loads, str) and loads == "keep"):
         requested = _with_loads(requested, loads)
     system = system_of(requested, rod, start, end, angles, force=force, moment=moment)
     require_flag(settle, "settle")
     if elements:
         _refuse_pins_out_of_reach(elements, system)
-        arched = _arched(elements, rod, side) if guess is None else guess
+        arched = _arched(elements, rod, system, side) if guess is None else guess
         return _bent_on_elements(requested, rod, system, arched, settle=settle)
     before = None if guess is not None else _under_present_loads(rod, system)
     state = state_of(rod, system, before) if guess is None else _guess_state(guess, system)
@@ -316,8 +319,10 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
             )  # fmt: skip
 
 
-def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
-    """Return the edge angles of an arc, rad, if a shortened tie bends the straight rod, or else None."""
+def _arched(
+    elements: Sequence[ElementForce], rod: Rod, system: RodSystem, side: int | None
+) -> FloatArray | None:
+    """Return the edge angles, rad, of the straight rod buckled by a shortened tie, or None without such a tie."""
     shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
     shorter = [
         action for action in elements
@@ -331,11 +336,22 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
             "which it bulges.",
             field=FieldName("side"),
         )
-    start, end = np.sort(shorter[0].s)
-    # chord / arc length = sin(half) / half, about 1 - half^2 / 6, for an arc that turns by 2 * half
-    half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))
+    cord = shorter[0]
+    start, end = cord.s
+    # the buckling load of a hinged rod; the mode changes little with the load
+    pull = (np.pi / (end - start)) ** 2 * float(rod.stiffness.mean())
+    taut = replace(cord, force=np.sign(end - start) * pull * np.outer((1, -1), shape.tangents[0]))
+    pulled = replace(
+        system, actions=(taut, *(action for action in elements if isinstance(action.element, Pin)))
+    )
+    mode = pulled.state(angles).discrete.lowest_modes()[1][0]
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
-    return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))
+    under = mode[(min(start, end) < s) & (s < max(start, end))]
+    # chord / arc length is about 1 - variance of the angles / 2
+    size = float(np.sqrt(2 * (1 - cord.mounting.length / abs(end - start)))) / under.std()
+    bulge = np.cumsum(under - under.mean())
+    first = bulge[int(np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max()))]
+    return np.asarray(angles + np.copysign(size, side * first) * mode)
 
 
 ROUNDS = 12
@@ -370,6 +386,7 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
+        _require_held(state)
         # use short steps after a rail or tie became slack or taut, because the branch of equilibria may end
         # soon
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
@@ -383,6 +400,7 @@ def _bent_on_elements(
             snaps_at = snaps_at if at is None else 1 - remaining * (1 - at)
             changed = changed_set(state, 1.0)
         if changed is None:
+            _require_held(state)
             return replace(
                 state.rod(wanted),
                 between=_with_present_forces(elements, taut, state),
@@ -400,6 +418,23 @@ def _bent_on_elements(
         "The program could not decide which rails, pins and ties carry load in this shape. Move the ends or "
         "change the loads in smaller steps."
     )
+
+
+def _require_held(state: RodState) -> None:
+    """Refuse a state of a rod that moves as a whole; see `elements.require_held`."""
+    system, shape = state.system, shape_of(state)
+    # the dead force of a rod with two free ends acts at its start
+    forces = system.load + np.outer(np.arange(system.edges + 1) == 0, system.force)
+    load = resultant(
+        state.position - state.position[0], forces, system.length, moment=float(system.moments.sum()),
+        other=sum(action.size for action in state.actions),
+    )  # fmt: skip
+
+    def place(s: float) -> tuple[FloatArray, FloatArray]:
+        slope = shape.at(s, 1)
+        return shape.at(s), slope / np.hypot(*slope)
+
+    require_held(system.supports, state.actions, place, system.length, load)
 
 
 def shape_of(state: RodState) -> ShapeOfRod:

@@ -18,7 +18,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights
 from elastica_cad.mechanics.loads import Supports
@@ -194,10 +193,6 @@ def bracing_of(
         term_shifts = np.concatenate([np.zeros((0, 2)), *(brace.term_shifts for brace in braces)])[:, free]
         u, sigma, vt = np.linalg.svd(row_shifts)
         rank = int(np.count_nonzero(sigma > _RANK))
-        if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
-            raise InputError(
-                "The strip can slide off its rails. Hold an end, or pin the strip between its ends."
-            )
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
     ties = [action for action in between if isinstance(action.element, Tie)]

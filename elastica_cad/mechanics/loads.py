@@ -1,12 +1,14 @@
 """Loads of a rod (gravity, masses and weight per length), supports of its ends, and its natural curvature."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import product
 from typing import Annotated, Literal, TypeAlias, cast
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import (
     EqualByValue,
     alike,
@@ -25,7 +27,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, CurvatureZero, PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite
-from elastica_cad.refusals import Length, Point
+from elastica_cad.refusals import FieldName, Length, Point, note
 
 
 @dataclass(frozen=True)
@@ -241,11 +243,9 @@ def _times(value: float | Profile, factor: float) -> float | Profile:
     return value.scaled(factor) if isinstance(value, Profile) else value * factor
 
 
-def _unheld(axis: str) -> InputError:
-    return InputError(f"the rod is free to move along {axis}: hold {axis} at one end or both ends")
-
-
-EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
+EndName: TypeAlias = Literal[
+    "clamped", "pinned", "slide-x", "slide-y", "roller-x", "roller-y", "guided", "free"
+]
 
 
 @dataclass(frozen=True)
@@ -280,12 +280,18 @@ class End:
 
     @classmethod
     def named(cls, name: EndName) -> "End":
-        """Return the end: clamped, pinned, slide-x or slide-y (clamped slider), guided (only angle held), free."""
+        """Return the end of a name.
+
+        A slider moves along x or y and holds the angle, a roller moves along x or y and turns. A guided end holds
+        only the angle.
+        """
         ends = {
             "clamped": cls(),
             "pinned": cls(angle=False),
             "slide-x": cls(x=False),
             "slide-y": cls(y=False),
+            "roller-x": cls(x=False, angle=False),
+            "roller-y": cls(y=False, angle=False),
             "guided": cls(x=False, y=False),
             "free": cls(x=False, y=False, angle=False),
         }
@@ -319,16 +325,6 @@ class Supports:
                 object.__setattr__(self, side, End.named(value))
             elif not isinstance(value, End):
                 raise InputError(f"the support of the {side} is {value!r}: give a name or an End record")
-        a, b = self.ends
-        if self.is_free:
-            return
-        for axis in ("x", "y"):
-            if not (getattr(a, axis) or getattr(b, axis)):
-                raise _unheld(axis)
-        if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
-            raise InputError(
-                "the rod is free to spin: hold the angle of one end, or the position of both ends"
-            )
 
     @property
     def ends(self) -> tuple[End, End]:
@@ -336,14 +332,54 @@ class Supports:
         return cast(End, self.start), cast(End, self.end)  # `__post_init__` has replaced names by records
 
     @property
+    def held(self) -> BoolArray:
+        """Flags (6,) for x, y and angle of the start and of the end: True if the support holds this."""
+        return np.array([flag for end in self.ends for flag in (end.x, end.y, end.angle)])
+
+    @property
     def is_free(self) -> bool:
         """True if both ends are free, as in a bow."""
         return all(end.is_free for end in self.ends)
 
-    def require_held(self, *, between: bool = False) -> None:
-        """Refuse two free ends, unless rails, pins or ties between them support the rod."""
-        if self.is_free and not between:
-            raise _unheld("x")
+    def require_held(
+        self,
+        between: Sequence[Sequence[float]] = (),
+        *,
+        upright: bool = False,
+        load: Sequence[float] | FloatArray = (1.0, 1.0, 1.0),
+    ) -> None:
+        """Refuse a rod that can move as a whole, and name the fewest supports that hold the rod.
+
+        Parameters
+        ----------
+        between : sequence of (float, float, float)
+            Unit reactions of rails and pins: forces in x and y, and the moment about the start over the length.
+        upright : bool
+            True if the ends of the rod are farther apart in y than in x.
+        load : (3,) array_like
+            Forces in x and y, and moment over the length, that would move the rod.
+        """
+        free = _free_motions(self, between)
+        if not free.any():
+            return
+        rollers: tuple[EndName, ...] = ("roller-y", "roller-x") if upright else ("roller-x", "roller-y")
+        names: tuple[EndName, ...] = ("pinned", *rollers, "free", "guided", "slide-x", "slide-y", "clamped")
+
+        def cost(pair: tuple[EndName, EndName]) -> float:
+            """Return the number of held coordinates and angles; an angle that is held anew also bends the rod."""
+            supports = Supports(*pair)
+            if np.any(self.held & ~supports.held) or _free_motions(supports, between).any():
+                return np.inf
+            return float(supports.held @ (1, 1, 1.5, 1, 1, 1.5))
+
+        start, end = min(product(names, names), key=cost)
+        motions = note("move along x"), note("move along y"), note("turn")
+        raise InputError(
+            "The rod is free to {motion}, because no support, rail or pin prevents this. Set {start_field} to "
+            "{start} and {end_field} to {end}.",
+            motion=motions[int((free * np.abs(load)).argmax())],
+            start_field=FieldName("supports.start"), start=start, end_field=FieldName("supports.end"), end=end,
+        )  # fmt: skip
 
     @property
     def clamped(self) -> bool:
@@ -365,6 +401,20 @@ class Supports:
     def reversed(self) -> "Supports":
         """Return the supports of the rod with start and end exchanged."""
         return Supports(self.end, self.start)
+
+
+# unit reactions of x, y and angle at the start and the end; the end of a bent rod is beside and above the start
+_REACTIONS = np.array([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, -1), (0, 1, 1), (0, 0, 1)], dtype=float)
+
+# singular value of unit reactions below which they do not hold a rod
+_LEAST_HOLD = 1e-6
+
+
+def _free_motions(supports: Supports, between: Sequence[Sequence[float]]) -> FloatArray:
+    """Return how freely (3,) the whole rod moves along x, along y and turns: 1 freely, 0 not at all."""
+    reactions = np.vstack([_REACTIONS[supports.held], *between])
+    free = 1 - np.einsum("ij,ji->i", np.linalg.pinv(reactions, rcond=_LEAST_HOLD), reactions)
+    return np.where(free > _LEAST_HOLD, free, 0.0)
 
 
 def require_curve(curve: object) -> None:
@@ -395,7 +445,8 @@ def require_supports(supports: object, *, between: bool = False) -> Supports:
         raise InputError(
             f'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")'
         )
-    supports.require_held(between=between)
+    if not between:
+        supports.require_held()
     return supports
 
 

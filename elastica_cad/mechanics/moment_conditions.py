@@ -37,6 +37,7 @@ from elastica_cad.geometry.polynomials import (
     PanelFunction,
     in_panels,
 )
+from elastica_cad.mechanics.discrete_rod import tangents
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -45,6 +46,8 @@ from elastica_cad.mechanics.elements import (
     Tie,
     forces_of,
     place_elements,
+    require_held,
+    resultant,
     with_placed_masses,
 )
 from elastica_cad.mechanics.equilibrium_check import examine
@@ -602,7 +605,8 @@ class RodRequest(EqualByValue):
     drawn: PlaneCurve | None = None
 
     def __post_init__(self) -> None:
-        self.supports.require_held(between=bool(self.between))
+        if not self.between:
+            self.supports.require_held()
         if self.weight is not None and self.weight.masses:
             placed = with_placed_masses(self.weight, self.drawn or self.curve, self.curve)
             object.__setattr__(self, "weight", placed)
@@ -645,7 +649,19 @@ class RodRequest(EqualByValue):
     @cached_property
     def elements(self) -> tuple[PlacedElement, ...]:
         """Rails, pins and ties with their positions on the checked curve."""
-        return self._placed(self.between)
+        placed, curve = self._placed(self.between), self.check.curve
+        if placed:
+            at = curve.at(np.array([0.0, *(force.s[0] for force in self.forces)])).position
+            weight = (0.0, 0.0) if self.gravity is None else self.gravity.direction
+            forces = np.array([weight, *(force.units[0, 0] for force in self.forces)])
+            load = resultant(at - at[0], forces, curve.length)
+
+            def place(s: float) -> tuple[FloatArray, FloatArray]:
+                sample = curve.at(np.array([s]))
+                return sample.position[0], tangents(sample.angle)[0]
+
+            require_held(self.supports, placed, place, curve.length, load)
+        return placed
 
     @cached_property
     def forces(self) -> tuple[PlacedElement, ...]:

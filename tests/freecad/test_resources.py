@@ -3,10 +3,13 @@
 import ast
 import re
 from pathlib import Path
+from typing import get_args
 from xml.etree import ElementTree
 
 import FreeCAD as App
 import pytest
+
+from elastica_cad.mechanics.loads import EndName
 
 ROOT = Path(__file__).resolve().parents[2]
 CODE = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
@@ -90,7 +93,8 @@ def test_everything_is_translated(language):
         for context in ElementTree.parse(path).getroot().iter("context")
         for message in context.iter("message")
     }
-    wanted = {*words_of_code(), *words_of_panels(), *(("Elastica", name) for name in NAMES_OF_CAUSES)}
+    named = (*NAMES_OF_CAUSES, *get_args(EndName))
+    wanted = {*words_of_code(), *words_of_panels(), *(("Elastica", name) for name in named)}
     assert len(wanted) > 100
     assert {pair for pair in wanted if not known.get(pair)} == set()
     assert path.with_suffix(".qm").stat().st_size > 5000

@@ -1195,6 +1195,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>roller-x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roller-y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>guided</source>
         <translation type="unfinished"></translation>
     </message>

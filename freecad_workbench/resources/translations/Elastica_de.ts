@@ -1191,6 +1191,14 @@
         <translation>gleitet in y</translation>
     </message>
     <message>
+        <source>roller-x</source>
+        <translation>drehbar gleitend in x</translation>
+    </message>
+    <message>
+        <source>roller-y</source>
+        <translation>drehbar gleitend in y</translation>
+    </message>
+    <message>
         <source>guided</source>
         <translation>geführt</translation>
     </message>

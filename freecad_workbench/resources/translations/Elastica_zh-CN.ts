@@ -1191,6 +1191,14 @@
         <translation>沿 y 滑动</translation>
     </message>
     <message>
+        <source>roller-x</source>
+        <translation>可转动，沿 x 滑动</translation>
+    </message>
+    <message>
+        <source>roller-y</source>
+        <translation>可转动，沿 y 滑动</translation>
+    </message>
+    <message>
         <source>guided</source>
         <translation>导向</translation>
     </message>

@@ -164,7 +164,7 @@ def test_a_released_strip_that_nothing_holds_is_straight(desk, end):
         "the strip is not held in place and has no stress: it is straight. For another shape, hold" in refused
     )
     assert "(--hold-start, --hold-end)" in refused
-    assert "the rod is free to" in run(f"{line} --point-mass 100 5", cwd=desk, code=2).stderr
+    assert "The rod is free to" in run(f"{line} --point-mass 100 5", cwd=desk, code=2).stderr
 
 
 @pytest.mark.parametrize(
@@ -262,3 +262,37 @@ def test_a_load_that_strains_the_strip_too_much_is_not_called_travel(desk, load,
     printed = run(f"bend out/wave.json {load} -o loaded --force", cwd=desk).stderr
     assert re.search(f"the strain exceeds the limit of the material {expected}", printed)
     assert "travel" not in printed
+
+
+STRAIGHT = "bend --straight 500 --sheet birch-plywood-1.5 --max-width 20 --json -o ."
+
+
+def test_a_loaded_bow_needs_the_supports_that_the_refusal_names(tmp_path):
+    line = f"{STRAIGHT} --side left --tie 0 500 --shorten 20 --point-force 250 0 -1"
+    refused = run(line, cwd=tmp_path, code=2).stderr
+    option = re.search(
+        r"free to move along y.* Set (\S+) to (\S+) and (\S+) to (\S+)\.", " ".join(refused.split())
+    )
+    printed = json.loads(run(f"{line} {' '.join(option.groups())}", cwd=tmp_path).stdout)
+    assert option.group(4) == "roller-x"
+    assert printed["travel"]["start_force_y_N"] == pytest.approx([0.5])
+    cord = np.array(printed["shapes"][0]["between"][0]["force"])
+    assert np.abs(cord[:, 1]).max() < 1e-9 * np.abs(cord[:, 0]).max()
+
+
+def test_a_slider_under_a_cord_buckles_in_its_first_mode(tmp_path):
+    """The moment at the slider holds the force across the cord."""
+    line = f"{STRAIGHT} --side left --tie 0 500 --shorten 20 --hold-start pinned --hold-end slide-x"
+    printed = json.loads(run(line, cwd=tmp_path).stdout)
+    travel = printed["travel"]
+    assert printed["shapes"][0]["stable"]
+    assert travel["end_moment_Nmm"][0] == pytest.approx(-480 * travel["end_force_y_N"][0], rel=1e-6)
+
+
+def test_a_pin_holds_a_strip_with_a_hinge_at_its_start(tmp_path):
+    line = f"{STRAIGHT} --hold-end free --point-force 200 0 -1 --pin 400"
+    hinged, pinned = (
+        json.loads(run(f"{line} {ends} --force", cwd=tmp_path).stdout)["shapes"][0]
+        for ends in ("--hold-start pinned", "--hold-start free --pin 0")
+    )
+    assert hinged["end"] == pytest.approx(pinned["end"], abs=1e-6)

@@ -57,7 +57,7 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
             "is a rod, so no flat",
         ),
         (("--straight", 900, "--to", 800, 0, "--sheet", "glass-rod-2", "--gravity"), "is a rod, so no flat"),
-        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to move along"),
+        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "The rod is free to move along"),
         (("--straight", -1), "rod length is -1"),
         (("none.dxf",), "cannot be read"),
     ],

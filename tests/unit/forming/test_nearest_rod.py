@@ -431,7 +431,7 @@ def test_a_straight_wish():
             lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("free", "free")),
             "free to move along",
         ),
-        (lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("pinned", "free")), "free to spin"),
+        (lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("pinned", "free")), "free to turn"),
         (lambda: nearest_rod(ARCH, samples="many"), "samples"),
         (lambda: nearest_rod(ARCH, samples=5), "samples"),
         (lambda: nearest_rod(ARCH, coefficients=2), "coefficients"),

@@ -1,13 +1,18 @@
 """Bending forward with rails, pins, ties and loads between the ends."""
 
+from dataclasses import replace
+from typing import get_args
+
 import numpy as np
 import pytest
+from scipy.interpolate import BSpline
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.bending import bend_path, has_snapped
+from elastica_cad.mechanics.loads import EndName
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -205,3 +210,135 @@ def test_a_batten_tied_inside_becomes_the_inflectional_elastica(side, share):
     assert rod.angle[0] == pytest.approx(side * 2 * np.arcsin(np.sqrt(m)), rel=1e-3)
     assert np.abs(rod.moment[rod.s < 237]).max() < 1e-9
     assert ec.stability(rod).stable
+
+
+NAMES = get_args(EndName)
+
+
+def random_request(seed):
+    """Return a straight or arched rod of 500 mm and keywords of `bend`: random supports, elements and loads."""
+    random = np.random.default_rng(seed)
+    ends = ("free", "free") if random.random() < 0.3 else random.choice(NAMES, 2)
+    between = []
+    for kind in random.choice(["pin", "rail", "slot", "tie"], random.integers(4), replace=False):
+        at, end = sorted(random.uniform(0, 500, 2))
+        if kind == "tie":
+            between.append(ec.Tie(at, max(end, at + 60), length=max(end - at, 60) * random.uniform(0.9, 1)))
+        else:
+            between.append(ec.Pin(at) if kind == "pin" else ec.Rail(at, one_sided=kind == "rail"))
+        if kind == "tie" and between[-1].end > 500:
+            between.pop()
+    forces = random.uniform(-0.02, 0.02, (random.integers(3), 2))
+    loads = [ec.PointForce(at, force) for at, force in zip(random.uniform(0, 500, 2), forces, strict=False)]
+    rod, side = ec.Rod.straight(500.0, samples=201), 1
+    if [type(element) for element in between] != [ec.Tie]:
+        rod, side = ec.bend(rod, end=(430.0, 0.0), supports=ec.Supports("pinned", "pinned")), None
+    asked = {"supports": ec.Supports(*ends), "between": between, "loads": loads, "side": side}
+    if not loads and random.integers(2):
+        asked["gravity"] = ec.Gravity(300.0)
+    return replace(rod, bending_stiffness=1e4), asked
+
+
+def point_of(rod, s):
+    """Return a point of the rod, on the quadratic spline of its nodes."""
+    edges = rod.s.size - 1
+    nodes = np.vstack([2 * rod.position[:1] - rod.position[1:2], rod.position])
+    nodes = np.vstack([nodes, 2 * nodes[-1:] - nodes[-2:-1]])
+    return BSpline(np.arange(edges + 6) - 2.5, nodes, 2)(s * edges / rod.length)
+
+
+def balance_of(rod):
+    """Return the sums of forces and moments about the origin as fractions of the largest of them."""
+    forces = [*zip(rod.support_forces, rod.position[[0, -1]], strict=True)]
+    for action in (*rod.between, *rod.point_forces):
+        forces += [(force, point_of(rod, s)) for s, force in zip(action.s, action.force, strict=True)]
+    if rod.gravity is not None:
+        weight = np.gradient(rod.s) * rod.stiffness / rod.gravity.length**3
+        weight[[0, -1]] /= 2
+        forces += zip(np.outer(weight, rod.gravity.direction), rod.position, strict=True)
+    force, at = (np.array(column) for column in zip(*forces, strict=True))
+    moments = np.array([*(at[:, 0] * force[:, 1] - at[:, 1] * force[:, 0]), -rod.moment[0], rod.moment[-1]])
+    largest = max(np.abs(force).max(), 1e-15)
+    return [*np.abs(force.sum(axis=0)) / largest, abs(moments.sum()) / max(np.abs(moments).max(), largest)]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_forces_and_moments_add_up_or_the_supports_are_refused(seed):
+    rod, asked = random_request(seed)
+    try:
+        bent = ec.bend(rod, **asked)
+    except InputError as refused:
+        held = ec.Supports(refused.refusal.values["start"], refused.refusal.values["end"])
+        assert ec.bend(rod, **asked | {"supports": held}).supports == held
+        return
+    assert np.max(balance_of(bent)) < 1e-6
+    for action in bent.between:
+        if isinstance(action.element, ec.Tie):
+            chord = point_of(bent, action.s[1]) - point_of(bent, action.s[0])
+            across = action.force[0] @ (-chord[1], chord[0]) / np.hypot(*chord)
+            assert abs(across) <= 1e-6 * np.abs(bent.force).max()
+
+
+@pytest.mark.parametrize(
+    ("between", "supports"),
+    [
+        (ec.Pin(400.0), ("pinned", "free")),
+        ((ec.Pin(0.0), ec.Pin(400.0)), ("free", "free")),
+        ((ec.Pin(0.0), ec.Rail(400.0)), ("free", "free")),
+        (ec.Rail(250.0), ("roller-x", "roller-y")),
+        (ec.Pin(250.0), ("roller-x", "free")),
+    ],
+)
+def test_supports_are_judged_together_with_rails_and_pins(between, supports):
+    arch = ec.bend(
+        ec.Rod.straight(500.0, samples=101), end=(430, 0), supports=ec.Supports("pinned", "pinned")
+    )
+    rod, load = replace(arch, bending_stiffness=1e4), ec.PointForce(200.0, (0, -0.01))
+    bent = ec.bend(rod, supports=ec.Supports(*supports), between=between, loads=load)
+    assert np.max(balance_of(bent)) < 1e-6
+    drawn = ec.PlaneCurve.line((0, 0), (500, 0))
+    assert ec.optimal_rod(drawn, supports=ec.Supports(*supports), between=between).ratio == 1.0
+
+
+@pytest.mark.parametrize(
+    ("between", "loads", "supports", "expected"),
+    [
+        (ec.Tie(0.0, 500.0, length=480.0), (0, -0.01), ("free", "free"), ("pinned", "roller-x")),
+        (ec.Tie(40.0, 460.0, length=400.0), (0.02, 0), ("free", "free"), ("pinned", "roller-x")),
+        (ec.Tie(40.0, 460.0, length=400.0), None, ("pinned", "free"), ("pinned", "roller-x")),
+        ((ec.Rail(100.0), ec.Rail(400.0)), (0, -0.01), ("free", "free"), ("roller-y", "free")),
+        (ec.Pin(100.0), (0, -0.01), ("free", "free"), ("roller-x", "free")),
+        ((), (0, -0.01), ("pinned", "free"), ("pinned", "roller-x")),
+        ((), None, ("guided", "roller-y"), ("guided", "pinned")),
+    ],
+)
+def test_a_rod_that_nothing_holds_is_refused_with_the_fewest_supports(between, loads, supports, expected):
+    rod = replace(ec.Rod.straight(500.0, samples=101), bending_stiffness=1e4)
+    load = () if loads is None else ec.PointForce(200.0, loads)
+    asked = {"between": between, "loads": load, "side": None if between == () else 1}
+    with pytest.raises(InputError, match="is free to") as refused:
+        ec.bend(rod, supports=ec.Supports(*supports), **asked)
+    values = refused.value.refusal.values
+    assert (values["start"], values["end"]) == expected
+    assert np.max(balance_of(ec.bend(rod, supports=ec.Supports(*expected), **asked))) < 1e-6
+
+
+def test_a_bow_needs_no_support_under_loads_that_balance_each_other():
+    rod = replace(ec.Rod.straight(500.0, samples=101), bending_stiffness=1e4)
+    asked = {"supports": ec.Supports("free", "free"), "between": ec.Tie(0.0, 500.0, length=450.0), "side": 1}
+    loads = [ec.PointForce(at, (0, force)) for at, force in ((100, 0.005), (250, -0.01), (400, 0.005))]
+    bent = ec.bend(rod, loads=loads, **asked)
+    assert np.max(balance_of(bent)) < 1e-6
+    with pytest.raises(InputError, match="free to turn"):
+        ec.bend(rod, loads=[*loads[:1], ec.PointForce(400, (0, -0.005))], **asked)
+
+
+# pi^2, and the first root of tan x = x squared
+@pytest.mark.parametrize(("end", "load"), [("roller-x", np.pi**2), ("slide-x", 20.1907)])
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_cord_buckles_a_straight_strip_in_the_first_mode_of_its_supports(end, load, side):
+    rod = ec.Rod.straight(500.0, samples=401, supports=ec.Supports("pinned", end))
+    bent = ec.bend(rod, between=ec.Tie(0.0, 500.0, length=499.0), side=side)
+    assert bent.between[0].size * 500**2 == pytest.approx(load, rel=3e-3)
+    assert np.sign(bent.position[200, 1]) == side
+    assert ec.stability(bent).stable

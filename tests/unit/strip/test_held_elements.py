@@ -199,7 +199,8 @@ def test_ends_that_turn_or_hold_only_their_angle_have_their_motion():
         "pinned": "free to turn",
         "slide-x": "free to slide along x",
         "slide-y": "free to slide along y",
+        "roller-x": "free to slide along x and to turn",
+        "roller-y": "free to slide along y and to turn",
         "guided": "free to slide along x and y",
         "free": "free: nothing holds it",
     }
-    assert freedom_text(End(x=False, angle=False)) == "free to slide along x and to turn"

@@ -6,7 +6,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, get_args
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
@@ -31,7 +31,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports
+from elastica_cad.mechanics.loads import EndName, Gravity, PointMass, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
@@ -40,7 +40,7 @@ from elastica_cad.strip.styles import Style
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]
 FOLLOW = ["Exactly", "Nearest"]
-ENDS = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
+ENDS = list(get_args(EndName))
 KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
 

@@ -32,8 +32,8 @@ from elastica_cad.words import Translated
 NAMES = {
     "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
-    "supports.end": "EndSupport", "limits": "Follow", "limits.keep_out": "KeepOut",
-    "limits.stiffness_bounds": "StiffnessBounds",
+    "supports.start": "StartSupport", "supports.end": "EndSupport",
+    "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
 """Names of properties that are not derived from keys, because users' files contain them."""
 
