@@ -49,7 +49,6 @@ from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warni
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
 from elastica_cad.mechanics.loads import (
     STANDARD_GRAVITY_M_S2,
-    End,
     Gravity,
     PointMass,
     Supports,
@@ -204,7 +203,10 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
         # the ends are free, because held ends could not follow the cord
         present = Supports("free", "free")
-    supports = _supports(rod, present, chosen)
+    supports = require_supports(
+        Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end),
+        between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)),
+    )
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
         now = ", ".join(
@@ -242,25 +244,6 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]),
         {f"{_travel_name(name)}.csv": "the table", f"{name}.csv": "points", f"{name}.json": "curves"},
     )
-
-
-def _supports(rod: Rod, present: Supports, chosen: dict[str, Any]) -> Supports:
-    start, end = chosen["hold_start"] or present.start, chosen["hold_end"] or present.end
-    try:
-        supports = Supports(start, end)
-        require_supports(supports, between=not chosen["release"] or bool(elements_of(chosen, ELEMENTS)))
-    except InputError as problem:
-        loaded = rod.gravity is not None or bool(elements_of(chosen, LOADS))
-        has_free_end = any((at if isinstance(at, End) else End.named(at)).is_free for at in (start, end))
-        if not chosen["release"] or loaded or not has_free_end:
-            raise
-        raise InputError(
-            "Without its rails, pins and ties, the strip is not held in place and has no stress: it is {shape}. "
-            "For another shape, hold one end clamped or both ends pinned ({start}, {end}).",
-            shape=note("bent as it was made" if np.any(rod.natural_curvature) else "straight"),
-            start="--hold-start", end="--hold-end",
-        ) from problem  # fmt: skip
-    return supports
 
 
 def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:

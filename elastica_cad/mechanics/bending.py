@@ -28,7 +28,6 @@ from elastica_cad.mechanics.elements import (
     Tie,
     lumped,
     require_elements,
-    require_held,
     resultant,
     weight_with_loads,
     with_placed_masses,
@@ -46,6 +45,7 @@ from elastica_cad.mechanics.mounted_elements import (
     PULLS_SHARE,
     ShapeOfRod,
     mounted,
+    require_held,
     touching,
     violation,
     with_side,
@@ -59,6 +59,7 @@ from elastica_cad.mechanics.newton_continuation import (
     Reached,
     Stop,
     between_loads,
+    buckling_mode,
     follow,
     is_balanced,
     is_straight,
@@ -341,17 +342,13 @@ def _arched(
     # the buckling load of a hinged rod; the mode changes little with the load
     pull = (np.pi / (end - start)) ** 2 * float(rod.stiffness.mean())
     taut = replace(cord, force=np.sign(end - start) * pull * np.outer((1, -1), shape.tangents[0]))
-    pulled = replace(
-        system, actions=(taut, *(action for action in elements if isinstance(action.element, Pin)))
-    )
-    mode = pulled.state(angles).discrete.lowest_modes()[1][0]
+    pins = (action for action in elements if isinstance(action.element, Pin))
+    mode = buckling_mode(replace(system, actions=(taut, *pins)).state(angles), side, 1)[1]
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
-    under = mode[(min(start, end) < s) & (s < max(start, end))]
+    under = (min(start, end) < s) & (s < max(start, end))
     # chord / arc length is about 1 - variance of the angles / 2
-    size = float(np.sqrt(2 * (1 - cord.mounting.length / abs(end - start)))) / under.std()
-    bulge = np.cumsum(under - under.mean())
-    first = bulge[int(np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max()))]
-    return np.asarray(angles + np.copysign(size, side * first) * mode)
+    size = np.sqrt(2 * (1 - cord.mounting.length / abs(end - start))) / mode[under].std()
+    return np.asarray(angles + size * mode)
 
 
 ROUNDS = 12
@@ -421,20 +418,15 @@ def _bent_on_elements(
 
 
 def _require_held(state: RodState) -> None:
-    """Refuse a state of a rod that moves as a whole; see `elements.require_held`."""
-    system, shape = state.system, shape_of(state)
+    """Refuse a state in which the rod can move as a whole."""
+    system = state.system
     # the dead force of a rod with two free ends acts at its start
     forces = system.load + np.outer(np.arange(system.edges + 1) == 0, system.force)
     load = resultant(
         state.position - state.position[0], forces, system.length, moment=float(system.moments.sum()),
         other=sum(action.size for action in state.actions),
     )  # fmt: skip
-
-    def place(s: float) -> tuple[FloatArray, FloatArray]:
-        slope = shape.at(s, 1)
-        return shape.at(s), slope / np.hypot(*slope)
-
-    require_held(system.supports, state.actions, place, system.length, load)
+    require_held(system.supports, state.actions, shape_of(state), load)
 
 
 def shape_of(state: RodState) -> ShapeOfRod:

@@ -19,7 +19,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights
+from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights, floats
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
@@ -195,11 +195,9 @@ def bracing_of(
         rank = int(np.count_nonzero(sigma > _RANK))
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
-    ties = [action for action in between if isinstance(action.element, Tie)]
-    turns_freely = free.all() and not any(end.angle for end in supports.ends)
-    if ties and len(ties) == len(between) and turns_freely:
-        # a rod held by ties alone can turn as a whole without a change of energy, so exclude this rotation
-        turn = left_of(edges.chord(ties[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
+    if floats(supports, between):
+        # a rod that floats can turn as a whole without a change of energy, so exclude this rotation
+        turn = left_of(edges.chord(between[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
         rows = np.concatenate([rows, turn[None]])
     # avoid a division by zero, because a row of `terms` can be zero on a straight strip
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)

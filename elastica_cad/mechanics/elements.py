@@ -7,7 +7,7 @@ At a point p_j = gamma(s_j) of the strip gamma(s), a force f_j changes the slope
 The manual's page "Forces between the ends" has the derivation.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -423,45 +423,10 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
     )
 
 
-BALANCED = 1e-6
-"""Largest resultant of balanced forces, as a fraction of the sum of their sizes."""
-
-
-def require_held(
-    supports: Supports,
-    elements: Sequence["PlacedElement | ElementForce"],
-    place: Callable[[float], tuple[FloatArray, FloatArray]],
-    length: float,
-    load: FloatArray,
-) -> None:
-    """Refuse a rod that can move as a whole, because its supports, rails and pins do not hold it.
-
-    A cord holds nothing, because its forces balance each other. A rod with free ends and cords alone, such as a
-    bow, needs no support if its loads balance each other too.
-
-    Parameters
-    ----------
-    place : callable
-        Function of arc length, mm, that returns the position and the unit tangent of the rod.
-    load : (3,) array
-        Resultant of the loads: force in x and y, and moment about the start over the length, as a fraction of the
-        sum of all forces.
-    """
-    bearing = [element for element in elements if not isinstance(element.element, Tie)]
-    floats = supports.is_free and bool(elements) and not bearing
-    if floats and np.abs(load).max() <= BALANCED:
-        return
-    start, reactions = place(0.0)[0], []
-    for element in bearing:
-        s = float(element.s[0])
-        if isinstance(element.element, Pin):
-            # as for the ends, points of a bent rod are not on one line
-            reactions += [(1.0, 0.0, -s / length), (0.0, 1.0, s / length)]
-        else:
-            point, tangent = place(s)
-            reactions.append((-tangent[1], tangent[0], float((point - start) @ tangent) / length))
-    width, height = np.abs(place(length)[0] - start)
-    supports.require_held(reactions, upright=bool(height > width), load=load if floats else np.ones(3))
+def floats(supports: Supports, elements: Sequence["PlacedElement | ElementForce"]) -> bool:
+    """Return True if only cords act on a rod with free ends, as in a bow; they do not hold it in place."""
+    only_cords = bool(elements) and all(isinstance(element.element, Tie) for element in elements)
+    return supports.is_free and only_cords
 
 
 def resultant(

@@ -346,7 +346,6 @@ class Supports:
         between: Sequence[Sequence[float]] = (),
         *,
         upright: bool = False,
-        load: Sequence[float] | FloatArray = (1.0, 1.0, 1.0),
     ) -> None:
         """Refuse a rod that can move as a whole, and name the fewest supports that hold the rod.
 
@@ -356,8 +355,6 @@ class Supports:
             Unit reactions of rails and pins: forces in x and y, and the moment about the start over the length.
         upright : bool
             True if the ends of the rod are farther apart in y than in x.
-        load : (3,) array_like
-            Forces in x and y, and moment over the length, that would move the rod.
         """
         free = _free_motions(self, between)
         if not free.any():
@@ -377,7 +374,7 @@ class Supports:
         raise InputError(
             "The rod is free to {motion}, because no support, rail or pin prevents this. Set {start_field} to "
             "{start} and {end_field} to {end}.",
-            motion=motions[int((free * np.abs(load)).argmax())],
+            motion=motions[int(free.argmax())],
             start_field=FieldName("supports.start"), start=start, end_field=FieldName("supports.end"), end=end,
         )  # fmt: skip
 

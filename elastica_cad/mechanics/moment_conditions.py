@@ -37,7 +37,6 @@ from elastica_cad.geometry.polynomials import (
     PanelFunction,
     in_panels,
 )
-from elastica_cad.mechanics.discrete_rod import tangents
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -46,7 +45,6 @@ from elastica_cad.mechanics.elements import (
     Tie,
     forces_of,
     place_elements,
-    require_held,
     resultant,
     with_placed_masses,
 )
@@ -62,6 +60,7 @@ from elastica_cad.mechanics.minimax_lp import (
     unsettled,
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
 from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
@@ -654,13 +653,9 @@ class RodRequest(EqualByValue):
             at = curve.at(np.array([0.0, *(force.s[0] for force in self.forces)])).position
             weight = (0.0, 0.0) if self.gravity is None else self.gravity.direction
             forces = np.array([weight, *(force.units[0, 0] for force in self.forces)])
-            load = resultant(at - at[0], forces, curve.length)
-
-            def place(s: float) -> tuple[FloatArray, FloatArray]:
-                sample = curve.at(np.array([s]))
-                return sample.position[0], tangents(sample.angle)[0]
-
-            require_held(self.supports, placed, place, curve.length, load)
+            nodes, edge_length = self.nodes, curve.length / (len(self.nodes.s) - 1)
+            shape = ShapeOfRod(np.diff(nodes.position, axis=0) / edge_length, edge_length, at[0])
+            require_held(self.supports, placed, shape, resultant(at - at[0], forces, curve.length))
         return placed
 
     @cached_property

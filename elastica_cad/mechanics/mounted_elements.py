@@ -10,6 +10,7 @@ is at the point P. A cord of length l connects the arc lengths p and q, in the d
 If no end is held along an axis, the translation of the rod along this axis is an additional unknown.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -28,6 +29,7 @@ from elastica_cad.mechanics.elements import (
     Rail,
     Tie,
     edge_weights,
+    floats,
 )
 from elastica_cad.mechanics.loads import Supports
 
@@ -96,11 +98,6 @@ class MountedElements:
         """Coordinates (0: x, 1: y) that no end holds."""
         return np.flatnonzero(self.supports.free_axes)
 
-    @property
-    def turns_freely(self) -> bool:
-        """True if only ties hold the rod, so that it can turn as a whole."""
-        return self.supports.is_free and all(isinstance(action.element, Tie) for action in self.actions)
-
     def first(self, tangents: FloatArray) -> FloatArray:
         """Return the initial values (k,) of the unknowns for a rod with edge tangents (n, 2)."""
         numbers: list[float] = []
@@ -144,7 +141,7 @@ class MountedElements:
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
         residual, places = np.zeros(k), np.zeros(k, dtype=bool)
-        free = self.free_axes
+        free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
         shift = np.zeros(2)
         shift[free] = numbers[first_shift:]
@@ -161,7 +158,7 @@ class MountedElements:
                 pulls[pair] = tangents.T * weights
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
-                if self.turns_freely:
+                if floating:
                     # keep the direction of the cord, because the rod could turn as a whole
                     corner[more, more] = 1.0
                 else:
@@ -188,7 +185,7 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # no support holds the position of the rod: keep it
+        if floating:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(rows, pulls, corner, residual, places)
@@ -274,6 +271,34 @@ class ShapeOfRod:
             if abs(s - before) <= 1e-13 * self.length:
                 break
         return s
+
+
+BALANCED = 1e-6
+"""Largest resultant of loads that balance each other, as a fraction of the sum of all forces."""
+
+
+def require_held(
+    supports: Supports, elements: Sequence[PlacedElement | ElementForce], shape: ShapeOfRod, load: FloatArray
+) -> None:
+    """Refuse a rod that can move as a whole, because its supports, rails and pins do not hold it.
+
+    A rod that floats needs no support if the `resultant` of its loads, `load` (3,), is 0.
+    """
+    if floats(supports, elements) and np.abs(load).max() <= BALANCED:
+        return
+    reactions = []
+    for element in elements:
+        s = float(element.s[0])
+        if isinstance(element.element, Pin):
+            # as for the ends, points of a bent rod are not on one line
+            reactions += [(1.0, 0.0, -s / shape.length), (0.0, 1.0, s / shape.length)]
+        elif isinstance(element.element, Rail):
+            slope = shape.at(s, 1)
+            across = left_of(slope) / np.hypot(*slope)
+            turning = float((shape.at(s) - shape.start) @ slope) / np.hypot(*slope) / shape.length
+            reactions.append((*across, turning))
+    width, height = np.abs(shape.at(shape.length) - shape.start)
+    supports.require_held(reactions, upright=bool(height > width))
 
 
 def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:

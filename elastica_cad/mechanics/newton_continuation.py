@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_bordered
+from elastica_cad.mechanics.discrete_rod import solve_bordered
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
 
@@ -435,7 +435,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
     )  # fmt: skip
-    pressure, shape = _mode(first.state(state.angles), side, mode)
+    pressure, shape = buckling_mode(first.state(state.angles), side, mode)
     amplitude = np.sqrt(2 * (length - chord) / (edge * float(shape @ shape)))
     for _ in range(8):
         short = length - edge * float(np.cos(amplitude * shape).sum())
@@ -467,7 +467,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
     while high - low > LOAD_RESOLUTION:
         middle = (low + high) / 2
         low, high = (low, middle) if modes(middle) >= mode else (middle, high)
-    shape = _mode(scaled(high), side, mode)[1]
+    shape = buckling_mode(scaled(high), side, mode)[1]
     shape = shape / np.abs(shape).max()
     for amplitude in AMPLITUDES_RAD:
         buckled = _reach_amplitude(system, scaled(high), shape, amplitude, high)
@@ -504,17 +504,16 @@ def _reach_amplitude(
     return None
 
 
-def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
+def buckling_mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
     """Return eigenvalue number `mode` (from 1), 1/mm2, of the second variation per length, and its eigenvector.
 
     The first half-wave is to the left for `side` 1, and to the right for `side` -1.
     """
-    (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
-    values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)
+    values, vectors = state.discrete.lowest_modes(mode)
     shape = vectors[mode - 1]
     bulge = np.cumsum(shape)
     first = int(np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max()))
-    return float(values[mode - 1]), shape if side * bulge[first] > 0 else -shape
+    return float(values[mode - 1]) / state.system.edge_length, shape if side * bulge[first] > 0 else -shape
 
 
 def _not_buckled(length: float, mode: int) -> NotConvergedError:
