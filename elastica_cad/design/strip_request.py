@@ -22,7 +22,7 @@ from elastica_cad.mechanics.loads import (
     Weight,
     nodal_curvature,
 )
-from elastica_cad.mechanics.optimal_balance import carried_weight
+from elastica_cad.mechanics.optimal_balance import carried_weight, refuse_below_limits
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthLaw
 from elastica_cad.mechanics.sheets import NominalRatio, Sheet
@@ -51,6 +51,9 @@ SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_p
 """Fields of `StripSpec` without effect on a finished strip."""
 
 STIFFNESS_TOLERANCE = 1e-6
+
+LEAST_SHARE = 0.5
+"""Factor on the lower limit of a section for the rod of a rest shape whose stiffness is known."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,13 +126,16 @@ class FinishedStrip:
         laid = isinstance(rod_spec.section, LaidLeaves)
         # weight and size depend on the section law, or on the layers of a laminate with weight
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
-        rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
+        rod = solve_rod(replace(solved.rod_spec, section=None if laid else _without_least(solved)))
         assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
+        scale, most = self.bending_stiffness, rod.profile.extremes[1]
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
             rod = rod.with_stiffness(self.stiffness)
-        scale = self.bending_stiffness
         if spec is not designed and solved is spec:
-            scale = rod.bending_stiffness or scale
+            # the largest section of the finished strip is as large as that of the rod
+            scale = (rod.bending_stiffness or scale) * most / rod.profile.extremes[1]
+            if spec.law is not None and not laid:
+                refuse_below_limits(spec.law, scale * rod.stiffness, rod.s)
         elif spec is not designed:
             size = _unloaded_stiffness(spec, rod)
             scale = size if designed.law is not None else scale * size / _unloaded_stiffness(designed, rod)
@@ -147,6 +153,12 @@ class FinishedStrip:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
         return spec.make(rod)
+
+
+def _without_least(spec: StripSpec) -> Any:
+    """Return the section law without its lower limit: the rest shape of an even rod needs an almost even rod."""
+    section: Any = spec.rod_spec.section
+    return replace(section, least=LEAST_SHARE * section.least) if spec.law is not None else section
 
 
 def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:

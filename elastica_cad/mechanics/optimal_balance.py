@@ -382,9 +382,7 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
     if gravity is None:
         balance = balance_without_weight(request)
         law = _bent(section, balance.panels, excess)
-        return _refuse_below_limits(
-            replace(balance, bending_stiffness=_fitting_scale(law, balance.stiffness)), law
-        )
+        return _within_limits(replace(balance, bending_stiffness=_fitting_scale(law, balance.stiffness)), law)
     request = replace(request, weight=Weight(masses=request.masses))
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding_limit(law)) / law.weight_per_length(_deciding_limit(law)))
@@ -398,7 +396,7 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
         if finer is None:
             break
         cut = finer
-    return replace(_refuse_below_limits(balance, law), kinks=cut.kinks)
+    return replace(_within_limits(balance, law), kinks=cut.kinks)
 
 
 def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
@@ -575,12 +573,17 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
-def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
+def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
+    refuse_below_limits(law, EI, balance.panels.s)
+    return balance
+
+
+def refuse_below_limits(law: BoundedLaw, bending_stiffness: FloatArray, s: FloatArray) -> None:
+    """Refuse bending stiffnesses, N mm2, at arc lengths `s` of the same shape, mm, that need too small sections."""
     least, largest = law.limits
-    sizes = law.parameter(EI)
+    sizes = law.parameter(bending_stiffness)
     if sizes.min() < least * (1 - SIZE_SHARE):
-        s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
             "with the largest {quantity} of {largest:g}, the curve requires a {quantity} of {given:.4g} at "
             "{s:.4g} from its start, but the limits allow no less than {least:g}. Widen the limits, or use "
@@ -588,11 +591,10 @@ def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> Balance
             field=FieldName("limits"),
             quantity=law.quantity,
             given=Length(float(sizes.min())),
-            s=Length(s),
+            s=Length(float(s.flat[int(sizes.argmin())])),
             largest=Length(largest),
             least=Length(least),
         )
-    return balance
 
 
 def _ratio_to_least_section(law: BoundedLaw, bending_stiffness: FloatArray) -> float:

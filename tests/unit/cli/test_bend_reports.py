@@ -94,6 +94,34 @@ def test_an_option_replaces_what_the_report_says(tmp_path):
     assert steel == pytest.approx(bend_strip(strip, [(250.0, 0.0)]).end_moment[0], rel=0.01)
 
 
+EVEN = {
+    "rod": "--sheet glass-rod-2 --set law.kind=rod --set law.limits=[2,2]",
+    "heavy rod": "--sheet glass-rod-2 --set law.kind=rod --set law.limits=[2,2] --gravity",
+    "bar": "--sheet pom-2 --set law.kind=thickness --set law.limits=[2,2] --set law.width=8",
+}
+
+
+@pytest.mark.parametrize("kind", EVEN)
+def test_an_even_rod_is_bent_by_its_own_report(tmp_path, kind):
+    """The curve of the nearest even rod, taken exactly, would need a rod that is not quite even."""
+    (tmp_path / "arch.csv").write_text("x mm,y mm\n0,0\n100,84\n200,118\n300,84\n400,0\n")
+    line = f"strip arch.csv {EVEN[kind]} --ratio 1 --start pinned --end pinned --no-step --no-pictures -o out"
+    run(line, cwd=tmp_path)
+    force = json.loads((tmp_path / "out" / "arch.json").read_text())["reactions"]["end_force"]
+    travel = bent("bend out/arch.json -o bent", tmp_path)["travel"]
+    assert travel["end_force_x_N"] == pytest.approx(force[:1], rel=1e-3)
+    law = "--set law.kind=rod --set law.limits"
+    if kind == "rod":
+        thick = bent(f"bend out/arch.json {law}=[3,3] -o bent", tmp_path)["travel"]
+        assert thick["end_force_x_N"] == pytest.approx([1.5**4 * force[0]], rel=1e-3)
+
+
+def test_limits_of_a_new_law_are_those_of_the_finished_stiffness(loaded):
+    law = "--set law.kind=thickness --set law.width=20 --set law.limits"
+    refused = run(f"bend thick.json {law}=[1.19,1.2] -o bent --force", cwd=loaded, code=2).stderr
+    assert "but the limits allow no less than 1.19 mm" in " ".join(refused.split())
+
+
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory):
     """Folder with reports of an arch under a mass, without a mass, and of a law."""
