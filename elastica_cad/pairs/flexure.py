@@ -424,22 +424,22 @@ class Flexure:
         turn = spline_through(rod.s, self.pair.natural_curvature, 3).integral()
         return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
 
+    @property
+    def second_moved(self) -> tuple[float, float]:
+        """Turn, degrees, and largest distance, mm, of the second state in the clamp from its drawn position."""
+        first, second = self.pair.states
+        turn = np.degrees(first.angle[0] - second.angle[0])
+        return float(180 - (180 - turn) % 360), _distance(self.rods[1].position, second.position)
+
     @cached_property
-    def second_moved(self) -> FloatArray:
-        """Matrix (3, 3) that moves the second drawn state into the same start clamp as the first."""
+    def rods(self) -> tuple[Rod, Rod]:
+        """Rods of both states, starting in the same clamp."""
         first, second = self.pair.states
         turn = float(first.angle[0] - second.angle[0])
         c, s = np.cos(turn), np.sin(turn)
         matrix = np.eye(3)
         matrix[:2, :2] = [[c, -s], [s, c]]
         matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
-        return matrix
-
-    @cached_property
-    def rods(self) -> tuple[Rod, Rod]:
-        """Rods of both states, starting in the same clamp."""
-        first, second = self.pair.states
-        matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
         moved = replace(
             second, position=second.position @ matrix[:2, :2].T + matrix[:2, 2], angle=second.angle + turn,
             force=second.force @ matrix[:2, :2].T, shape=second.curve.transformed(matrix),
@@ -973,7 +973,7 @@ class Flexure:
     def as_dict(self) -> dict[str, Any]:
         """Return a dictionary of numbers, texts and lists for a report."""
         low, high = self.thickness_range
-        travel, pair = self.travel, self.pair
+        travel, pair, (turned, moved) = self.travel, self.pair, self.second_moved
         report = {
             "sheet": self.sheet.name,
             "states": [str(label) for label in self.state_labels],
@@ -993,6 +993,8 @@ class Flexure:
             "sideways": [verdict.word for verdict in self.sideways],
             "stretch_mm": self.stretch,
             "rest_deviation_mm": list(self.rest_deviations),
+            "second_state_turned_deg": turned,
+            "second_state_moved_mm": moved,
             "largest_force_N": travel.largest_force,
             "largest_force_range_N": list(self.force_range),
             "force_direction_deg": self.force_direction,

@@ -51,9 +51,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         for place in part.hole_places(line).reshape(-1, 2):
             hole = Path.circle(place, part.pad.hole / 2)
             bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
-    for n, (curve, moved) in enumerate(zip(drawn_as, (np.eye(3), part.second_moved), strict=False)):
-        points = curve.transformed(moved).survey.position
-        bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
+    for n, curve in enumerate(drawn_as):
+        bent.plot(*curve.survey.position.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
         at, displacement = part.pushed
         start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(np.hypot(*displacement))

@@ -386,3 +386,26 @@ def test_scaled_curves_make_a_larger_part(stand):
 def test_no_flexure_is_cut_from_a_rod():
     with pytest.raises(InputError, match="carbon-rod-5 is a rod, so no flat part can be cut from it"):
         FlexureSpec(arch(24), arch(-20), "carbon-rod-5")
+
+
+@pytest.mark.parametrize(("turn", "shift"), [(0.0, (0.0, 0.0)), (30.0, (0.0, 0.0)), (200.0, (0.0, 7.0))])
+def test_the_turn_of_the_second_state_into_the_clamp_is_reported(turn, shift):
+    """The arches start at 21.8 and -21.8 degrees before the second is turned further."""
+    first = PlaneCurve.spline([(0, 0), (100, 40), (200, 40), (300, 0)], degree=3)
+    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    second = first.transformed(np.array([[c, s, shift[0]], [s, -c, shift[1]], [0, 0, 1]]))
+    part = FlexureSpec(first, second, "pom-2", match="none", least_thickness=1.5).make()
+    rows = {row.label: row.text for row in pair_rows(part, quick=True)}
+    start, other = np.degrees(np.arctan2(40, 100)), turn - np.degrees(np.arctan2(40, 100))
+    expected = (start - other + 180) % 360 - 180
+    assert f"second state is turned by {expected:.1f} degrees" in rows["Position"]
+    turned, moved = part.second_moved
+    assert turned == pytest.approx(expected, abs=1e-6)
+    placed, drawn = part.rods[1].position, second.sample(len(part.rods[1].s)).position
+    assert moved == pytest.approx(np.hypot(*(placed - drawn).T).max(), rel=1e-6)
+    assert "from its drawn position" in rows["Accuracy"]
+
+
+def test_states_in_one_clamp_keep_their_positions(clip):
+    assert clip.second_moved == pytest.approx((0, 0), abs=1e-6)
+    assert "Position" not in {row.label for row in pair_rows(clip, quick=True)}
