@@ -171,15 +171,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
         )
     if chosen["straight"] is not None:
-        idle = [
-            option
-            for option, name in OF_A_CURVE.items()
-            if chosen[name] is not None and chosen[name] is not False
-        ]
-        if idle:
-            raise InputError(
-                "{idle} applies to a drawn CURVE only, not to --straight. Leave out {idle}.", idle=idle[0]
-            )
+        idle = {o for o, name in OF_A_CURVE.items() if not (chosen[name] is None or chosen[name] is False)}
+        _refuse_curve_options(idle, "--straight")
     if curve is not None and not curve.is_file():
         requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])  # refuses the missing file
     finished = None if curve is None else _strip_of_report(curve, chosen)
@@ -255,11 +248,10 @@ def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None
     return FinishedStrip.read(record, requested.curve)
 
 
-def _refuse_curve_options(idle: set[str]) -> None:
+def _refuse_curve_options(idle: set[str], strip: str = "the finished strip of a report") -> None:
     for name in sorted(idle):
         raise InputError(
-            "{name} applies to a drawn CURVE only, not to the finished strip of a report. Leave out {name}.",
-            name=name,
+            "{name} applies to a drawn CURVE only, not to {strip}. Leave out {name}.", name=name, strip=strip
         )
 
 

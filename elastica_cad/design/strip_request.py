@@ -126,7 +126,11 @@ class FinishedStrip:
         laid = isinstance(rod_spec.section, LaidLeaves)
         # weight and size depend on the section law, or on the layers of a laminate with weight
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
-        rod = solve_rod(replace(solved.rod_spec, section=None if laid else _without_least(solved)))
+        section = None if laid else solved.rod_spec.section
+        if isinstance(section, ThicknessLaw | RoundLaw):
+            # the rest shape of an even rod needs an almost even rod
+            section = replace(section, least=LEAST_SHARE * section.least)
+        rod = solve_rod(replace(solved.rod_spec, section=section))
         assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
         scale, most = self.bending_stiffness, rod.profile.extremes[1]
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
@@ -153,12 +157,6 @@ class FinishedStrip:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
         return spec.make(rod)
-
-
-def _without_least(spec: StripSpec) -> Any:
-    """Return the section law without its lower limit: the rest shape of an even rod needs an almost even rod."""
-    section: Any = spec.rod_spec.section
-    return replace(section, least=LEAST_SHARE * section.least) if spec.law is not None else section
 
 
 def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:

@@ -796,30 +796,23 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
                 axis=axis,
             )
         return components
-    forces = np.zeros(2)
-    before, now = present.supports.ends, supports.ends
     at_ends = present.force[[0, -1]]
     acting = (*present.between, *present.point_forces)
     if acting:
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
-    for i, axis in enumerate("xy"):
-        # the applied force is the edge force at the first node, and the negative edge force at the last node
-        for node, sign in ((0, 1.0), (-1, -1.0)):
-            if not getattr(now[node], axis) and not getattr(before[node], axis):
-                forces[i] = sign * at_ends[node, i]
+    at_start, at_end = ~(supports.held | present.supports.held).reshape(2, 3)[:, :2]
+    # the applied force is the edge force at the first node, and the negative edge force at the last node
+    forces = np.where(at_end, -at_ends[1], np.where(at_start, at_ends[0], 0.0))
     return np.where(np.abs(forces) <= ROUNDED_SHARE * np.abs(present.force).max(), 0.0, forces)
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
-    before, now = present.supports.ends, supports.ends
-    free = [not end.angle for end in now]
+    free = [not end.angle for end in supports.ends]
     moments = np.zeros(2)
     if moment is None:
-        for k, (node, sign) in enumerate(((0, -1.0), (-1, 1.0))):
-            if free[k] and not before[k].angle:
-                moments[k] = sign * present.moment[node]
-        return moments
+        held = (supports.held | present.supports.held)[[2, 5]]
+        return np.where(held, 0.0, present.moment[[0, -1]] * (-1.0, 1.0))
     values = as_floats(moment)
     if values is not None and values.shape == ():
         if free == [True, True]:

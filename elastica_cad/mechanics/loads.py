@@ -362,14 +362,12 @@ class Supports:
         rollers: tuple[EndName, ...] = ("roller-y", "roller-x") if upright else ("roller-x", "roller-y")
         names: tuple[EndName, ...] = ("pinned", *rollers, "free", "guided", "slide-x", "slide-y", "clamped")
 
-        def cost(pair: tuple[EndName, EndName]) -> float:
-            """Return the number of held coordinates and angles; an angle that is held anew also bends the rod."""
-            supports = Supports(*pair)
-            if np.any(self.held & ~supports.held) or _free_motions(supports, between).any():
-                return np.inf
-            return float(supports.held @ (1, 1, 1.5, 1, 1, 1.5))
+        def holds(supports: Supports) -> bool:
+            return bool((supports.held >= self.held).all()) and not _free_motions(supports, between).any()
 
-        start, end = min(product(names, names), key=cost)
+        # an angle that is held also bends the rod
+        pairs = sorted(product(names, names), key=lambda pair: Supports(*pair).held @ (1, 1, 1.5, 1, 1, 1.5))
+        start, end = next(pair for pair in pairs if holds(Supports(*pair)))
         motions = note("move along x"), note("move along y"), note("turn")
         raise InputError(
             "The rod is free to {motion}, because no support, rail or pin prevents this. Set {start_field} to "

@@ -145,8 +145,7 @@ class MountedElements:
         first_shift = k - len(free)
         shift = np.zeros(2)
         shift[free] = numbers[first_shift:]
-        at = 0
-        for action in self.actions:
+        for action, at in zip(self.actions, self._places, strict=True):
             pair, more = slice(at, at + 2), at + 2
             f = numbers[pair]
             places[pair] = True
@@ -165,7 +164,6 @@ class MountedElements:
                     residual[more] = -f @ left_of(e)
                     corner[pair, more] = corner[more, pair] = -left_of(e)
                     corner[more, more] = f @ e / length
-                at += 3
                 continue
             slides = isinstance(action.element, Rail)
             s = float(numbers[more] if slides else action.s[0])
@@ -183,7 +181,6 @@ class MountedElements:
                 residual[more] = -f @ slope
                 corner[pair, more] = corner[more, pair] = -slope
                 corner[more, more] = -f @ self.place(s, tangents, 2)
-            at += 2 + slides
         residual[first_shift:] -= self.load[free]
         if floating:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))
@@ -192,18 +189,12 @@ class MountedElements:
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
         """Return rails, pins and ties with the forces and arc lengths of the unknowns `numbers` (k,)."""
-        actions, at = [], 0
-        for action in self.actions:
-            f, s = numbers[at : at + 2], action.s
-            if isinstance(action.element, Tie):
-                actions.append(replace(action, force=np.array([f, -f])))
-                at += 3
-                continue
-            slides = isinstance(action.element, Rail)
-            actions.append(
-                replace(action, s=numbers[at + 2 : at + 3].copy() if slides else s, force=f[None].copy())
-            )
-            at += 2 + slides
+        actions = []
+        for action, at in zip(self.actions, self._places, strict=True):
+            f = numbers[at : at + 2]
+            force = np.array([f, -f] if isinstance(action.element, Tie) else [f])
+            s = numbers[at + 2 : at + 3].copy() if isinstance(action.element, Rail) else action.s
+            actions.append(replace(action, s=s, force=force))
         return tuple(actions)
 
     def shift(self, numbers: FloatArray) -> FloatArray:
@@ -212,6 +203,12 @@ class MountedElements:
         free = self.free_axes
         shift[free] = numbers[numbers.size - len(free) :]
         return shift
+
+    @property
+    def _places(self) -> IntArray:
+        """Index of the first unknown of each rail, pin and tie; a pin has two unknowns, the others have three."""
+        sizes = [2 if isinstance(action.element, Pin) else 3 for action in self.actions]
+        return np.cumsum([0, *sizes[:-1]])
 
     @property
     def _from_end(self) -> FloatArray:

@@ -437,10 +437,6 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     )  # fmt: skip
     pressure, shape = buckling_mode(first.state(state.angles), side, mode)
     amplitude = np.sqrt(2 * (length - chord) / (edge * float(shape @ shape)))
-    for _ in range(8):
-        short = length - edge * float(np.cos(amplitude * shape).sum())
-        slope = edge * float(shape @ np.sin(amplitude * shape))
-        amplitude -= (short - (length - chord)) / slope
     guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
     corrected = correct(guess, turn=2.0, damping=1 / 64, most=40)
     if corrected is None:

@@ -128,16 +128,11 @@ class RodSystem:
     @cached_property
     def given_force(self) -> FloatArray:
         """Force lambda of the edges (n, 2) without reactions, 1/mm2."""
-        first = np.zeros(2)
         start = self.supports.ends[0]
-        for i, held_at_start in enumerate((start.x, start.y)):
-            if i in self.held:
-                continue
-            # the last edge carries the weight of the last node and the dead force
-            if held_at_start:
-                first[i] = -self.force[i] - self.load[1:, i].sum()
-            else:
-                first[i] = self.force[i] + self.load[0, i]
+        # the last edge carries the weight of the last node and the dead force
+        from_end, from_start = -self.force - self.load[1:].sum(axis=0), self.force + self.load[0]
+        first = np.where([start.x, start.y], from_end, from_start)
+        first[list(self.held)] = 0.0
         return edge_forces(first, self.load)
 
     @cached_property
@@ -384,13 +379,10 @@ class RodState:
     @property
     def position(self) -> FloatArray:
         """Positions of the nodes (n+1, 2), mm."""
-        system, position = self.system, self.discrete.position.copy()
+        system, position = self.system, self.discrete.position
         start = system.supports.ends[0]
-        for i, held_at_start in enumerate((start.x, start.y)):
-            position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
-        if system.elements is not None:
-            position += system.elements.shift(self._numbers)
-        return position
+        position = position + np.where([start.x, start.y], system.start, system.end - position[-1])
+        return position if system.elements is None else position + system.elements.shift(self._numbers)
 
     def record(self, point_forces: Sequence[ElementForce] = ()) -> dict[str, Any]:
         """Return attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
