@@ -10,12 +10,12 @@ import numpy as np
 import Part
 import pytest
 from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
-from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.features import flat, strip, strip_report
 from freecad.elastica_wb.solving import strip_cache
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 
 from elastica_cad import InputError, PlaneCurve, Sheet, Strip, optimal_rod
-from elastica_cad.strip import BentSolid, FlatSolid
+from elastica_cad.strip import BentSolid, FlatSolid, summary
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
@@ -337,6 +337,44 @@ def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
     strip.show_held(feature)
     assert says in feature.Held
     assert feature.HeldDeviation.Value == 0
+
+
+RAILED = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+
+
+@pytest.mark.parametrize(
+    ("points", "degree", "options", "label"),
+    [
+        (ARCH, 4, {"Creep": 2.0}, "Creep"),
+        (RAILED, 5, {"Between": ["at = 200", "kind = 'tie', start = 40, end = 310, hole = 3"]}, "Mounting"),
+        (RAILED, 5, {"Between": ["at = 200", "kind = 'tie', start = 40, end = 310, hole = 3"]}, "Holes"),
+        (BAD, 3, {"Follow": "Nearest", "RatioLimit": 4.0}, "Curve"),
+        (WAVE, 3, {"MaxWidth": 9, "Thickness": 2.0, "Anyway": True}, "Strain"),
+    ],
+)
+def test_the_panel_has_every_row_of_the_report(document, drawn, points, degree, options, label):
+    """Remarks stand in the message above the rows, and a failed row is red."""
+    feature = strip.create(document, drawn(points, degree))
+    change(feature, **options)
+    assert feature.State == ["Up-to-date"], feature.Reasons
+    strip.show_held(feature)
+    near = strip.shown_nearest(feature)
+    asked = {(row.label, row.text) for row in summary.strip_rows(strip.strip_of(feature), near)}
+    shown = strip_report.strip_rows(feature)
+    assert label in {row.label for row in shown}
+    missing = asked - {(row.label, row.text) for row in shown}
+    assert {text for _, text in missing} <= {*feature.Reasons}
+    assert ("error" in {row.severity for row in shown}) == bool(feature.Fails)
+
+
+def test_slow_rows_follow_the_recompute(document, sketch):
+    feature = strip.create(document, sketch)
+    change(feature, Creep=1.0)
+    texts = [{row.label: row.text for row in strip_report.strip_rows(feature)}]
+    strip.show_held(feature)
+    texts.append({row.label: row.text for row in strip_report.strip_rows(feature)})
+    assert [row["Accuracy"] == summary.LATER for row in texts] == [True, False]
+    assert ["Creep" in row for row in texts] == [False, True]
 
 
 @pytest.mark.parametrize("points", [ARCH, WAVE])

@@ -40,6 +40,7 @@ from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_fault
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import Length, Refusal, note, sentences
@@ -59,6 +60,9 @@ DRAWN = ("point", "size")
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
 """Displayed strips, by the hash of their request."""
+
+_nearest: WeakValueDictionary[str, NearestRod] = WeakValueDictionary()
+"""Nearest rods of displayed strips whose curve was allowed to change, by the hash of their request."""
 
 
 class StripFeature(Feature):
@@ -115,8 +119,10 @@ class StripFeature(Feature):
                 ExpectedDeviation=0.0,
                 Held="",
             )
-        changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
-        _show_results(obj, strip, changed, moved_by_smoothing(spec))
+        near = _nearest_of(spec)
+        if near is not None:
+            _nearest[made_from] = near
+        _show_results(obj, strip, near, moved_by_smoothing(spec))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Show the error. While the sketch is open, no feature is hidden."""
@@ -276,6 +282,17 @@ def shown_strip(obj: Any) -> Strip:
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
+def shown_nearest(obj: Any) -> NearestRod | None:
+    """Return the nearest rod from which the current shape was made, or None if the drawn curve was kept."""
+    if obj.MadeFrom in _shown:
+        return _nearest.get(obj.MadeFrom)
+    return _nearest_of(spec_of(obj, drawn_curve(obj.Curve, obj)))
+
+
+def _nearest_of(spec: StripSpec) -> NearestRod | None:
+    return find_nearest(spec.rod_spec) if spec.may_change else None
+
+
 def show_held(obj: Any) -> None:
     """Write into the results how far the strip in its holders deviates from its curve.
 
@@ -330,8 +347,8 @@ def _solids(body: Any) -> bool:
     return shape is not None and not shape.isNull() and bool(shape.Solids)
 
 
-def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write the results. `nearest_rod` moved the curve by `changed` mm, and smoothing by `smoothed` mm."""
+def _show_results(obj: Any, strip: Strip, near: NearestRod | None, smoothed: float) -> None:
+    """Write the results. Smoothing moved the curve by `smoothed` mm."""
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
@@ -347,12 +364,12 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     )  # fmt: skip
     if not faults and rod.check is not None and rod.check.undecided is not None:
         verdict = rod.check.verdict
-    if changed is not None:
+    if near is not None:
         verdict = note(
             "A pre-bent strip cannot take this curve, but it can take a curve at most {far} from it."
             if bent else
             "A flat strip cannot take this curve, but it can take a curve at most {far} from it.",
-            far=Length(changed),
+            far=Length(near.deviation),
         )  # fmt: skip
     if refused:
         breaks = note(
@@ -373,7 +390,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         else stability.conjugate_point,
         LargestStrain=100 * strip.max_strain,
         StrainUse=strip.strain_verdict.percent,
-        Deviation=(rod.moved if changed is None else changed) + smoothed,
+        Deviation=(rod.moved if near is None else near.deviation) + smoothed,
         SidewaysMargin=sideways.margin if sideways.decided else 0.0,
         Sideways=str(sideways),
         Length=rod.length,

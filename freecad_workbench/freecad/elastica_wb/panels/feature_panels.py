@@ -3,9 +3,7 @@
 
 """Definitions of the panels of all features."""
 
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
-from dataclasses import replace
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
@@ -24,64 +22,20 @@ from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip, suggestions
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
+from freecad.elastica_wb.features.strip_report import strip_rows
 from freecad.elastica_wb.host.charts import line_chart
 from freecad.elastica_wb.host.objects import feature_kind
-from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import shown_unit, worded
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
-from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
-from elastica_cad.errors import ElasticaError
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Length, note
-from elastica_cad.report_rows import Row, in_order
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import (
-    LATER,
-    accuracy_row,
-    between_rows,
-    hold_row,
-    not_computed_row,
-    size_row,
-    stability_row,
-    strain_rows,
-    unloaded_rows,
-)
-
-
-def strip_rows(obj: Any) -> Sequence[Row]:
-    """Return the rows of the report on the displayed strip, or () if the strip cannot be computed."""
-    try:
-        strip = shown_strip(obj)
-    except FAILURES:
-        return ()
-    verdict = judged(strip.rod)
-    steady = [] if verdict is None else [stability_row(strip, verdict)]
-    numbers = [
-        *_judged_rows(obj, [size_row(strip)], "Length", "NarrowestWidth"),
-        *_judged_rows(obj, strain_rows(strip), "LargestStrain"),
-        *_judged_rows(obj, steady, "Margin", "SidewaysMargin"),
-    ]
-    between = between_rows(strip.rod, strip.bending_stiffness)
-    return in_order([*numbers, hold_row(strip), *between, *unloaded_rows(strip), _accuracy(obj, strip)])
-
-
-def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
-    failed = bool({*results} & {*obj.Fails})
-    return [replace(row, severity="error") if failed else row for row in rows]
-
-
-def _accuracy(obj: Any, strip: Strip) -> Row:
-    with suppress(ElasticaError):  # the stability can be undecided
-        if row := not_computed_row(strip):
-            return row
-    shape = held_shape(strip) if obj.Held else None
-    return Row(note("Accuracy"), "-" if obj.Held else LATER) if shape is None else accuracy_row(shape)
+from elastica_cad.report_rows import Row
 
 
 def _flat_footnote(obj: Any) -> str:

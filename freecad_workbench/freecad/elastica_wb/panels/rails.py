@@ -20,13 +20,13 @@ from freecad.elastica_wb.features.strip_properties import (
     places_of,
     spec_of,
 )
+from freecad.elastica_wb.features.strip_report import strip_rows
 from freecad.elastica_wb.host.fields import put_choices, set_value
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.overlay import Overlay
 from freecad.elastica_wb.live.preview import Handles
-from freecad.elastica_wb.panels.feature_panels import strip_rows
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.property_panel import table_of
 from freecad.elastica_wb.recording import record_value
