@@ -62,6 +62,30 @@ def in_document(obj):
     return shape
 
 
+def test_a_file_saved_without_the_addon_is_revived(tmp_path: Path):
+    """Such a FreeCAD keeps the properties and shapes of the features, but saves no proxies."""
+    home, file = Path(__file__).parent / "data", tmp_path / "every.FCStd"
+    shutil.copy(home / "every-feature-0.1.FCStd", file)
+    there = App.openDocument(str(file))
+    ours = [obj for obj in there.Objects if getattr(obj, "Proxy", None) is not None]
+    kinds = {obj.Name: type(obj.Proxy) for obj in ours}
+    there.getObject("Strip").Thickness = measured = 0.83
+    for obj in ours:
+        obj.Proxy = None
+    there.save()
+    App.closeDocument(there.Name)
+    again = App.openDocument(str(file))
+    try:
+        assert {name: type(again.getObject(name).Proxy) for name in kinds} == kinds
+        feature = again.getObject("Strip")
+        assert feature.Thickness.Value == measured
+        assert not [obj.Label for obj in again.Objects if "Touched" in obj.State]
+        change(feature, MaxWidth=1e-3)
+        assert "Invalid" in feature.State, "it follows its properties again"
+    finally:
+        App.closeDocument(again.Name)
+
+
 def test_a_file_of_an_earlier_version(document, tmp_path: Path):
     file = tmp_path / "old.FCStd"
     shutil.copy(Path(__file__).parent / "data" / "strip-0.1.FCStd", file)

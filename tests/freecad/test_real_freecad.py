@@ -60,6 +60,12 @@ def test_without_the_workbench(tmp_path):
     assert found["workbench"] is False
     assert found["volumes"]["Strip"] == pytest.approx(3659.1, rel=1e-3)
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
+    again = App.openDocument(str(tmp_path / "again.FCStd"))
+    try:
+        kinds = {name: type(again.getObject(name).Proxy).__name__ for name in ("Strip", "Flat")}
+        assert kinds == {"Strip": "StripFeature", "Flat": "FlatFeature"}
+    finally:
+        App.closeDocument(again.Name)
 
 
 @pytest.mark.campaign

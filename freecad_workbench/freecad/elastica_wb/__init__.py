@@ -13,11 +13,34 @@ __all__ = ["make_strip"]
 
 TESTS = "freecad.elastica_wb.tests"
 
+MARK = "HiddenByError"
+"""Property that only features of this workbench have."""
+
 CORE = Path(__file__).parent / "core"
 """Copy of the package elastica_cad in an addon. A checkout has no such folder."""
 
 if CORE.is_dir():
     sys.path.insert(0, str(CORE))
+
+
+class _Opened:
+    """Observer that revives features of documents that were saved on a computer without the addon."""
+
+    def slotActivateDocument(self, _document: Any) -> None:
+        """Revive the features of all open documents. FreeCAD activates a document after opening it."""
+        lost = [
+            obj
+            for document in App.listDocuments().values()
+            for obj in (() if document.Restoring else document.Objects)
+            if getattr(obj, "Proxy", self) is None and MARK in obj.PropertiesList
+        ]
+        if lost:
+            from freecad.elastica_wb.features.revival import revive
+
+            revive(lost)
+
+
+App.addDocumentObserver(_Opened())
 
 if TESTS not in App.__unit_test__:
     App.__unit_test__ += [TESTS]
