@@ -207,7 +207,7 @@ class Wording(Formatter):
 
     def _in_unit(self, mm: float, spec: str) -> str:
         if self.size != 1:
-            return self._digits(mm / self.size, ".4g")
+            return self._digits(mm / self.size, ".4g" if abs(mm) >= 0.1 * self.size else ".3g")
         return self._digits(mm, spec or (".0f" if 999.5 <= abs(mm) < 1e9 else ".3g"))
 
     def _digits(self, value: float, spec: str) -> str:

@@ -30,7 +30,7 @@ from freecad.elastica_wb.cutting_files import (
     write_cutting_files,
 )
 from freecad.elastica_wb.features import flat, nest, proxy, strip
-from freecad.elastica_wb.features.pieces import cuts_of
+from freecad.elastica_wb.features.pieces import cuts_of, without_refused
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 
@@ -156,6 +156,16 @@ def test_in_a_body(document, sketch):
     assert feature.State == ["Up-to-date"]
     assert in_document(feature).isInside(middle(feature), 1e-6, True)
     assert body.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
+
+
+def test_a_refused_strip_is_named_and_the_others_are_cut(document, sketch, drawn):
+    strips = [new(strip.create, document, source) for source in (sketch, drawn(BAD, 3), drawn(ARCH))]
+    strips[1].Label = "Wavy"
+    able, (message,) = without_refused(strips)
+    assert able == [strips[0], strips[2]]
+    assert str(message).startswith("Wavy is left out: ")
+    with pytest.raises(InputError, match="Wavy is left out: "):
+        without_refused(strips[1:2])
 
 
 def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sketch):

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
+import FreeCAD as App
 import pytest
 
 _spec = importlib.util.spec_from_file_location("freecad_launching", Path(__file__).with_name("launching.py"))
@@ -62,8 +63,8 @@ def test_without_the_workbench(tmp_path):
     assert found["volumes"]["Flat"] == pytest.approx(3659.1, rel=1e-3)
     again = App.openDocument(str(tmp_path / "again.FCStd"))
     try:
-        kinds = {name: type(again.getObject(name).Proxy).__name__ for name in ("Strip", "Flat")}
-        assert kinds == {"Strip": "StripFeature", "Flat": "FlatFeature"}
+        assert type(again.getObject("Strip").Proxy).__name__ == "StripFeature"
+        assert again.getObject("Strip").State == ["Up-to-date"]
     finally:
         App.closeDocument(again.Name)
 
@@ -619,6 +620,10 @@ def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     told, opened = found["broken link"]
     assert told.startswith("Link links to a deleted object. Choose another object"), "no part goes in silence"
     assert not opened
+    assert found["grey with loose strips"] is False
+    refused, *pieces = found["one is refused"]
+    assert refused.startswith("Refused is left out: ")
+    assert [line.split(":")[0] for line in pieces if " x " in line] == ["1 x Near", "1 x Across"]
 
 
 @pytest.mark.campaign

@@ -16,6 +16,7 @@ from inside import (
     button,
     choose,
     click,
+    is_grey,
     open_panel,
     panel,
     picture,
@@ -30,6 +31,7 @@ from inside import (
     window,
 )
 
+BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 ACROSS = [(80, -60), (87, -20), (90, 30), (87, 100), (80, 140)]
 
 
@@ -65,6 +67,28 @@ def broken_link(document):
     press("Elastica_Export")
     until(told)
     answers["broken link"] = [told(), bool(Gui.Control.activeDialog())]
+    from freecad.elastica_wb.host import dialogs
+
+    for box in dialogs._open_boxes:
+        box.close()
+    dialogs._open_boxes.clear()
+
+
+def loose():
+    """Export with nothing selected: a document with three strips, one of which cannot be bent."""
+    document = begun("Loose")
+    from freecad.elastica_wb import make_strip
+
+    for number, points in enumerate((ARCH, ACROSS, BAD)):
+        strip = make_strip(sketch(document, points, degree=min(4, len(points) - 1), name=f"Sketch{number}"))
+        strip.Label = ("Near", "Across", "Refused")[number]
+    choose()
+    answers["grey with loose strips"] = is_grey("Elastica_Export")
+    press("Elastica_Export")
+    until(Gui.Control.activeDialog)
+    answers["one is refused"] = panel().form.message.text().splitlines()
+    picture("refused.png")
+    button("Cancel")
 
 
 def work():
@@ -96,6 +120,7 @@ def work():
     button()
     answers["states"] = [model.State, document.Strip.State]
     broken_link(document)
+    loose()
 
 
 run(work)

@@ -186,7 +186,7 @@ def _may_be_cut(obj: Any) -> bool:
 def _all_sources() -> list[Any]:
     """Return the models, plates, two-state parts and strips on plates of the document.
 
-    If there are none, return the only strip.
+    If there are none, return all strips.
     """
     objects = App.ActiveDocument.Objects
     sources = _sources(
@@ -198,8 +198,7 @@ def _all_sources() -> list[Any]:
     if assemblies:
         strips_on_plates = [source for plate in assemblies if is_plate(plate) for source in plate.Sources]
         return list(dict.fromkeys([*assemblies, *strips_on_plates]))
-    strips = {cut_for(original) for source in sources for original in originals(source)}
-    return sources if len(strips) == 1 else []
+    return sources
 
 
 def _may_show(obj: Any) -> bool:

@@ -19,10 +19,12 @@ from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
 from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_plate, is_strip
+from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad._text import distinct
 from elastica_cad.errors import InputError
+from elastica_cad.refusals import note, sentences
 from elastica_cad.strip.pieces import Piece, count_pieces
 from elastica_cad.strip.strip import Placed, Strip, require_placed
 
@@ -77,6 +79,29 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
         Cut(replace(cut.piece, name=name, count=count * cut.piece.count), cut.strip)
         for (cut, count), name in zip(cuts, names, strict=True)
     ]
+
+
+def without_refused(sources: Iterable[Any]) -> tuple[list[Any], list[str]]:
+    """Return the sources that can be cut, and a message on each source that failed.
+
+    Raises
+    ------
+    InputError
+        All sources failed, or a link is broken.
+    """
+    sources = list(sources)
+    counted(sources)
+    able, messages = [], []
+    for obj in sources:
+        try:
+            cuts_of([obj])
+            able.append(obj)
+        except FAILURES as error:
+            why = explained(error).refusal
+            messages.append(note("{called} is left out: {problem}", called=obj.Label, problem=why))
+    if not able:
+        raise InputError(sentences(messages, "\n"))
+    return able, messages
 
 
 def counted(sources: Iterable[Any]) -> dict[Any, int]:

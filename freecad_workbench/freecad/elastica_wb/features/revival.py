@@ -35,15 +35,15 @@ def revive(lost: list[Any]) -> None:
 
 
 def kind_of(obj: Any) -> Feature:
-    """Return a proxy of the kind whose properties match those of an object best.
+    """Return a proxy of the kind with the most properties of an object; of equals, the one that adds fewest.
 
-    A file of an earlier version may lack some properties of a kind.
+    An object in a file of an earlier version may lack half of the properties of its kind.
     """
     there = {*obj.PropertiesList}
 
-    def likeness(kind: type[Feature]) -> int:
+    def likeness(kind: type[Feature]) -> tuple[int, int]:
         names = {entry.name for entry in kind.properties}
-        return len(names & there) - len(names - there)
+        return len(names & there), -len(names - there)
 
     kind = max(Feature.__subclasses__(), key=likeness)
     return kind.__new__(kind)

@@ -16,7 +16,7 @@ from freecad.elastica_wb.cutting_files import (
     write_cutting_files,
 )
 from freecad.elastica_wb.features.model import overlaps_of
-from freecad.elastica_wb.features.pieces import counted, cuts_of, pre_bend_messages_of
+from freecad.elastica_wb.features.pieces import counted, cuts_of, pre_bend_messages_of, without_refused
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.dialogs import show_files
 from freecad.elastica_wb.host.fields import put_choices, set_value
@@ -39,7 +39,8 @@ class ExportPanel(Panel):
     file = "export"
     icon_name = "Elastica_Export"
 
-    def __init__(self, strips: list[Any]) -> None:
+    def __init__(self, sources: list[Any]) -> None:
+        strips, left_out = without_refused(sources)
         cuts = cuts_of(strips)
         self.pieces = [cut.piece for cut in cuts]
         super().__init__(subjects=strips)
@@ -59,7 +60,7 @@ class ExportPanel(Panel):
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
         cut = counted(strips)
-        words = [message for obj in cut for message in later_feature_messages(obj)]
+        words = left_out + [message for obj in cut for message in later_feature_messages(obj)]
         words += [message for obj in cut if is_model(obj) for message in overlaps_of(obj)]
         words += pre_bend_messages_of(cuts)
         words += map(_piece_line, self.pieces)
