@@ -174,6 +174,8 @@ def test_lengths_are_said_in_the_users_unit():
         worded(note("{far:.2g} off, {bend} 1/mm", far=Length(2.54), bend=0.02), inch)
         == "0.1 in off, 0.02 1/mm"
     )
+    for mm, said in ((0.001, "0.0000394 in"), (0.25, "0.00984 in"), (20.0, "0.7874 in"), (1234.5, "48.6 in")):
+        assert worded(note("{far}", far=Length(mm)), inch) == said
     two = note("{long:g} by {short:g}", long=BareLength(50.8), short=Length(25.4))
     assert (str(two), worded(two, inch)) == ("50.8 by 25.4 mm", "2 by 1 in")
 
