@@ -9,8 +9,9 @@ import FreeCAD as App
 import numpy as np
 import Part
 import pytest
+from freecad.elastica_wb import strip_report
 from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
-from freecad.elastica_wb.features import flat, strip, strip_report
+from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.solving import strip_cache
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 

@@ -35,7 +35,7 @@ class _Opened:
             if getattr(obj, "Proxy", self) is None and MARK in obj.PropertiesList
         ]
         if lost:
-            from freecad.elastica_wb.features.revival import revive
+            from freecad.elastica_wb.revival import revive
 
             revive(lost)
 

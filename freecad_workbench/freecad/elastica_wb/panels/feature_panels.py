@@ -22,7 +22,6 @@ from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip, suggestions
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
-from freecad.elastica_wb.features.strip_report import strip_rows
 from freecad.elastica_wb.host.charts import line_chart
 from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -31,6 +30,7 @@ from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
+from freecad.elastica_wb.strip_report import strip_rows
 
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.summary import pair_rows

@@ -20,7 +20,6 @@ from freecad.elastica_wb.features.strip_properties import (
     places_of,
     spec_of,
 )
-from freecad.elastica_wb.features.strip_report import strip_rows
 from freecad.elastica_wb.host.fields import put_choices, set_value
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import worded
@@ -31,6 +30,7 @@ from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.panels.property_panel import table_of
 from freecad.elastica_wb.recording import record_value
 from freecad.elastica_wb.solving.verdicts import Answer, refusal_answer
+from freecad.elastica_wb.strip_report import strip_rows
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, InputError
