@@ -155,7 +155,7 @@ def test_a_spline_through_very_many_points_is_smoothed_as_its_note_says(drawing,
     (curve,) = drawing(lambda space: space.add_spline(fit_points=points.tolist()))
     assert optimal_rod(curve).ratio > 30
     (told,) = smooth_curve(curve).notes
-    assert "set smooth to 0.04 mm" in told
+    assert "set smooth to about 0.04 mm" in told
     assert optimal_rod(smooth_curve(curve, 0.04).curve).ratio < 1.1
 
 
@@ -179,5 +179,5 @@ def test_points_read_with_a_ruler_have_its_noise(tmp_path):
     (curve,) = read_curves(tmp_path / "ruler.csv")
     (told,) = smooth_curve(curve).notes
     reach = curve.provenance.measured.reach
-    assert f"set smooth to {reach:g} mm" in told
+    assert f"set smooth to about {reach:g} mm" in told
     assert optimal_rod(smooth_curve(curve, reach).curve).ratio < 0.7 * optimal_rod(curve).ratio

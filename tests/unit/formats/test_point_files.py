@@ -131,9 +131,18 @@ def test_published_spline(reference_data):
     assert len(curve.inflections) == 3
 
 
+@pytest.mark.parametrize("heading", ["", "x y\n", "# of the left side\n"])
+@pytest.mark.parametrize("first", [(0, 0), (0.5, 1), (-3, 2), (40, 7)])
+def test_points_in_a_text_file_are_read_like_csv(text, first, heading):
+    """They were refused: "a spline has degree 0"."""
+    points = [first, (10, 15), (20, 27), (30, 27), (40, 25), (50, 20)]
+    (curve,) = text(heading + rows(points, " "))
+    assert curve.provenance.measured.points == pytest.approx(np.array(points, dtype=float))
+
+
 @pytest.mark.parametrize(("content", "words"), [
-    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0' instead of .*put measured points into a \.csv file"),
-    ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
+    ("x y\n3 4\n1 a\n", "row 3 has 'a' instead of a number"),
+    ("4 3\n0 0\n1 1\n", r"line 1 announces 3 control points, but 2 lines follow: .* into a \.csv file"),
     ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
     ("1 2\n0 0\n1 1\n", "use a whole number, 2 or more"),
     ("2 3\n0 0\n1 x\n2 0\n", "row 3 has 'x'"),
