@@ -1,11 +1,11 @@
 """Two pages, a restart and edits by hand on one design file, in Chromium: nothing is lost unasked."""
 
-import time
 import tomllib
 
 import pytest
 
 from elastica_cad.web.saved_design import compose_design
+from tests.house.stored_files import unlinked
 from tests.studio.browser import chromium
 from tests.studio.conftest import design, running
 
@@ -25,6 +25,10 @@ def width(path):
 
 def shown(studio):
     return float(studio.browser.execute_script("return document.querySelector('#field-max_width').value"))
+
+
+def linked_width(studio):
+    return unlinked(studio.browser.current_url.partition("#")[2])["max_width"]
 
 
 def change(studio, value):
@@ -110,7 +114,8 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             studio.until(lambda: studio.verdict().startswith("It can"))
 
             change(studio, 36)
-            time.sleep(1)  # the address follows once the page rests
+            # the address follows once the page rests
+            studio.until(lambda: linked_width(studio) == 36)
             studio.browser.refresh()
             studio.until(lambda: "differs from the file" in studio.text(".said"))
             assert shown(studio) == 21
