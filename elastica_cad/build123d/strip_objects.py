@@ -174,8 +174,9 @@ class _StripShape(_Jointed, StripBody):
 
     @property
     def engraving(self) -> bd.ShapeList[bd.Edge]:
-        """Edges of the engraved text, on the upper face of `flat`."""
-        return bd.ShapeList(edge for wire in self._engraving() for edge in bd.Wire(wire).edges())
+        """Edges of the engraved text: on a flat part or outline where it is, else on the upper face of `flat`."""
+        wires = [bd.Wire(wire) for body in self.copies for wire in body._engraving()]
+        return bd.ShapeList(edge for wire in wires for edge in wire.edges())
 
     @property
     def layers(self) -> tuple[bd.Solid, ...]:

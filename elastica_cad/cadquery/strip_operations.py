@@ -1,7 +1,7 @@
 """Curves of bent strips, strips along sections, models as assemblies, and the methods `elasticStrip`."""
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack, get_args
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack
 
 import cadquery as cq
 
@@ -11,10 +11,9 @@ from elastica_cad.cadquery.strip_shapes import (
     StripSolid,
     bent_strip,
     dress,
+    flat_strip,
     free_name,
-    make_body,
     make_location,
-    make_strip_of,
     strip_outline,
 )
 from elastica_cad.errors import InputError
@@ -28,7 +27,6 @@ from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS
-from elastica_cad.strip.solids import BentSolid, FlatSolid
 
 if TYPE_CHECKING:
     from elastica_cad.forming.section_spec import SectionSpec
@@ -208,6 +206,8 @@ def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
 
 Form: TypeAlias = Literal["flat", "bent", "outline"]
 
+MAKERS: dict[Form, Callable[..., Any]] = {"flat": flat_strip, "bent": bent_strip, "outline": strip_outline}
+
 METHOD = "elasticStrip"
 Work = TypeVar("Work", bound=cq.Workplane)
 # largest gap, mm, between pending edges that meet
@@ -265,7 +265,7 @@ def _workplane_strip(
         Its stack has a strip for every chain of edges at every point of the previous stack. The end faces of solids
         have the tags "start" and "end".
     """
-    if form not in get_args(Form):
+    if form not in MAKERS:
         raise InputError(f"`form` is {form!r}. Use one of flat, bent, outline.")
     if form == "outline" and combine:
         raise InputError(
@@ -275,18 +275,10 @@ def _workplane_strip(
     selected = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not selected:
         raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
-    bodies: list[StripFace | StripSolid | StripCompound] = []
-    for chain in cq.Wire.combine(_edges(selected), CHAIN):
-        made_strip = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
-        if form == "outline":
-            bodies.append(strip_outline(made_strip.strip))
-            continue
-        records = (
-            FlatSolid.layers(made_strip.strip)
-            if form == "flat"
-            else BentSolid.layers(made_strip.strip, made_strip.frame)
-        )
-        bodies.append(make_body(records, made_strip))
+    bodies: list[StripFace | StripSolid | StripCompound] = [
+        MAKERS[form](chain, sheet, max_width=max_width, workplane=self.plane, **options)
+        for chain in cq.Wire.combine(_edges(selected), CHAIN)
+    ]
     # clean only combined solids, because clean() deletes the data of a strip
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]

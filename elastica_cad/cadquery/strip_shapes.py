@@ -160,7 +160,7 @@ class _StripShape(StripBody, _Moved):
 
     @property
     def engraving(self) -> list[cq.Edge]:
-        """Edges of the engraved text, on the upper face of `flat`."""
+        """Edges of the engraved text: on a flat part or outline where it is, else on the upper face of `flat`."""
         return [edge for wire in self._engraving() for edge in cq.Wire(wire).Edges()]
 
     @property
@@ -293,7 +293,7 @@ class StripFace(_StripShape, cq.Face):
     """Flat pattern of a strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
-class _Jointed(_StripShape):
+class _Jointed(_Moved):
     def __init__(self, obj: Any) -> None:
         super().__init__(obj)
         occt.lock(self.wrapped)
@@ -304,14 +304,15 @@ class _Jointed(_StripShape):
 
         The joints of a strip are "start" and "end", at the ends of its free part, and "hole1", "hole2", ... for
         its holes. Each joint is at half the thickness. Its z axis points away from the strip, and its x axis is
-        along the strip, outward at the ends. The joint of a fixture is "tab", at an end of its strip.
+        along the strip, outward at the ends. The joint of a fixture is "tab", at an end of its strip. For the
+        joints of a two-state part see `FlexureSolid`.
         """
         here = self.location()
         # viewers would take a dict named `joints` for joints of build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 
-class _Ended(_Jointed):
+class _Ended(_StripShape, _Jointed):
     def end_face(self, end: StripEnd) -> cq.Face:
         """Return the plane face at an end of the strip."""
         if end not in ENDS:
@@ -354,22 +355,18 @@ class StripCompound(_Ended, Sheets):
     """The sheets of a laminated strip, flat or bent, with the properties of `StripSolid`."""
 
 
-class FixtureSolid(_Jointed, cq.Solid):
+class FixtureSolid(_StripShape, _Jointed, cq.Solid):
     """Block that holds one end of a strip, with properties `strip`, `rod`, `check` and `warnings` of the strip."""
 
     _is_strip = False
 
 
-class FlexureSolid(FlexureBody, _Moved, cq.Solid):
-    """Two-state part as a solid, unloaded as cut or bent into a state, with properties `flexure` and `state`."""
+class FlexureSolid(FlexureBody, _Jointed, cq.Solid):
+    """Two-state part as a solid, unloaded as cut or bent into a state, with properties `flexure` and `state`.
 
-    @property
-    def joints(self) -> Mapping[str, cq.Location]:
-        """Locations "start" and "end" on the inner edges of the pads, with x outward, and "hole1" to "hole4"
-        at the holes.
-        """
-        here = self.location()
-        return MappingProxyType({name: here * place for name, place in self._joints.items()})
+    The joints "start" and "end" are on the inner edges of the pads, with x outward, and "hole1" to "hole4" are
+    at the holes.
+    """
 
     def in_state(self, state: "State | None") -> "FlexureSolid":
         """Return the part in another state, with its first pad in the same place."""
@@ -409,7 +406,7 @@ def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: An
     """
     made_flexure = MadeFlexure.of(flexure, state, color)
     record = made_flexure.solid
-    part = FlexureSolid(occt.lock(occt.make_solid(record)))
+    part = FlexureSolid(occt.make_solid(record))
     part._made = made_flexure
     part._joints = {name: make_location(frame) for name, frame in record.joints.items()}
     part.label, part.color = made_flexure.name, cq.Color(*made_flexure.color)

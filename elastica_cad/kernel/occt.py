@@ -127,7 +127,16 @@ def moved_frame(frame: Frame, motion: Any) -> Frame:
 
     After a reflection, y is z x x for the reflected x and z, because frames are right-handed.
     """
-    axes = plane_axes_of(frame).Transformed(motion)
+    return _frame_of(plane_axes_of(frame).Transformed(motion))
+
+
+def face_frame(face: Shape) -> Frame:
+    """Return the frame of `make_face` after all motions of the face; y as in `moved_frame`."""
+    k = kernel()
+    return _frame_of(k.BRepAdaptor_Surface(k.as_face(face)).Plane().Position())
+
+
+def _frame_of(axes: Any) -> Frame:
     x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
     at = axes.Location()
     return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.kernel.occt import make_face, make_sheets, make_wire
+from elastica_cad.kernel.occt import face_frame, make_face, make_sheets, make_wire, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, kernel
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, angles_in_rad, elastica_between
@@ -25,7 +25,7 @@ from elastica_cad.model.collisions import missing_slots, self_contact
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
-from elastica_cad.strip.solids import BentSolid, bent_colors
+from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_colors
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
@@ -257,6 +257,7 @@ class StripBody:
     _is_strip = True
     _label = ""
     color: Any
+    wrapped: Any
 
     @property
     def label(self) -> str:
@@ -359,9 +360,18 @@ class StripBody:
         yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
 
     def _engraving(self) -> list[Shape]:
-        face = Frame((0.0, 0.0, self.strip.layers[0].high))
-        strokes = self.strip.drawing().strokes
+        face, strokes = self._engraved_face(), self.strip.drawing().strokes
         return [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]
+
+    def _engraved_face(self) -> Frame:
+        """Return the plane of an outline or the upper face of a flat body, at its position; else that of `flat`."""
+        faces = sub_shapes(self.wrapped, kernel().TopAbs_ShapeEnum.TopAbs_FACE)
+        if len(faces) == 1:
+            return face_frame(faces[0])
+        upper, now = Frame((0.0, 0.0, self.strip.layers[0].high)), self._start()
+        if self._made.home is not None or now is None:
+            return upper
+        return upper.carried(FlatSolid.of(self.strip).joints["start"], now)
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:
