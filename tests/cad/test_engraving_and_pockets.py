@@ -111,7 +111,9 @@ CADQUERY_MOTIONS = {
     "mirrored twice": lambda shape: shape.mirror("XZ", (0, 9, 0)).mirror((1, 2, 3)),
     "copied": lambda shape: shape.translate(cq.Vector(3, 70, 8)).copy().moved(cq.Location((0, 5, 0))),
     "cleaned": lambda shape: shape.translate(cq.Vector(3, 70, 8)).clean(),
-    "on a workplane": lambda shape: cq.Workplane("XZ", (9, 9, 9)).add(shape).rotate((0, 0, 0), (1, 0, 0), 9).val(),
+    "on a workplane": lambda shape: (
+        cq.Workplane("XZ", (9, 9, 9)).add(shape).rotate((0, 0, 0), (1, 0, 0), 9).val()
+    ),
 }
 
 
@@ -148,10 +150,12 @@ def _slotted(kind):
 
 
 def _require_engraved(faces, edges, strip):
-    """Require that a text is readable and inside a face."""
+    """Require that all strokes of a text are inside one face."""
     strokes = [item.path for item in strip.drawing().strokes if item.layer == "ENGRAVE"]
     assert len(edges) == sum(len(path.segments) for path in strokes) > 4
     edges = [bd.Edge(edge.wrapped) for edge in edges]
     dots = [bd.Vertex(edge @ place) for edge in edges for place in (0, 0.5, 1)]
-    on_face = [face for face in (bd.Face(face.wrapped) for face in faces) if max(map(face.distance_to, dots)) < 1e-6]
+    on_face = [
+        face for face in (bd.Face(face.wrapped) for face in faces) if max(map(face.distance_to, dots)) < 1e-6
+    ]
     assert len(on_face) == 1
