@@ -58,10 +58,10 @@ ONTO = bd.Plane((5, -40, 12), x_dir=(0, 1, 1), z_dir=(1, 0, 0))
 
 
 def _in_rows(shape):
-    with bd.BuildPart() if isinstance(shape, bd.Part) else bd.BuildSketch() as work:
-        with bd.Locations((0, 0), bd.Location((20, 60), 40), (0, 120)):
-            made = type(shape)(shape.strip)
-    assert len(made.copies) == 3 and work is not None
+    work = bd.BuildPart() if isinstance(shape, bd.Part) else bd.BuildSketch()
+    with work, bd.Locations((0, 0), bd.Location((20, 60), 40), (0, 120)):
+        made = type(shape)(shape.strip)
+    assert len(made.copies) == 3
     return made
 
 
