@@ -441,7 +441,7 @@ def strip_outline(
     >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
     'PLANE'
     """
-    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
+    made_strip = _make_strip_of(path, sheet, max_width=max_width, **options)
     return dress(StripFace(made_strip.face), {}, made_strip)
 
 
@@ -454,8 +454,8 @@ def flat_strip(
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
     """Return the strip as cut, from z = 0 upward. Errors and axes are those of `strip_outline`."""
-    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
-    return make_body(FlatSolid.layers(made_strip.strip), made_strip)
+    made_strip = _make_strip_of(path, sheet, max_width=max_width, **options)
+    return _make_body(FlatSolid.layers(made_strip.strip), made_strip)
 
 
 @lists(StripOptions, drawn=True)
@@ -470,8 +470,8 @@ def bent_strip(
 
     Errors are as for `strip_outline`.
     """
-    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
-    return make_body(BentSolid.layers(made_strip.strip, made_strip.frame), made_strip)
+    made_strip = _make_strip_of(path, sheet, max_width=max_width, **options)
+    return _make_body(BentSolid.layers(made_strip.strip, made_strip.frame), made_strip)
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
@@ -511,13 +511,13 @@ def _shapes_and_plane(path: Drawn) -> tuple[Any, dict[str, Any]]:
     return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}
 
 
-def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
+def _make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
     """Make the strip of drawn shapes. The plane of a Workplane is used as the plane of the curve."""
     edges, drawn_on = _shapes_and_plane(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
-def make_body(
+def _make_body(
     records: Sequence[BodyRecord | PrismSolid], made_strip: MadeStrip
 ) -> StripSolid | StripCompound:
     """Return the body of a strip, with the property `strip`. Several sheets form a compound."""

@@ -221,7 +221,8 @@ class LaminatedSection:
                 LaminatedSection(self.base, backing).scale_range(w1, K, least_backing=least_backing).feasible
             )
 
-        low, high = 1e-6, 1e6
+        # backings from a thousandth of a millimetre to a metre
+        low, high = 1e-3 * self.base.thickness, 1e3 * self.base.thickness
         if feasible(high):
             return float("inf")
         if not feasible(low):

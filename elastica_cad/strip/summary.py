@@ -84,7 +84,7 @@ def strip_rows(
         hold_row(strip),
         *cut_rows(strip),
         *between_rows(strip.rod, strip.bending_stiffness),
-        *unloaded_rows(strip),
+        *_unloaded_rows(strip),
         *([Row(note("Accuracy"), LATER)] if quick else _slow_rows(strip)),
     ]
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
@@ -350,7 +350,7 @@ def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
     return text if direction is None else note("{text} (bar {side})", text=text, side=side_of_bar(direction))
 
 
-def unloaded_rows(strip: Strip) -> Iterator[Row]:
+def _unloaded_rows(strip: Strip) -> Iterator[Row]:
     """Yield a row on the movement of a strip when its loads are removed, if it has loads."""
     if strip.unloaded is None:
         return
