@@ -50,7 +50,7 @@ OPTIONAL_UNITS = {
 # lowest and highest plausible value of each key, and its unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
-    "youngs_modulus_MPa": (1e-3, 1.5e6, "N/mm2: 9000 for 9 GPa"),
+    "youngs_modulus_MPa": (1e-6, 1.5e6, "N/mm2: 9000 for 9 GPa"),
     "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
     "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
     "break_strain": (1e-6, 10.0, "a fraction: 0.02 for 2 %"),

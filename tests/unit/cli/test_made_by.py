@@ -19,12 +19,12 @@ def test_drawings_carry_the_command_that_made_them(tmp_path):
     for folder in ("first", "second"):
         run(*words, "--no-pictures", "-o", tmp_path / folder)
     command = "elastica strip 'my arch.json' --sheet pom-1 --max-width 30 --no-step --no-pictures"
-    for name in ("my arch.dxf", "my arch.svg", "my arch-holding.dxf"):
+    for name in ("my-arch.dxf", "my-arch.svg", "my-arch-holding.dxf"):
         content = (tmp_path / "first" / name).read_bytes()
         assert content == (tmp_path / "second" / name).read_bytes()
         assert command.replace("'", "&#x27;" if name.endswith("svg") else "'") in content.decode()
         assert str(tmp_path) not in content.decode()
-    assert ezdxf.readfile(tmp_path / "first/my arch.dxf").units == 4
+    assert ezdxf.readfile(tmp_path / "first/my-arch.dxf").units == 4
     assert not MADE_BY.get()
 
 
