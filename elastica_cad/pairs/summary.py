@@ -5,12 +5,15 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.mechanics.section_limits import judge_strain
-from elastica_cad.pairs.flexure import REST_SHARE, STATES, Flexure
+from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.refusals import Length, Refusal, Span, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import direction_in_drawing
 from elastica_cad.strip.summary import LATER
+
+TURNED_DEG = 0.05
+"""Turn of the second state, degrees, above which the report states it. Curves may be drawn beside each other."""
 
 
 def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tuple[Row, ...]:
@@ -34,14 +37,14 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     stability = Row(note("Stability"), LATER) if live else _stability_row(part)
     rows = [_size(part), _strain(part, quick=quick), stability, *path]
     turn, moved = part.second_moved
-    if moved > REST_SHARE * part.pair.length:
+    if abs(turn) > TURNED_DEG:
         angles = [float(np.degrees(rod.angle[0])) for rod in part.pair.states]
         text = note(
             "{second} is turned by {turn:.1f} degrees, because both states start in the same clamp, and the drawn "
             "curves start at {one:.1f} and {other:.1f} degrees to the x axis",
             turn=turn, one=angles[0], other=angles[1], second=part.state_labels[1],
         )  # fmt: skip
-        details = [note("Curves that start at the same point in the same direction keep their positions.")]
+        details = [note("Curves that start in the same direction are not turned.")]
         rows += [Row(note("Position"), text, details)]
         rest = note(
             "{rest}; in the clamp, {second} is up to {moved} from its drawn position",

@@ -52,7 +52,10 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
             hole = Path.circle(place, part.pad.hole / 2)
             bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
     for n, curve in enumerate(drawn_as):
-        bent.plot(*curve.survey.position.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
+        points = curve.survey.position
+        # curves may be drawn beside each other, but their directions matter
+        points = points - points[0] + part.pair.first.position[0]
+        bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
         at, displacement = part.pushed
         start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(np.hypot(*displacement))
