@@ -191,7 +191,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
         if smooth == 0:
             assert moved == 0
             assert "The width of the strip jumps" in done.stderr
-            assert "Set --smooth to 0.1 mm" in done.stderr
+            assert "Set --smooth to about 0.1 mm" in done.stderr
         else:
             assert 0 < moved <= (smooth or 0.1)
             assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
