@@ -18,9 +18,9 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import is_smooth_around, left_of, lengths_along
+from elastica_cad.geometry.plane_points import is_smooth_around, left_of
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
@@ -36,7 +36,7 @@ CLOSED_DEGREE = 5
 SIDE_TOLERANCES = 20.0
 """Length of the sides at a corner of a polyline, as a multiple of the tolerance or the noise."""
 
-_SAMPLES_PER_SIDE = 4
+_SAMPLES_PER_SIDE, _MOST_SAMPLES = 4, 4000
 
 
 def fit_polyline(vertices: FloatArray, tolerance: float, noise: float = 0.0) -> tuple[PlaneCurve, float]:
@@ -55,7 +55,8 @@ def fit_polyline(vertices: FloatArray, tolerance: float, noise: float = 0.0) -> 
     (314.2, 0.1)
     """
     curve = smooth_through(vertices, tolerance, noise)
-    return curve, _distance_from_sides(curve, vertices)
+    samples = curve.sample(min(_SAMPLES_PER_SIDE * len(vertices), _MOST_SAMPLES)).position
+    return curve, float(polyline_distances(vertices, samples).max())
 
 
 def allowed_distance(vertices: FloatArray) -> float:
@@ -77,21 +78,6 @@ def smooth_through(points: FloatArray, tolerance: float, noise: float = 0.0) -> 
     if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
         return PlaneCurve.line(points[0], points[-1])
     return PlaneCurve(*fit_spline(points, POLYLINE_DEGREE, tolerance), POLYLINE_DEGREE)
-
-
-def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
-    places = lengths_along(vertices)
-    count = _SAMPLES_PER_SIDE * len(places)
-    positions = curve.sample(count).position
-    side = np.searchsorted(places, places[-1] * np.linspace(0, 1, count)[1:-1], side="right") - 1
-    nearest = np.full(count - 2, np.inf)
-    for offset in (-1, 0, 1):
-        index = np.clip(side + offset, 0, len(places) - 2)
-        start, along = vertices[index], vertices[index + 1] - vertices[index]
-        out = positions[1:-1] - start
-        fraction = np.clip((out * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
-        nearest = np.minimum(nearest, np.linalg.norm(out - fraction[:, None] * along, axis=1))
-    return float(nearest.max())
 
 
 DEGREE = 4  # with simple knots, the curvature and its slope are continuous
@@ -349,9 +335,7 @@ def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) 
 
     The points are at equal distances and at all knots.
     """
-    return max(
-        _largest_distance(_points(first, count), other), _largest_distance(_points(other, count), first)
-    )
+    return max(largest_distance(_points(first, count), other), largest_distance(_points(other, count), first))
 
 
 def _points(curve: PlaneCurve, count: int) -> FloatArray:
@@ -359,7 +343,8 @@ def _points(curve: PlaneCurve, count: int) -> FloatArray:
     return curve.evaluate(curve.parameter(np.clip(s, 0.0, curve.length)))
 
 
-def _largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
+def largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
+    """Return the largest distance, mm, of points (n, 2) from a curve."""
     return float(distances(Spline(curve), points).max())
 
 
@@ -394,7 +379,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     provenance = curve.provenance
     if provenance is not None and provenance.measured is not None and provenance.measured.is_noisy:
         fitted = PlaneCurve(*smoothest_spline(provenance.measured.points, DEGREE, smooth), DEGREE)
-        moved = _largest_distance(provenance.measured.points, fitted)
+        moved = largest_distance(provenance.measured.points, fitted)
         return fitted.drawn_as(provenance.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0

@@ -19,13 +19,11 @@ from elastica_cad.geometry.control_point_constraints import (
     SmoothJoints,
     least_norm_newton,
 )
-from elastica_cad.geometry.fairing import smooth_through
+from elastica_cad.geometry.fairing import largest_distance, smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
-from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve, line_crossings
 from elastica_cad.geometry.plane_points import is_closed, thinned
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.self_intersections import find_view_angles
 from elastica_cad.geometry.splines import fit_spline, smoothest_spline
 from elastica_cad.mechanics.loads import (
@@ -69,12 +67,12 @@ def _compare_fits(
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
     ):  # an outlier must be corrected first, because it would decide the comparison of the fits
         return None
-    distance = _largest_distance(points, drawn)
+    distance = largest_distance(points.points, drawn)
     for curve in _other_curves(points, distance):
         with suppress(ElasticaError):
             other = judge(curve)
             if other.realizable != check.realizable or _has_loose_inflections(check, other, points):
-                fits = ((check, distance), (other, _largest_distance(points, curve)))
+                fits = ((check, distance), (other, largest_distance(points.points, curve)))
                 return Undecided(points.resolution, *(
                     FittedVerdict(verdict.realizable, off, len(verdict.inflections)) for verdict, off in fits
                 ))  # fmt: skip
@@ -106,14 +104,10 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
     smoother = max(points.reach, loose)
     with suppress(ElasticaError):
         coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
-        smoother = max(smoother, _largest_distance(points, coarse) / 2)
+        smoother = max(smoother, largest_distance(points.points, coarse) / 2)
         yield coarse
     with suppress(ElasticaError):
         yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
-
-
-def _largest_distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
-    return float(distances(Spline(curve), points.points).max())
 
 
 def examine(

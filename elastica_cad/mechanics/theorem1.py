@@ -13,7 +13,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.fairing import smooth_for_corners
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import SMOOTH_TURN, left_of
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
@@ -481,11 +481,10 @@ def require_bendable(curve: PlaneCurve) -> None:
         raise InputError(_seam_message(curve), kind="corner", changes=changes)
 
 
-SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
-"""Criteria for a corner that may be a bend through measured points.
+SAMPLED_SHARE = 0.15
+"""Least turn at a point beside a corner that may be a bend through measured points, as a fraction of the corner.
 
-The turn at a neighbouring point must be at least `SAMPLED_SHARE` times the turn at the corner. It must be less than
-`CORNER_DEG` degrees, the limit above which `curve_from_points` makes a corner.
+The turn must also be less than `SMOOTH_TURN`, above which `curve_from_points` makes a corner.
 """
 
 
@@ -499,7 +498,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
         for corner in corners:
             place = np.asarray(curve.evaluate(np.array(corner.t)))
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
-            if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
+            if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < SMOOTH_TURN for turn in beside):
                 return note(
                     "the points turn by {angle:.3g} degrees at {shown}, but are too few to distinguish a corner "
                     "from a tight bend. Give more points there, or split the curve{smooth}",
