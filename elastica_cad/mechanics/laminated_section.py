@@ -211,21 +211,21 @@ class LaminatedSection:
     ) -> float:
         """Return the largest ratio of base thickness to backing thickness that can be built with this base.
 
-        Smaller ratios, with a thicker backing, are possible too. The result is inf if the base needs no backing.
+        Smaller ratios, with a thicker backing, are possible too. The result is inf if the thinnest
+        backing that a sheet can be, a thousandth of a millimetre, is thick enough.
         """
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
-        def feasible(ratio: float) -> bool:
-            backing = replace(self.backing, thickness=self.base.thickness / ratio, thickness_range=None)
+        def feasible(thickness: float) -> bool:
+            backing = replace(self.backing, thickness=thickness, thickness_range=None)
             return (
                 LaminatedSection(self.base, backing).scale_range(w1, K, least_backing=least_backing).feasible
             )
 
-        # backings from a thousandth of a millimetre to a metre
-        low, high = 1e-3 * self.base.thickness, 1e3 * self.base.thickness
-        if feasible(high):
+        thin, thick, _ = PLAUSIBLE["thickness_mm"]
+        if feasible(thin):
             return float("inf")
-        if not feasible(low):
+        if not feasible(thick):
             raise InputError(
                 "a least backing width of {least_backing:g} is too wide for a base {least:.4g} wide and a "
                 "stiffness ratio of {given:.4g}, whatever the thickness of the backing: reduce "
@@ -234,10 +234,10 @@ class LaminatedSection:
                 least=Length(w1.min()),
                 given=K.max() / K.min(),
             )
-        while high / low > 1 + 1e-12:
-            middle = float(np.sqrt(low * high))
-            low, high = (middle, high) if feasible(middle) else (low, middle)
-        return low
+        while thick / thin > 1 + 1e-12:
+            middle = float(np.sqrt(thin * thick))
+            thin, thick = (thin, middle) if feasible(middle) else (middle, thick)
+        return self.base.thickness / thick
 
     @property
     def _heights(self) -> tuple[float, float, float]:
