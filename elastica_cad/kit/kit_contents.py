@@ -31,6 +31,7 @@ from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import FieldName, Length, Listed, note, number_text, sentences
 from elastica_cad.strip.clamp_errors import can_snap
 from elastica_cad.strip.held_shape import HeldShape
+from elastica_cad.strip.lettering import numbers_note
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.pieces import EqualStrips, Piece, count_pieces, strip_pieces
@@ -149,7 +150,11 @@ def kit_contents(
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
-    numbers = () if spec.cutting.service else _numbers_note(pieces)
+    numbers = (
+        ()
+        if spec.cutting.service
+        else numbers_note({piece.name: piece.number or piece.name for piece in pieces})
+    )
     return KitContents(
         model, spec, pieces, nests, tuple(holders), tuple(entries), held, (*numbers, *messages), deviations
     )
@@ -278,16 +283,6 @@ def _pre_bend_notes(model: Model) -> list[str]:
         note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
         for words, names in alike.items()
     ]
-
-
-def _numbers_note(pieces: Sequence[Piece]) -> Iterator[str]:
-    """Yield a note with the numbers that are engraved in place of names, if there are any."""
-    numbered = [piece.called for piece in pieces if piece.number]
-    if numbered:
-        yield note(
-            "Numbers are engraved in place of names for which the engraving has no letters: {pairs}",
-            pairs=", ".join(numbered),
-        )
 
 
 def count_strips(model: Model) -> str:

@@ -14,7 +14,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, matched, positive
 from elastica_cad.mechanics.sections import areal_weight, layer_strain
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import PLAUSIBLE, Sheet
 from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 

@@ -46,7 +46,16 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.flat_pattern import in_short_pieces
-from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, centred_text, engravable, fit_label, text_width
+from elastica_cad.strip.lettering import (
+    LEAST_LABEL_MM,
+    Text,
+    centred_text,
+    engravable,
+    engraved_names,
+    fit_label,
+    numbers_note,
+    text_width,
+)
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
@@ -284,6 +293,10 @@ class Flexure:
         """Names of both states in rows, warnings and pictures."""
         first, second = self.state_names
         return first or note("first state"), second or note("second state")
+
+    @cached_property
+    def _engraved(self) -> dict[str, str]:
+        return engraved_names([self.label, *self.state_names])
 
     @cached_property
     def scale(self) -> float:
@@ -556,9 +569,10 @@ class Flexure:
         x, y = ((near + far) / 2).tolist()
         right, up = (near - far).tolist()  # from the tip of the pad to the strip
         angle = float(np.arctan2(up, right))
+        label = self._engraved[self.label]
         texts = (
-            fit_label(self.label, (x, y), angle=angle, room=along, across=across),
-            fit_label(self.label, (x, y), angle=angle + np.pi / 2, room=across, across=along),
+            fit_label(label, (x, y), angle=angle, room=along, across=across),
+            fit_label(label, (x, y), angle=angle + np.pi / 2, room=across, across=along),
         )
         text = max(texts, key=lambda text: text.height)
         return (text,) if self.label and text.height >= LEAST_LABEL_MM else ()
@@ -592,9 +606,10 @@ class Flexure:
         texts = list[Text]()
         boxes = list[FloatArray]()
         for group, name, number in zip(settings, self.state_names, "12", strict=False):
-            half = np.array([text_width(engravable(name or number), NAME_MM), NAME_MM]) / 2 + 1
+            text = self._engraved[name] or number
+            half = np.array([text_width(engravable(text), NAME_MM), NAME_MM]) / 2 + 1
             middle = _free_place(group.mean(axis=0), half, np.array(distinct), self.pad.hole / 2, boxes)
-            texts.append(centred_text(name or number, middle, NAME_MM, np.inf))
+            texts.append(centred_text(text, middle, NAME_MM, np.inf))
             boxes.append(np.array([middle - half, middle + half]))
         margin = self.pad_width / 2 + self.pad.hole
         low, high = (f([f(distinct, axis=0) + side * margin, *(f(box, axis=0) for box in boxes)], axis=0)
@@ -913,7 +928,7 @@ class Flexure:
         for name, side in zip(self.state_labels, self.sideways, strict=True):
             if side.needs_guiding:
                 messages.append(note("{name}: {side}", severity="warning", name=name, side=str(side)))
-        messages += self.rest_warnings
+        messages += [*self.rest_warnings, *numbers_note(self._engraved)]
         if self.label and not self._label_texts:
             messages.append(
                 note("The label {label} is not engraved, because the pad has no room for letters {height} high. "

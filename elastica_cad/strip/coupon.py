@@ -9,7 +9,7 @@ from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.strip.lettering import Text, centred_text, text_width
+from elastica_cad.strip.lettering import Text, centred_text, engraved_names, text_width
 
 BEST_LOAD = 5.0
 """Dimensionless weight w L^3 / (E I) at which the tip of a clamped level strip sags by half its length L.
@@ -109,7 +109,9 @@ def coupon_drawing(
         )
     scale, figures = _scale_ticks_and_labels(free, width)
     name = sheet.name if label is None else require_name(label, "the label")
-    label_text = centred_text(name, (-clamp / 2, 0.0), min(4.0, 0.3 * width), 0.85 * clamp)
+    label_text = centred_text(
+        engraved_names([name])[name], (-clamp / 2, 0.0), min(4.0, 0.3 * width), 0.85 * clamp
+    )
     texts = (*figures, label_text) if name else figures
     outline = Path.rectangle(clamp + free, width, corner=(-clamp, -width / 2))
     return Drawing(name=f"coupon-{sheet.name}", paths=(*scale, LayeredPath(CUT_OUTER, outline)), texts=texts)

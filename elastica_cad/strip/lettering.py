@@ -13,6 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.path import Path
+from elastica_cad.refusals import Refusal, note
 
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
 LABEL_MM = 5.0  # largest height of the label of a strip, mm
@@ -121,6 +122,16 @@ def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None)
         engraved[name] = name if legible else given.get(name) or next(numbers)
         seen.add(text)
     return engraved
+
+
+def numbers_note(engraved: Mapping[str, str]) -> Iterator[Refusal]:
+    """Yield a note with the numbers that are engraved in place of names: see `engraved_names`."""
+    numbered = [f"{text} = {name}" for name, text in engraved.items() if text != name]
+    if numbered:
+        yield note(
+            "Numbers are engraved in place of names for which the engraving has no letters: {pairs}",
+            pairs=", ".join(numbered),
+        )
 
 
 def text_width(text: str, height: float) -> float:

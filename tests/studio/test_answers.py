@@ -331,7 +331,14 @@ def test_two_curves_become_one_part(tmp_path):
     told = answer({"do": "pair", "design": pair})
     heights = [np.array(state["position"])[:, 1] for state in told["states"]]
     assert heights[0].max() == pytest.approx(-heights[1].min(), abs=0.05)
-    assert [row["label"] for row in told["rows"]] == ["Size", "Strain", "Stability", "Position", "Accuracy", "Hold"]
+    assert [row["label"] for row in told["rows"]] == [
+        "Size",
+        "Strain",
+        "Stability",
+        "Position",
+        "Accuracy",
+        "Hold",
+    ]
     dragged = answer({"do": "pair", "design": pair, "live": True})["rows"]
     assert {row["label"]: row["text"] for row in dragged}["Stability"] == "…"
     assert not any(row["stops"] for row in told["rows"])

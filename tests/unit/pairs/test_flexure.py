@@ -409,3 +409,12 @@ def test_the_turn_of_the_second_state_into_the_clamp_is_reported(turn, shift):
 def test_states_in_one_clamp_keep_their_positions(clip):
     assert clip.second_moved == pytest.approx((0, 0), abs=1e-6)
     assert "Position" not in {row.label for row in pair_rows(clip, quick=True)}
+
+
+def test_names_in_other_alphabets_are_engraved_as_numbers_that_a_note_explains(stand):
+    named = replace(stand, label="Анна", state_names=("左", "2"))
+    texts = [text.text for text in (*named.drawing().texts, *named.holder().texts)]
+    assert texts[0] == "1"
+    assert {"3", "2"} <= set(texts)
+    (told,) = (str(message) for message in named.warnings if "Numbers are engraved" in message)
+    assert "1 = Анна, 3 = 左" in told
