@@ -24,8 +24,8 @@ from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, P
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
-    SMOOTH_TURN,
     begun_at,
+    corner_points,
     is_closed,
     lengths_along,
     near_pairs,
@@ -546,11 +546,12 @@ def curve_from_points(
 ) -> PlaneCurve:
     """Return a curve within `tolerance` mm of points (n, 2), or a line if they are collinear.
 
-    Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
-    two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve
-    states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
-    a polyline. With `sides`, the points are vertices of a drawn polyline. If the curve is more than
-    `allowed_distance` from the polyline, the curve is cut at every turn of more than 5 degrees.
+    Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees (up to 80 in
+    a closed outline of few points) between two straight pieces that are long compared with the tolerance and the
+    noise. The provenance of the curve states the noise of the points, at least `noise` mm. If no smooth curve
+    follows noisy points, the curve is a polyline. With `sides`, the points are vertices of a drawn polyline. If
+    the curve is more than `allowed_distance` from the polyline, the curve is cut at every turn of more than 5
+    degrees.
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number: export the file again")
@@ -562,12 +563,14 @@ def curve_from_points(
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
     noise, is_noisy = measured.noise, measured.is_noisy
-    corners = sharp_points(points, SMOOTH_TURN, SIDE_TOLERANCES * max(tolerance, noise))
+    corners = corner_points(points, SIDE_TOLERANCES * max(tolerance, noise))
     if is_closed(points):
         if corners:  # begin at a corner, because the curve is smooth at other points
             first = corners.pop(0)
             points = begun_at(points, first)
             corners = [corner - first for corner in corners]
+            # noise cannot be distinguished from corners
+            measured = replace(measured, noise=0.0)
         else:
             measured = replace(measured, is_smoothed=not measured.outlier)
     cuts = [0, *corners, len(points) - 1]
@@ -587,7 +590,6 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # the noise is set to 0, because it cannot be distinguished from corners
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )

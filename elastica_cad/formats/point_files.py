@@ -30,7 +30,7 @@ from elastica_cad.formats.source_file import (
 )
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import SMOOTH_TURN, is_closed, norm, sharp_points
+from elastica_cad.geometry.plane_points import corner_points, is_closed, norm
 from elastica_cad.refusals import Length, Listed, note
 
 ALONG = ("distance", "station")
@@ -535,7 +535,7 @@ def _outline_of(points: FloatArray) -> FloatArray:
     if not is_closed(closed):
         return points
     before, gap, after = norm(np.diff(np.concatenate([closed[-3:], closed[1:2]]), axis=0))
-    is_turned = {len(points) - 1, len(points)} & {*sharp_points(closed, SMOOTH_TURN)}
+    is_turned = {len(points) - 1, len(points)} & {*corner_points(closed)}
     is_gap = gap > LARGEST_GAP * min(before, after) or gap * LARGEST_GAP < max(before, after)
     return points if is_turned or is_gap else closed
 

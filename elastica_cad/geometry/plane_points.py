@@ -97,6 +97,9 @@ SMOOTH_TURN = 50.0
 FEWEST_AROUND = 8
 """Smallest number of points of a smooth closed outline, because they turn by 360 degrees in total."""
 
+SHARPER, SHARPEST_TURN = 3.0, 80.0
+"""Largest turn of a smooth closed outline as a multiple of its mean turn, and in degrees."""
+
 
 def is_closed(points: FloatArray) -> bool:
     """Return True if points (n, 2) return to the first one, after at least `FEWEST_AROUND` points."""
@@ -116,6 +119,15 @@ def sharp_points(points: FloatArray, angle: float, least: float = 0.0) -> list[i
     return [int(i) + 1 for i in np.flatnonzero(long & (turn > np.radians(angle)))]
 
 
+def corner_points(points: FloatArray, least: float = 0.0) -> list[int]:
+    """Return the points (n, 2) of a curve at which it has a corner: see `sharp_points`.
+
+    A closed outline of few points turns by more than `SMOOTH_TURN` where it bends most, as an ellipse at its ends.
+    """
+    around = min(SHARPER * 360 / (len(points) - 1), SHARPEST_TURN) if is_closed(points) else 0.0
+    return sharp_points(points, max(SMOOTH_TURN, around), least)
+
+
 def is_smooth_around(points: FloatArray, least: float = 0.0) -> bool:
     """Return True if points (n, 2) are closed without a corner where they begin and end.
 
@@ -129,7 +141,7 @@ def is_smooth_around(points: FloatArray, least: float = 0.0) -> bool:
     >>> is_smooth_around(circle), is_smooth_around(circle[:-1])
     (True, False)
     """
-    return is_closed(points) and len(points) - 1 not in sharp_points(points, SMOOTH_TURN, least)
+    return is_closed(points) and len(points) - 1 not in corner_points(points, least)
 
 
 def begun_at(points: FloatArray, first: int) -> FloatArray:

@@ -198,3 +198,16 @@ def test_a_closed_outline_is_a_strip_or_gets_commands_that_run(tmp_path, seed):
 @pytest.mark.parametrize("seed", range(100, 140))
 def test_closed_outlines_are_strips_or_get_commands_that_run(tmp_path, seed):
     agreed(seed, tmp_path)
+
+
+@pytest.mark.parametrize("grid", [0.1, 0.5, 1.0])
+@pytest.mark.parametrize(("count", "wide"), [(9, 55), (10, 50), (12, 50)])
+def test_an_ellipse_of_few_points_has_no_corner_at_its_ends(tmp_path, count, wide, grid):
+    angle = np.linspace(0, 2 * np.pi, count, endpoint=False) + 0.6
+    points = (around(angle, 100, wide) / grid).round() * grid
+    file = tmp_path / "ellipse.csv"
+    np.savetxt(file, points, delimiter=",")
+    (curve,) = read_curves(file)
+    assert not curve.has_corners
+    assert distances(Spline(curve), points).max() < 2 * grid
+    assert check_equilibrium(curve).realizable
