@@ -349,7 +349,16 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
     return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
 
 
-ORDERS_OF_SIDES = 3
+def curvature_bend(d1: FloatArray, d2: FloatArray, d3: FloatArray, d4: FloatArray) -> FloatArray:
+    """Return the second derivative of the curvature by arc length (n,), from derivatives (n, 2)."""
+    speed2 = dot(d1, d1)
+    growth = dot(d1, d2) / speed2
+    change = 18 * growth**2 - 3 * (dot(d1, d3) + dot(d2, d2)) / speed2
+    bend = cross(d1, d4) + cross(d2, d3) - 7 * growth * cross(d1, d3) + change * cross(d1, d2)
+    return np.asarray(bend / speed2**2.5)
+
+
+ORDERS_OF_SIDES = 4
 """Number of derivatives that `KnotSides` compares. Higher derivatives follow from the multiplicity of a knot.
 """
 
@@ -359,20 +368,20 @@ SHORT_SPAN_SHARE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class KnotSides:
-    """Values (3, p - 1) on both sides of the interior knots: tangent angle (rad), curvature, and its slope."""
+    """Tangent angle (rad), curvature and its two derivatives, (4, p - 1), on both sides of the interior knots."""
 
     before: FloatArray
     after: FloatArray
 
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Return the angle, curvature and slope on both sides of each interior knot."""
+        """Return the values on both sides of each interior knot."""
         t, (before, after) = pieces.edges[1:-1], pieces.beside_knots(ORDERS_OF_SIDES)
         return cls(_side(turning, t, before, left=True), _side(turning, t, after, left=False))
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Return the angle, curvature and slope, (3, 1), at the end of a closed curve and at its start."""
+        """Return the values (4, 1) at the end of a closed curve and at its start."""
         before, after = (
             _side(turning, t, pieces.at(t, ORDERS_OF_SIDES, left=left), left=left)
             for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False))
@@ -387,8 +396,13 @@ class KnotSides:
 
 
 def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *, left: bool) -> FloatArray:
-    _, d1, d2, d3 = derivatives
-    return np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
+    _, d1, d2, d3, d4 = derivatives
+    return np.array([
+        turning.at(t, d1, left=left),
+        curvature(d1, d2),
+        curvature_slope(d1, d2, d3),
+        curvature_bend(d1, d2, d3, d4),
+    ])  # fmt: skip
 
 
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
@@ -399,10 +413,10 @@ def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Return how many of angle, curvature and slope, in this order, agree on both sides of each knot."""
+    """Return how many of angle, curvature and its derivatives, in this order, agree on both sides of each knot."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
-    allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
+    allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2, 1e-4 * scale**3])
     return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
 
 

@@ -106,7 +106,7 @@ class Break:
         Arc length (mm) and parameter of the knot.
     continuity : int
         Least number of continuous derivatives by arc length: 0 at a corner, 1 at a jump of the curvature, 2 at a
-        kink of the curvature. Numbers above 3 are computed from the multiplicity of the knot.
+        kink of the curvature. Numbers above 4 are computed from the multiplicity of the knot.
     """
 
     s: float

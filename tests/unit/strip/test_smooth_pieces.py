@@ -8,6 +8,7 @@ import pytest
 from elastica_cad import Path, Perforated, PlaneCurve, Sheet, Slot, Strip, optimal_rod
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry import Arc, Line, Spline
+from elastica_cad.geometry.splines import SplineFunction, interpolated, interpolation_sites
 from elastica_cad.strip import flat_pattern
 from elastica_cad.strip.flat_pattern import (
     MOST_SPANS,
@@ -146,6 +147,27 @@ def test_a_ramp_becomes_a_step():
         assert step.start[0] == pytest.approx(step.end[0], abs=1e-12)
         assert step.length == pytest.approx(rise, rel=1e-4)
     assert cut.area == pytest.approx(strip.outline.area, rel=1e-9)
+
+
+def test_a_knot_at_which_the_curve_continues_smoothly_costs_no_edge():
+    cubic = SplineFunction(np.repeat([0.0, 1.0], 4), np.array([(0, 0), (40, 60), (90, 50), (140, 0.0)]), 3)
+    for inner in ([0.3], [0.2, 0.45, 0.9], [0.3, 0.31]):
+        knots = np.sort([0.0] * 4 + inner + [1.0] * 4)
+        sites = interpolation_sites(knots, 3)
+        curve = PlaneCurve(knots, interpolated(sites, cubic(sites), knots, 3), 3)
+        strip = Strip(optimal_rod(curve), SHEET, max_width=30)
+        assert in_smooth_pieces(strip.outline) is strip.outline
+    bent = PlaneCurve.spline([(0, 0), (40, 40), (60, 55), (90, 50), (140, 0)], 3)
+    strip = Strip(optimal_rod(bent), SHEET, max_width=30)
+    assert len(in_smooth_pieces(strip.outline).segments) == len(strip.outline.segments) + 2
+
+
+def test_the_sides_of_an_arc_in_two_pieces_are_single_edges():
+    corner = np.sqrt(0.5)
+    half = PlaneCurve([0, 0, 0, 1, 1, 2, 2, 2], [(-60, 0), (-60, 60), (0, 60), (60, 60), (60, 0)], 2,
+                      [1, corner, 1, corner, 1])  # fmt: skip
+    strip = Strip(optimal_rod(half), SHEET, max_width=10)
+    assert in_smooth_pieces(strip.outline) is strip.outline
 
 
 def test_a_smooth_outline_is_itself():
