@@ -12,10 +12,11 @@ previous iteration.
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances, polyline_distances
@@ -90,8 +91,9 @@ The smaller limit applies.
 
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
-_LINEARISATIONS = 3
-_HALVINGS = 14
+_LINEARISATIONS, _MOST_TRIALS = 3, 14
+_RISE = 3.0  # usual relative growth of the distance with the relative growth of the smoothing length
+_CLOSE = 0.004  # the distance is at most this fraction below its limit
 # samples must be within this fraction of the tolerance, because the curve may be farther away between samples
 _USED = 0.96
 _SLIDE = 1e4  # weight of squared distances along the drawn curve; those normal to the curve have the weight 1
@@ -165,16 +167,16 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
         raise InputError(
             "a curve with corners cannot be smoothed: round the corners, or cut the curve at the corners"
         )
-    spans = int(np.clip(4 * len(curve.breaks), _FEWEST_SPANS, _MOST_SPANS // 4))
+    spans, length = int(np.clip(4 * len(curve.breaks), _FEWEST_SPANS, _MOST_SPANS // 4)), 0.0
     best: Fairing | None = None
     while spans <= _MOST_SPANS:
-        fairing, length = _fitted(curve, tolerance, spans, unbent)
-        if fairing is not None:
-            if best is None or fairing.moved <= tolerance:
-                best = fairing
-            if length * spans >= _FINE * curve.length:
-                return fairing
+        fairing, length = _fitted(curve, tolerance, spans, unbent, length)
+        best = fairing or best
+        if length * spans >= _FINE * curve.length:
+            break
         spans *= 2
+        while 0 < length * spans < _FINE * curve.length and 2 * spans <= _MOST_SPANS:
+            spans *= 2
     if best is None:
         raise InputError(
             "jumps of the curvature cannot be smoothed within {tolerance}: set a smoothing distance of about "
@@ -186,35 +188,34 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
 
 
 def _fitted(
-    curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
+    curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool], guess: float
 ) -> tuple[Fairing | None, float]:
-    """Return the smoothest spline within the tolerance, or None, and its smoothing length."""
+    """Return the smoothest spline within the tolerance, or None, and its smoothing length.
+
+    The search begins at the smoothing length `guess`.
+    """
     problem = _Problem(curve, spans, unbent)
-    points = problem.start()
+    points, length = problem.start(), guess
     within: FloatArray | None = None
-    reached = 0.0
     for _ in range(_LINEARISATIONS):
-        slope = problem.slope_rows(points)
-        low, high = np.log(problem.width / 4), np.log(curve.length)
-        latest: FloatArray | None = None
-        for _ in range(_HALVINGS):
-            middle = (low + high) / 2
-            tried = problem.solved(slope, float(np.exp(6 * middle)))
-            if problem.off(tried) <= _USED * tolerance:
-                low, latest = middle, tried
-            else:
-                high = middle
+        latest, reached = problem.smoothest(problem.slope_rows(points), length, _USED * tolerance)
         if latest is None:
             break
-        within, reached, points = latest, float(np.exp(low)), latest
+        within = points = latest
+        length = reached
     if within is None:
         return None, 0.0
     try:
         fair = PlaneCurve(problem.knots, within, DEGREE)
     except InputError:
         return None, 0.0
-    moved = two_sided_distance(curve, fair, _DENSE * spans)
-    return (Fairing(fair, moved, tolerance), reached) if moved <= tolerance else (None, 0.0)
+    s = np.union1d(np.linspace(0.0, curve.length, _DENSE * spans), [knot.s for knot in curve.breaks])
+    moved = float(np.linalg.norm(fair.evaluate(s) - curve.at(s).position, axis=1).max())
+    return (Fairing(fair, moved, tolerance), length) if moved <= tolerance else (None, 0.0)
+
+
+NormalEquations: TypeAlias = tuple[FloatArray, FloatArray]
+"""Lower band (rows, k) of a symmetric matrix (k, k), and right side (k,)."""
 
 
 class _Problem:
@@ -225,31 +226,38 @@ class _Problem:
     """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
-        from scipy.sparse import vstack
-
-        length = curve.length
-        edges = np.linspace(0.0, length, spans + 1)
-        self.width = length / spans
+        self.length = curve.length
+        edges = np.linspace(0.0, self.length, spans + 1)
+        self.width = self.length / spans
         beyond = self.width * np.arange(1, DEGREE + 1) * curve.is_closed
         self.knots = np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
-        self.spans = bezier_spans(self.knots, DEGREE)
         local = (np.arange(_SAMPLES_PER_SPAN) + 0.5) / _SAMPLES_PER_SPAN
-        self.s = (edges[:-1, None] + self.width * local).ravel()
-        samples = curve.at(self.s)
-        self.data = samples.position
-        self.along = np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
-        self.across = left_of(self.along)
-        self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
-        self.support = np.repeat(self.spans.first, _SAMPLES_PER_SPAN)[:, None] + np.arange(DEGREE + 1)
-        self.held = np.zeros((self.spans.count, 2))
+        s = edges[:-1, None] + self.width * local
+        samples = curve.at(s.ravel())
+        self.data = samples.position.reshape(*s.shape, 2)
+        along = np.column_stack([np.cos(samples.angle), np.sin(samples.angle)]).reshape(*s.shape, 2)
+        self.across = left_of(along)
+        basis = bezier_spans(self.knots, DEGREE)
+        self.basis = [basis.local_basis(s.ravel(), k)[0].reshape(*s.shape, -1) for k in range(4)]
+        self.support = basis.first[:, None] + np.arange(DEGREE + 1)
+        self.held = np.zeros((basis.count, 2))
         if curve.is_closed:
-            places = np.arange(self.spans.count) % spans
+            place = np.arange(basis.count) % spans
+            # neighbours stay close together if both halves of the curve are numbered in turn
+            self.places = np.minimum(2 * place, 2 * (spans - place) - 1)
         else:
-            places = self._hold_ends(curve.at(np.array([0.0, length])), unbent)
-        self.chosen = self._choice(places)
-        both = vstack([self._rows(self.across, 0), np.sqrt(_SLIDE) * self._rows(self.along, 0)])
-        target = [(self.data * v).sum(axis=1) for v in (self.across, np.sqrt(_SLIDE) * self.along)]
-        self.data_part = self._normal_equations(both, np.concatenate(target))
+            self.places = self._hold_ends(curve.at(np.array([0.0, self.length])), unbent)
+        self.columns = (2 * self.places[self.support][..., None] + np.arange(2)).reshape(spans, -1)
+        size = int(self.columns.max()) + 1
+        row, column = self.columns[:, :, None], self.columns[:, None, :]
+        self.lower = (row >= column) & (column >= 0)
+        self.cells = ((row - column) * size + column)[self.lower]
+        self.band = int(self.cells.max()) // size + 1, size
+        slide = np.sqrt(_SLIDE) * along
+        self.data_part = self._normal_equations(
+            np.concatenate([self._rows(self.across, 0), self._rows(slide, 0)], axis=1),
+            np.concatenate([(self.data * self.across).sum(axis=2), (self.data * slide).sum(axis=2)], axis=1),
+        )
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
         """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
@@ -259,75 +267,98 @@ class _Problem:
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
-        places = np.arange(self.spans.count) - first
+        places = np.arange(len(self.held)) - first
         places[-last:] = -1
         return np.maximum(places, -1)
 
-    @staticmethod
-    def _choice(places: IntArray) -> Any:
-        from scipy.sparse import csr_matrix
+    def _rows(self, direction: FloatArray, derivative: int) -> FloatArray:
+        """Return the matrices (spans, n, 10) of one component of a derivative of the curve at n samples.
 
-        sought = np.flatnonzero(places >= 0)
-        row = (2 * sought[:, None] + np.arange(2)).ravel()
-        column = (2 * places[sought][:, None] + np.arange(2)).ravel()
-        size = 2 * places.size, 2 * (int(places.max()) + 1)
-        return csr_matrix((np.ones(row.size), (row, column)), shape=size)
-
-    def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) of one component of a derivative of the curve at its n samples.
-
-        The matrix converts m control points to the scalar products of `direction` (n, 2) and the derivatives of
-        order `derivative`.
+        They convert the control points of each span to the scalar products of `direction` (spans, n, 2) and the
+        derivatives of order `derivative`.
         """
-        from scipy.sparse import csr_matrix
-
-        numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
-        columns = 2 * self.support[:, :, None] + np.arange(2)
-        starts = np.arange(len(numbers) + 1) * 2 * (DEGREE + 1)
-        return csr_matrix((numbers.ravel(), columns.ravel(), starts), shape=(len(numbers), self.held.size))
+        numbers = self.basis[derivative][..., None] * direction[..., None, :]
+        return np.asarray(numbers.reshape(*direction.shape[:2], -1))
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
-        return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
+        return np.asarray(self.basis[derivative] @ points[self.support])
 
-    def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
-        sought = rows @ self.chosen
-        return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
+    def _applied(self, rows: FloatArray, points: FloatArray) -> FloatArray:
+        local = points[self.support].reshape(len(rows), -1, 1)
+        return np.asarray((rows @ local)[..., 0])
+
+    def _normal_equations(self, rows: FloatArray, target: FloatArray) -> NormalEquations:
+        transposed, free = rows.transpose(0, 2, 1), self.columns >= 0
+        sums = transposed @ (target - self._applied(rows, self.held))[..., None]
+        band = np.bincount(self.cells, (transposed @ rows)[self.lower], self.band[0] * self.band[1])
+        right = np.bincount(self.columns[free], sums[free].ravel(), self.band[1])
+        return np.asarray(band.reshape(self.band), dtype=float), np.asarray(right, dtype=float)
 
     def start(self) -> FloatArray:
         """Return control points close to the drawn curve, smoothed by a small penalty on the third derivative."""
         rows = self._rows(self.across, 3)
-        return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
+        return self._solved(self._normal_equations(rows, np.zeros(rows.shape[:2])), self.width**6 / 64)
 
-    def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
+    def slope_rows(self, points: FloatArray) -> NormalEquations:
         """Return the normal equations of zero curvature slope, linearised about the curve of `points`.
 
         If the curve moves by a vector d, its curvature slope changes by n . d''' - 3 kappa t . d'' - 2 kappa' t .
         d' - 2 kappa^2 n . d', with unit tangent t, unit normal n and curvature kappa. The speed is near 1.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
-        speed = np.hypot(d1[:, 0], d1[:, 1])
-        t = d1 / speed[:, None]
+        speed = np.hypot(d1[..., 0], d1[..., 1])
+        t = d1 / speed[..., None]
         n = left_of(t)
-        kappa = (d2 * n).sum(axis=1) / speed**2
-        slope = ((d3 * n).sum(axis=1) / speed**2 - 3 * kappa * (d2 * t).sum(axis=1) / speed) / speed
+        kappa = (d2 * n).sum(axis=2) / speed**2
+        slope = ((d3 * n).sum(axis=2) / speed**2 - 3 * kappa * (d2 * t).sum(axis=2) / speed) / speed
         rows = (
             self._rows(n, 3)
-            - self._rows(3 * kappa[:, None] * t, 2)
-            - self._rows(2 * slope[:, None] * t, 1)
-            - self._rows(2 * kappa[:, None] ** 2 * n, 1)
+            - self._rows(3 * kappa[..., None] * t, 2)
+            - self._rows(2 * slope[..., None] * t + 2 * kappa[..., None] ** 2 * n, 1)
         )
-        return self._normal_equations(rows, rows @ points.ravel() - slope)
+        return self._normal_equations(rows, self._applied(rows, points) - slope)
 
-    def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
-        """Return the control points (m, 2) that minimise squared distance + `weight` * squared curvature slope."""
-        from scipy.sparse.linalg import spsolve
+    def smoothest(
+        self, slope: NormalEquations, guess: float, limit: float
+    ) -> tuple[FloatArray | None, float]:
+        """Return control points with the largest smoothing length within the limit, or None, and this length.
 
-        matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
-        unknowns = spsolve(matrix.tocsc(), right, permc_spec="NATURAL")
-        return np.asarray(self.held + (self.chosen @ unknowns).reshape(-1, 2), dtype=float)
+        The secant method finds the length, because the logarithms of length and distance are nearly proportional.
+        """
+        low, high = np.log(self.width / 4), np.log(self.length)
+        trial = float(np.clip(np.log(max(guess, 1e-300)), low, high))
+        within: FloatArray | None = None
+        before, rise = None, _RISE
+        for _ in range(_MOST_TRIALS):
+            points = self._solved(slope, float(np.exp(6 * trial)))
+            excess = float(np.log(self._off(points) / limit + 1e-12))
+            if excess <= 0:
+                low, within = trial, points
+            else:
+                high = trial
+            if -_CLOSE <= excess <= 0 or high - low < _CLOSE / 10:
+                break
+            if before is not None:
+                rise = (excess - before[1]) / (trial - before[0])
+            before = trial, excess
+            trial -= (excess + _CLOSE / 2) / rise if rise else np.nan
+            if not low < trial < high:
+                trial = (low + high) / 2
+        return within, float(np.exp(low))
 
-    def off(self, points: FloatArray) -> float:
-        return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
+    def _solved(self, slope: NormalEquations, weight: float) -> FloatArray:
+        """Return the control points (m, 2) that minimise squared distance + `weight` * squared curvature slope.
+
+        They are not numbers if the weight is so large that the distances vanish in its rounding errors.
+        """
+        band, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
+        _, unknowns, failed = lapack().dpbsv(band, right, lower=1)
+        points, free = self.held.copy(), self.places >= 0
+        points[free] = np.nan if failed else unknowns.reshape(-1, 2)[self.places[free]]
+        return points
+
+    def _off(self, points: FloatArray) -> float:
+        return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=2)).max())
 
 
 def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
