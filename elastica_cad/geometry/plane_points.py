@@ -1,5 +1,6 @@
 """Arrays of vectors and points in the plane: products, matrices, boxes, cumulative sums."""
 
+from collections.abc import Iterator
 from math import atan2, hypot, inf, isfinite
 
 import numpy as np
@@ -234,6 +235,9 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
 _ROW, _FINEST_CELL = 2**31, 2.0**-30
 """Number of cells in a row, and least width of a cell as a fraction of the extent of all points."""
 
+_MOST_COMPARED = 500_000
+"""Number of pairs that are compared at once, which bounds the memory of a search."""
+
 
 def near_pairs(
     points: FloatArray, others: FloatArray, reach: float, *, most: int | None = None
@@ -244,22 +248,33 @@ def near_pairs(
     compared with the other points in its cell and in the eight cells around it. If these are more than `most`, the
     point has no pairs in the result. Pairs are in the order of the points.
     """
+    i, j = zip(*blocks_of_near_pairs(points, others, reach, most=most), strict=True)
+    return np.concatenate(i), np.concatenate(j)
+
+
+def blocks_of_near_pairs(
+    points: FloatArray, others: FloatArray, reach: float, *, most: int | None = None
+) -> Iterator[tuple[IntArray, IntArray]]:
+    """Yield the pairs of `near_pairs` in one or more blocks. All pairs of a point are in one block."""
     both = np.concatenate([points, others])[:, :2]
     cells = both - both.min(axis=0, initial=np.inf)
     cell = max(reach, _FINEST_CELL * float(cells.max(initial=0.0)))
     row, column = np.floor(cells / cell).astype(np.int64).T
     numbers = (row * _ROW + column)[:, None] + np.array([-_ROW, 0, _ROW])
     order = numbers[len(points) :, 1].argsort(kind="stable")
-    in_order, near = numbers[len(points) :, 1][order], numbers[: len(points)].ravel()
+    in_order, near = numbers[len(points) :, 1][order], numbers[: len(points)]
     first = in_order.searchsorted(near - 1)
     counts = in_order.searchsorted(near + 1, side="right") - first
     if most is not None:
-        counts *= (counts.reshape(-1, 3).sum(axis=1) <= most).repeat(3)
-    i = (np.arange(near.size) // 3).repeat(counts)
-    j = order[first.repeat(counts) + numbers_in_groups(counts)]
-    gap = points[i] - others[j]
-    close = np.einsum("ij,ij->i", gap, gap) <= reach**2
-    return i[close], j[close]
+        counts *= counts.sum(axis=1, keepdims=True) <= most
+    block = counts.sum(axis=1).cumsum() // _MOST_COMPARED
+    for rows in np.split(np.arange(len(points)), np.flatnonzero(np.diff(block)) + 1):
+        count = counts[rows].ravel()
+        i = rows.repeat(counts[rows].sum(axis=1))
+        j = order[first[rows].ravel().repeat(count) + numbers_in_groups(count)]
+        gap = points[i] - others[j]
+        close = np.einsum("ij,ij->i", gap, gap) <= reach**2
+        yield i[close], j[close]
 
 
 def distinct(values: FloatArray) -> FloatArray:

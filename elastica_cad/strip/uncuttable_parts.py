@@ -12,7 +12,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
-from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
+from elastica_cad.geometry.plane_points import blocks_of_near_pairs, near_pairs, numbers_in_groups
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
@@ -149,6 +149,9 @@ LEAST_FACING_COSINE = 0.9
 STEEPEST_WIDTH_SLOPE = 1.0
 # successive search distances, as fractions of the least width
 _SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
+CELL_FRACTION = (
+    0.25  # side of a cell of which only the narrowest place is compared, as a fraction of the least width
+)
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
 
@@ -224,18 +227,18 @@ def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
 
 
 def _opposed_points(
-    points: FloatArray, normals: FloatArray, searching: IntArray, reach: float, least: float
-) -> tuple[IntArray, IntArray]:
-    """Return index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
+    points: FloatArray, normals: FloatArray, searching: IntArray, reach: float
+) -> Iterator[tuple[IntArray, IntArray]]:
+    """Yield index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
 
-    The first point of each pair is among `searching`. The normals times `least` are appended to the
+    The first point of each pair is among `searching`. The normals times `reach` are appended to the
     coordinates, so that one search compares points and normals.
     """
     # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
-    here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
-    radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
-    i, j = near_pairs(here, there, float(radius))
-    return searching[i], j
+    here, there = np.hstack([points, reach * normals])[searching], np.hstack([points, -reach * normals])
+    radius = reach * np.hypot(1, 2 * np.sqrt(1 - LEAST_FACING_COSINE**2))
+    for i, j in blocks_of_near_pairs(here, there, float(radius)):
+        yield searching[i], j
 
 
 def _widths_across(
@@ -249,20 +252,20 @@ def _widths_across(
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     searching = np.arange(len(points))
     for reach in (1 - 1e-9) * least * _SEARCH_DISTANCES:
-        i, j = _opposed_points(points, normals, searching, reach, reach)
-        across = points[j] - points[i]
-        width = np.hypot(across[:, 0], across[:, 1])
-        with np.errstate(invalid="ignore", divide="ignore"):
-            across = across / width[:, None]
-        facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
-            np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
-        )
-        facing &= width < reach
-        i, j, width = i[facing], j[facing], width[facing]
-        narrowest = _narrowest(i, width)
-        pairs.append((i[narrowest], j[narrowest], width[narrowest]))
         wider = np.ones(len(points), dtype=bool)
-        wider[i] = False
+        for i, j in _opposed_points(points, normals, searching, reach):
+            across = points[j] - points[i]
+            width = np.hypot(across[:, 0], across[:, 1])
+            with np.errstate(invalid="ignore", divide="ignore"):
+                across = across / width[:, None]
+            facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
+                np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
+            )
+            facing &= width < reach
+            i, j, width = i[facing], j[facing], width[facing]
+            narrowest = _narrowest(i, width)
+            pairs.append((i[narrowest], j[narrowest], width[narrowest]))
+            wider[i] = False
         searching = searching[wider[searching]]
     i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
     i, j = np.minimum(i, j), np.maximum(i, j)
@@ -271,7 +274,12 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    order = np.argsort(width, kind="stable")
+    # a long narrow part has very many places, so only the narrowest place of each small cell is compared
+    row, column = (
+        ((middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)).astype(np.int64).T
+    )
+    kept = _narrowest(row * 2**31 + column, width)
+    order = kept[np.argsort(width[kept], kind="stable")]
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
     thinnest, known = ranks.copy(), None  # for each place, rank of the narrowest place found nearby so far

@@ -1,6 +1,7 @@
 """Parts that no workshop can cut or handle are found, each with its place, its size and the cure."""
 
 import re
+import tracemalloc
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -352,6 +353,21 @@ def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest(
     np.testing.assert_allclose([place.width for place in places], 0.3, atol=1e-9)
     wide = find_thin_places([Path.rectangle(30, 8)], slots, 0.25)
     assert not wide
+
+
+def test_thin_places_of_a_long_strip_are_found_in_blocks_of_bounded_memory():
+    def peak_memory(length):
+        x = np.linspace(0, length, length // 10)
+        y = 1 + 0.3 * np.sin(x / 15)
+        outline = Path.polygon(np.concatenate([np.stack([x, -y], axis=1), np.stack([x, y], axis=1)[::-1]]))
+        tracemalloc.start()
+        (place,) = find_thin_places([outline], [], 3.0)
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert place.width == pytest.approx(1.4, rel=0.01)
+        return peak
+
+    assert peak_memory(4000) < 1.4 * peak_memory(2000)
 
 
 @pytest.mark.parametrize("width", [0.3, 1.0, 1.9, 1.99])
