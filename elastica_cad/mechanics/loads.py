@@ -637,6 +637,22 @@ def require_natural_curvature(value: object) -> None:
         )
 
 
+def require_gentle_pre_bend(natural_curvature: NaturalCurvature, thickness: float) -> None:
+    """Raise InputError if the radius of a pre-bent strip is not larger than its thickness, mm."""
+    bent = (
+        max(map(abs, natural_curvature.profile.extremes))
+        if isinstance(natural_curvature, RestCurvature)
+        else abs(natural_curvature)
+    )
+    if bent * thickness >= 1:
+        raise InputError(
+            "the strip is pre-bent to a radius of {radius:.3g}, but the radius must be larger than the thickness of "
+            "the sheet, {thickness:g}: set a smaller {field} (in 1/mm), or choose a thinner sheet",
+            radius=Length(1 / bent), thickness=Length(thickness), field=FieldName("natural_curvature"),
+            where={"field": "natural_curvature"},
+        )  # fmt: skip
+
+
 @dataclass(frozen=True, eq=False)
 class ExcessCurvature:
     """Change of curvature kappa - kappa_0 by which a strip with natural curvature kappa_0 is bent into a curve.

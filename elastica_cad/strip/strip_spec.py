@@ -33,6 +33,7 @@ from elastica_cad.mechanics.loads import (
     Supports,
     Weight,
     require_curve,
+    require_gentle_pre_bend,
     require_natural_curvature,
     require_supports,
 )
@@ -551,6 +552,7 @@ class StripSpec(EqualByValue):
         object.__setattr__(self, "supports", supports)
         require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))
+        require_gentle_pre_bend(self.natural_curvature, sheet.thickness)
         if self.frame is not None:
             require_record(self.frame, Frame, "the frame", "a Frame, the plane of the curve, or None")
         require_style(self.style)

@@ -253,16 +253,16 @@ def _widths_across(
     searching = np.arange(len(points))
     for reach in (1 - 1e-9) * least * _SEARCH_DISTANCES:
         wider = np.ones(len(points), dtype=bool)
-        for i, j in _opposed_points(points, normals, searching, reach):
-            across = points[j] - points[i]
+        for here, there in _opposed_points(points, normals, searching, reach):
+            across = points[there] - points[here]
             width = np.hypot(across[:, 0], across[:, 1])
             with np.errstate(invalid="ignore", divide="ignore"):
                 across = across / width[:, None]
-            facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
-                np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
+            facing = (np.sum(across * normals[here], axis=1) > LEAST_FACING_COSINE) & (
+                np.sum(across * normals[there], axis=1) < -LEAST_FACING_COSINE
             )
             facing &= width < reach
-            i, j, width = i[facing], j[facing], width[facing]
+            i, j, width = here[facing], there[facing], width[facing]
             narrowest = _narrowest(i, width)
             pairs.append((i[narrowest], j[narrowest], width[narrowest]))
             wider[i] = False
