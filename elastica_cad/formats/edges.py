@@ -141,7 +141,10 @@ class Edge:
 
     def at(self, t: ArrayLike) -> FloatArray:
         """Return the points (n, d), mm, at parameters (n,) of the edge's knots."""
-        values = self.spans.basis(np.atleast_1d(np.asarray(t, dtype=float))) @ self.homogeneous
+        # without the whole matrix of basis functions, which is large for a long polyline
+        local, index = self.spans.local_basis(np.atleast_1d(np.asarray(t, dtype=float)))
+        near = self.homogeneous[self.spans.first[index][:, None] + np.arange(self.degree + 1)]
+        values = np.einsum("nj,njd->nd", local, near)
         return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
 
     @cached_property
