@@ -518,8 +518,9 @@ def _first_edges(
             latest = place
     edges = np.array([first, *sorted(order), last])
     inside = distinct(knots[(knots > first) & (knots < last)])
-    apart_from = np.abs(inside[:, None] - edges).min(axis=1, initial=np.inf)
-    return np.sort(np.concatenate([edges, inside[apart_from > _NARROWEST_SHARE * length]])), order
+    after = edges.searchsorted(inside)
+    apart = np.minimum(inside - edges[after - 1], edges[after] - inside)
+    return np.sort(np.concatenate([edges, inside[apart > _NARROWEST_SHARE * length]])), order
 
 
 def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
