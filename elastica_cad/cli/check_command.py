@@ -44,8 +44,15 @@ from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
+from elastica_cad.mechanics.loads import (
+    EndName,
+    ExcessCurvature,
+    NaturalCurvature,
+    Supports,
+    require_supports,
+)
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import unit_question
 from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, measured_points
@@ -250,7 +257,14 @@ class _Request:
 
         least = report["sheets"][0]
         smoothed = self.examined(requested)[1].fairing is not None
-        if least["scale"] <= 1 or smoothed or self.smooth or self.natural_curvature or self.between:
+        if (
+            least["scale"] <= 1
+            or report["unit_question"]
+            or smoothed
+            or self.smooth
+            or self.natural_curvature
+            or self.between
+        ):
             return ""
         spec = common_request(requested.curve, self.supports).changed(
             sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
@@ -284,7 +298,11 @@ def _rows(report: dict[str, Any]) -> list[Row]:
         verdict = Row("Verdict", text, severity="note" if report["realizable"] else "error")
     return [
         verdict,
-        *([_widths_row(report["ratio"]), _sheets_row(report["sheets"])] if "ratio" in report else []),
+        *(
+            [_widths_row(report["ratio"]), _sheets_row(report["sheets"], report["unit_question"])]
+            if "ratio" in report
+            else []
+        ),
         *([_stability_row(report)] if "stability" in report else []),
     ]
 
@@ -303,7 +321,9 @@ def _widths_row(ratio: float) -> Row:
     return warning_row(f"{text}, which is too narrow to cut. {advice}", "Widths")
 
 
-def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
+def _sheets_row(sheets: Sequence[Mapping[str, Any]], question: str) -> Row:
+    if question:
+        return warning_row(f"none at this size. {question}", "Sheets")
     sheets_and_scales = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
     fitting = _each_kind_first([sheet for sheet, scale in sheets_and_scales if scale <= 1][::-1])
     larger = [f"{sheet.name} at {ceil(100 * scale)} %" for sheet, scale in sheets_and_scales if scale > 1]
@@ -381,5 +401,12 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
 def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
     scaled_sheets = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in scaled_sheets]
-    advice = [_widths_row(ratio).text, _sheets_row(sheets).text]
-    return {"ratio": round_numbers(ratio), "sheets": sheets, "advice_on_sheets": advice}
+    sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
+    question = unit_question(scaled_sheets[0].scale, sharpest, curve.length)
+    advice = [_widths_row(ratio).text, _sheets_row(sheets, question).text]
+    return {
+        "ratio": round_numbers(ratio),
+        "sheets": sheets,
+        "unit_question": question,
+        "advice_on_sheets": advice,
+    }

@@ -646,8 +646,8 @@ def require_gentle_pre_bend(natural_curvature: NaturalCurvature, thickness: floa
     )
     if bent * thickness >= 1:
         raise InputError(
-            "the strip is pre-bent to a radius of {radius:.3g}, but the radius must be larger than the thickness of "
-            "the sheet, {thickness:g}: set a smaller {field} (in 1/mm), or choose a thinner sheet",
+            "the strip is pre-bent to a radius of {radius:.3g}, but the radius must be larger than the thickness "
+            "of the sheet, {thickness:g}: set a smaller {field} (in 1/mm), or choose a thinner sheet",
             radius=Length(1 / bent), thickness=Length(thickness), field=FieldName("natural_curvature"),
             where={"field": "natural_curvature"},
         )  # fmt: skip

@@ -10,6 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import SEEN_APART, numbers
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
+from elastica_cad.refusals import note
 
 STRAIN_SLACK = SEEN_APART
 """Relative tolerance of the strain limit, larger than the error of a spline fitted to a curve at the limit."""
@@ -144,6 +145,29 @@ def thinner_on_sale(sheet: Sheet) -> list[float]:
         figures["thickness"] for name, figures in built_in_figures().items() if name.startswith(f"{stem}-")
     )
     return sorted((float(thickness) for thickness in sold if thickness < sheet.thickness), reverse=True)
+
+
+SMALL_RADII = 4
+"""Length of a curve, in least radii of its sheet, below which the curve is implausibly small for the sheet."""
+
+UNIT_FACTOR = 4.0
+"""Factor needed on the size of a curve from which its unit is doubted. A curve in cm needs a factor up to 10."""
+
+
+def unit_question(used: float, curvature: float, length: float) -> str:
+    """Return the question about the unit of a curve that is too small for its sheet, or "".
+
+    The question replaces the advice to enlarge the curve.
+
+    Parameters
+    ----------
+    used : float
+        Strain divided by its limit, which is also the factor needed on the size of the curve.
+    curvature, length : float
+        Largest change of the curvature of the strip by bending, 1/mm, and its length, mm.
+    """
+    doubted = used > UNIT_FACTOR and length * curvature < SMALL_RADII * used
+    return note("Lengths are in mm: was the curve drawn in cm, inches or metres?") if doubted else ""
 
 
 LIMIT_SLACK = 1e-9

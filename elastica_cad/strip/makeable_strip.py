@@ -531,6 +531,7 @@ def overstrained(strip: Strip) -> StrainError:
         field=FieldName("ignore_limits"),
         strains=sentences(strip.strain_warnings, " "),
         percent=judged.percent,
+        other_unit=bool(strip.unit_question),
         where={"at": judged.at},
         changes=[*changes, *change_to_nearest(strip.rod)],
     )

@@ -41,6 +41,7 @@ from elastica_cad.mechanics.section_limits import (
     StrainState,
     StrainVerdict,
     judge_strain,
+    unit_question,
 )
 from elastica_cad.mechanics.sheets import (
     PLYWOOD_SOURCE,
@@ -301,10 +302,6 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     )  # fmt: skip
 
 
-SMALL_RADII = 4
-"""Length of an overstrained strip, in least radii of its sheet, below which the unit of the curve is doubted."""
-
-
 def _warn_of_strains(
     strains: Sequence[LayerStrain], bends: Bends, advice_unloaded: str | None = None
 ) -> Iterator[str]:
@@ -317,6 +314,7 @@ def _warn_of_strains(
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
+            question = unit_question(layer.largest / layer.limit, float(bend[at]), bends.place(-1))
             if advice_unloaded is not None:
                 yield note(
                     "Without its loads, the strip is strained by {strain:g} % at {at} from the start; {sheet} "
@@ -330,8 +328,7 @@ def _warn_of_strains(
                 "Use thinner material, or a radius of at least {least:g} there (now {radius:g}).{question}",
                 strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
                 least=Length(least), outcome=note(judged.outcome), severity="warning",
-                question=note(" Lengths are in mm: was the curve drawn in cm, inches or metres?")
-                if 2 * radius < least and bends.place(-1) < SMALL_RADII * least else "",
+                question=f" {question}" if question else "",
             )  # fmt: skip
 
 
@@ -708,6 +705,12 @@ class Strip:
             empty += [shoulder.verdict for shoulder in self._unloaded_shoulders]
             judged += [replace(verdict, unloaded=True) for verdict in empty]
         return max(judged, key=lambda verdict: (verdict.state, verdict.used))
+
+    @property
+    def unit_question(self) -> str:
+        """Question about the unit of a curve that is too small for the sheet, or ""."""
+        bends = self._bends
+        return unit_question(self.strain_verdict.used, float(bends.amount.max()), bends.place(-1))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:

@@ -344,7 +344,8 @@ def _changes(
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
         yield chain(islice(_other_sheets(spec, share), MOST_TRIED - len(thinner)), thinner)
-        yield [Change("size", rounded_up(1.01 * share, 2))]
+        if not problem.refusal.values["other_unit"]:
+            yield [Change("size", rounded_up(1.01 * share, 2))]
 
 
 def _moved_points(spec: StripSpec) -> Iterator[Change]:

@@ -7,8 +7,11 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import Hole, InputError
+from elastica_cad.errors import StrainError
+from elastica_cad.mechanics import RestCurvature
 from elastica_cad.model import base_plate, slotted_frame
 from elastica_cad.strip.coupon import coupon_drawing
+from elastica_cad.strip.suggestions import suggest
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
@@ -197,3 +200,23 @@ def test_the_unit_of_a_curve_is_asked_where_it_is_far_too_small(unit_mm):
     with pytest.raises(InputError, match="The strain is") as refused:
         ec.make_strip(tight, "birch-plywood-0.8", max_width=40)
     assert "inches" not in str(refused.value)
+
+
+ARCH = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 150), (240, 100), (300, 0)])
+
+
+@pytest.mark.parametrize("unit_mm", [10.0, 25.4, 1000.0])
+def test_a_curve_in_another_unit_is_not_to_be_drawn_larger(unit_mm):
+    small = ARCH.transformed(np.diag([1, 1, unit_mm]))
+    spec = ec.StripSpec(small, "birch-plywood-0.8", max_width=40 / unit_mm)
+    with pytest.raises(StrainError, match="inches") as refused:
+        spec.make()
+    assert "size" not in [suggestion.change.field for suggestion in suggest(spec, refused.value)]
+
+
+@pytest.mark.parametrize("curvature", [1.25, -3.0, 1e9, RestCurvature.linear([0, 200, 400], [0, 1.3, 0])])
+def test_a_strip_is_not_pre_bent_to_a_radius_of_its_thickness(curvature):
+    arch = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 150), (240, 100), (300, 0)])
+    with pytest.raises(InputError, match=r"pre-bent to a radius of .* thickness of the sheet, 0.8 mm"):
+        ec.StripSpec(arch, "birch-plywood-0.8", max_width=40, natural_curvature=curvature)
+    ec.StripSpec(arch, "birch-plywood-0.8", max_width=40, natural_curvature=1.2)
