@@ -150,7 +150,7 @@ def thinner_on_sale(sheet: Sheet) -> list[float]:
 SMALL_RADII = 4
 """Length of a curve, in least radii of its sheet, below which the curve is implausibly small for the sheet."""
 
-UNIT_FACTOR = 4.0
+UNIT_FACTOR = 5.0
 """Factor needed on the size of a curve from which its unit is doubted. A curve in cm needs a factor up to 10."""
 
 

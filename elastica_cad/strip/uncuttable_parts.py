@@ -278,7 +278,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     row, column = (
         ((middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)).astype(np.int64).T
     )
-    kept = _narrowest(row * 2**31 + column, width)
+    kept = np.sort(_narrowest(row * 2**31 + column, width))
     order = kept[np.argsort(width[kept], kind="stable")]
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
