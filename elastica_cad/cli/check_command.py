@@ -46,7 +46,6 @@ from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.loads import (
     EndName,
-    ExcessCurvature,
     NaturalCurvature,
     Supports,
     require_supports,
@@ -401,8 +400,7 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
 def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
     scaled_sheets = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in scaled_sheets]
-    sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
-    question = unit_question(scaled_sheets[0].scale, sharpest, curve.length)
+    question = unit_question(scaled_sheets[0].scale, curve.length)
     advice = [_widths_row(ratio).text, _sheets_row(sheets, question).text]
     return {
         "ratio": round_numbers(ratio),

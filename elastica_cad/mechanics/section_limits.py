@@ -147,14 +147,14 @@ def thinner_on_sale(sheet: Sheet) -> list[float]:
     return sorted((float(thickness) for thickness in sold if thickness < sheet.thickness), reverse=True)
 
 
-SMALL_RADII = 4
-"""Length of a curve, in least radii of its sheet, below which the curve is implausibly small for the sheet."""
+SMALL_MM = 150.0
+"""Length of a strip, mm, below which the unit of its curve is doubted if the curve is much too small for the sheet."""
 
-UNIT_FACTOR = 5.0
+UNIT_FACTOR = 2.0
 """Factor needed on the size of a curve from which its unit is doubted. A curve in cm needs a factor up to 10."""
 
 
-def unit_question(used: float, curvature: float, length: float) -> str:
+def unit_question(used: float, length: float) -> str:
     """Return the question about the unit of a curve that is too small for its sheet, or "".
 
     The question replaces the advice to enlarge the curve.
@@ -163,10 +163,10 @@ def unit_question(used: float, curvature: float, length: float) -> str:
     ----------
     used : float
         Strain divided by its limit, which is also the factor needed on the size of the curve.
-    curvature, length : float
-        Largest change of the curvature of the strip by bending, 1/mm, and its length, mm.
+    length : float
+        Length of the strip, mm.
     """
-    doubted = used > UNIT_FACTOR and length * curvature < SMALL_RADII * used
+    doubted = used > UNIT_FACTOR and length < SMALL_MM
     return note("Lengths are in mm: was the curve drawn in cm, inches or metres?") if doubted else ""
 
 

@@ -314,7 +314,7 @@ def _warn_of_strains(
             bearable = bend[at] * layer.limit / layer.largest
             strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = distinct_digits(1 / bend[at], rounded_up(1 / bearable, 3), ".3g")
-            question = unit_question(layer.largest / layer.limit, float(bend[at]), bends.place(-1))
+            question = unit_question(layer.largest / layer.limit, bends.place(-1))
             if advice_unloaded is not None:
                 yield note(
                     "Without its loads, the strip is strained by {strain:g} % at {at} from the start; {sheet} "
@@ -709,8 +709,7 @@ class Strip:
     @property
     def unit_question(self) -> str:
         """Question about the unit of a curve that is too small for the sheet, or ""."""
-        bends = self._bends
-        return unit_question(self.strain_verdict.used, float(bends.amount.max()), bends.place(-1))
+        return unit_question(self.strain_verdict.used, self.rod.length)
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
