@@ -55,6 +55,7 @@ from elastica_cad.mechanics.section_limits import unit_question
 from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, measured_points
+from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.curve_check import common_request
@@ -225,7 +226,7 @@ class _Request:
 
     def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
         points = measured_points(verdict.curve)
-        if verdict.realizable or points is None or points.outlier:
+        if verdict.realizable or points is None or points.outlier or not_tried(requested.curve):
             return ()
         fair = False
         with suppress(ElasticaError):
@@ -258,6 +259,7 @@ class _Request:
         smoothed = self.examined(requested)[1].fairing is not None
         if (
             least["scale"] <= 1
+            or not_tried(requested.curve)
             or report["unit_question"]
             or smoothed
             or self.smooth

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias, cast
 import click
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.voice import say_step
+from elastica_cad.cli.voice import say_row, say_step
 from elastica_cad.errors import ElasticaError, InputError, quoted
+from elastica_cad.report_rows import Row
 
 if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
@@ -149,9 +150,12 @@ def cures_of(
     fields: Collection[str] | None = None,
 ) -> list[Cure]:
     """Return changes of options that make the strip possible. Ctrl-C ends the search for changes."""
+    from elastica_cad.mechanics.trials import not_tried
     from elastica_cad.strip.suggestions import suggest
 
     cures: list[Cure] = []
+    if reason := not_tried(spec.curve):
+        say_row(Row("Change", reason))
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
             title, change = suggestion.title, spelled(suggestion)

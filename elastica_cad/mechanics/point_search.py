@@ -103,10 +103,17 @@ def move_one_point(
     )  # largest value of the basis function of each control point
     ends = 0, len(points) - 1
     inner = range(1, len(points) - 1)
+    zeros = [zero.t for zero in ExcessCurvature(curve, natural_curvature).zeros]
+
+    def may_help(index: int) -> bool:
+        # inflections beyond the reach of a control point stay where they are
+        low, high = curve.knots[index], curve.knots[index + curve.degree + 1]
+        return sum(not low <= t <= high for t in zeros) <= ON_LINE
+
     for indices, reach in ((inner, farthest), (ends, END_REACH * farthest)):
         moves = [
             _Move(curve, index, direction * reach / weights[index], natural_curvature)
-            for index in indices
+            for index in filter(may_help, indices)
             for direction in directions
         ]
         before = [(0.0, move.side(0.0)[1]) for move in moves]

@@ -148,7 +148,7 @@ def thinner_on_sale(sheet: Sheet) -> list[float]:
 
 
 SMALL_MM = 150.0
-"""Length of a strip, mm, below which the unit of its curve is doubted if the curve is much too small for the sheet."""
+"""Length of a strip, mm, below which the unit of its curve is doubted if the sheet is strained far too much."""
 
 UNIT_FACTOR = 2.0
 """Factor needed on the size of a curve from which its unit is doubted. A curve in cm needs a factor up to 10."""

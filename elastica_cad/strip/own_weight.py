@@ -9,6 +9,7 @@ from elastica_cad.mechanics.bending import bend, has_snapped, part_of_change
 from elastica_cad.mechanics.elements import PointForce
 from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.refusals import FieldName, Refusal, note
 from elastica_cad.strip.held_shape import about, deviation_from
 from elastica_cad.strip.strip import Strip
@@ -80,6 +81,8 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
         return None
     if rod.discrete.unstable_modes:
         return None
+    if reason := not_tried(rod.curve):
+        return note("The effect of the weight is not computed. {reason}", reason=reason, severity="warning")
     try:
         bent = bent_under(strip, gravity)
     except InputError:  # `bend` refuses a straight strip whose ends are as far apart as the strip is long

@@ -22,6 +22,7 @@ from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
+from elastica_cad.mechanics.trials import MOST_CORNERS, not_tried
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
@@ -52,9 +53,6 @@ WIDEST_SHARE = 0.5
 
 MOST_PIECES = 8
 """Largest number of strips into which a curve is divided at its corners."""
-
-MOST_CORNERS = 100
-"""Largest number of corners of a curve for which the nearest curve is tested. More corners take too long."""
 
 
 @dataclass(frozen=True)
@@ -245,6 +243,8 @@ def suggest(
     from the drawn curve than 3 % of the curve's size, and strips that tip over sideways or are sensitive to small
     errors, are suggested last.
 
+    Nothing is tried for a curve of very many pieces: see `not_tried`.
+
     An interrupted search yields the changes found so far, and then raises the interrupt.
 
     Parameters
@@ -268,7 +268,7 @@ def suggest(
     ...     print([suggestion.change.field for suggestion in suggest(spec, problem)])
     ['sheet', 'size', 'nearest']
     """
-    if outlier_message(spec.curve):
+    if outlier_message(spec.curve) or not_tried(spec.curve):
         return
     found: list[Suggestion] = []
     interrupt: BaseException | None = None

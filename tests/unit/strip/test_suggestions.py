@@ -1,11 +1,16 @@
 """Changes that make an impossible curve possible, each judged with other means than the search."""
 
+import re
+
 import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad import write_curves
+from elastica_cad.mechanics import trials
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.suggestions import suggest
+from tests.command_line import run
 
 ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
 ORDER = ["point", "smooth", "split_corners", "nearest", "between", "sheet", "size"]
@@ -91,6 +96,19 @@ def test_no_nearest_curve_is_sought_for_more_than_100_corners():
     with pytest.raises(ec.InputError, match="has corners") as refusal:
         spec.make()
     assert list(suggest(spec, refusal.value)) == []
+
+
+def test_no_change_of_a_curve_of_very_many_pieces_is_tried(monkeypatch, tmp_path):
+    wave = ec.PlaneCurve.spline(ZIGZAG, degree=3)
+    spec = ec.StripSpec(wave, "pom-0.5", max_width=20)
+    with pytest.raises(ec.NotRealizable) as refusal:
+        spec.make()
+    assert list(suggest(spec, refusal.value))
+    monkeypatch.setattr(trials, "MOST_PIECES", 2)
+    assert list(suggest(spec, refusal.value)) == []
+    write_curves([wave], tmp_path / "wave.json")
+    checked = run("check", tmp_path / "wave.json", code=1).output
+    assert re.search(r"^Change +Not tried, because the curve has 3 pieces, more than 2\.", checked, re.M)
 
 
 def test_a_tight_curve_gets_another_sheet_or_size_once_with_the_width_it_needs():
