@@ -12,7 +12,6 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import numbers_in_groups, turns_along
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
@@ -383,21 +382,8 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
         position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
         return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
 
-    breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
-    return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]
-
-
-def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return the number of derivatives of the curve that are geometrically continuous at a knot."""
-    if continuity >= 2:
-        return continuity
-    t0, t1 = curve.domain
-    sides = np.array([t - 1e-9 * (t1 - t0), t + 1e-9 * (t1 - t0)])
-    kappa, slope = curve.curvature_at(sides), curve.curvature_slope_at(sides)
-    reach = 1e-6 * curve.length
-    if abs(np.diff(kappa)[0]) > 1e-6 * max(np.abs(kappa).max(), 1 / curve.length):
-        return 1
-    return 2 if abs(np.diff(slope)[0]) * reach > 1e-9 * max(np.abs(kappa).max(), 1 / curve.length) else 3
+    breaks = [(b.s / scale, b.continuity) for b in curve.breaks]
+    return drawn, [(s, c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]
 
 
 def _initial_spans(rod: Rod, edges: FloatArray) -> FloatArray:
