@@ -96,10 +96,10 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is the name of CURVE.
     NAME-backing.dxf and .svg are the backing of a laminate.
 
-    The strip takes the curve exactly as drawn, or there is an error. Only where the curvature jumps, so that the
-    width would jump, the curve is smoothed within 0.1 mm and a note is printed (--smooth 0: no smoothing). With
-    --nearest, --ratio, --stable, --margin, --keep-strain or another limit the strip may deviate from the curve, as
-    little as possible.
+    The strip takes the curve exactly as drawn, or there is an error. Only where the curvature or its slope jumps,
+    so that the outline would have steps or corners, the curve is smoothed within 0.1 mm and a note is printed
+    (--smooth 0: no smoothing). With --nearest, --ratio, --stable, --margin, --keep-strain or another limit the
+    strip may deviate from the curve, as little as possible.
 
     Set all other keys of a design file with --set KEY=VALUE, such as --set limits.curvature=0.02. `elastica help`
     lists the keys, `elastica help KEY` explains a key.

@@ -1,14 +1,13 @@
-"""Smoothing of a drawn curve, on request or if the width of the strip would have a step."""
+"""Smoothing of a drawn curve, on request or if the outline of the strip would have steps or corners."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from elastica_cad._values import is_number, is_series, require_record
-from elastica_cad.defaults import UNKNOWN_WIDTH
-from elastica_cad.errors import ElasticaError, InputError, quoted
-from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
+from elastica_cad._values import require_record
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.geometry.fairing import Fairing, fair_curve, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD
 from elastica_cad.mechanics.equilibrium_check import examine
@@ -23,6 +22,7 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.theorem1 import (
+    KINK_SHARE,
     curvature_jumps,
     measured_points,
     outlier_message,
@@ -42,11 +42,14 @@ SLIGHT_MM = 0.1
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""
 
-STEP_MM, STEP_SHARE = 0.2, 0.02
-"""A step of the width is smoothed if it exceeds both limits: in mm, and as a fraction of the width."""
+STEP_SHARE = 0.02
+"""Largest step of the width that remains, as a fraction of the width."""
 
-MOST_WORSE = 1.05
-"""Largest factor by which automatic smoothing may increase the stiffness ratio."""
+MOST_WORSE = 1.1
+"""Largest factor by which automatic smoothing may increase the stiffness ratio.
+
+Smoothing of cubics often increases it by 5 %. With a smaller factor, a strip would lose and regain its corners
+while the curve is dragged."""
 
 PLACES, SEEN_SHARE = 401, 0.1
 """Number of stations at which curvatures with and without noise are compared, and limit of their difference.
@@ -63,16 +66,13 @@ class Smoothing:
     ----------
     smooth : float or None
         Requested largest distance between drawn and smoothed curve, mm. With None, the curve is smoothed only if
-        the width of the strip would have steps.
-    widths : (float or None, float or None)
-        Requested largest and least width, mm, or None.
+        the outline of the strip would have steps or corners.
     """
 
     drawn: PlaneCurve
     smooth: float | None = None
     supports: Supports | None = None
     natural_curvature: NaturalCurvature = 0.0
-    widths: tuple[float | None, float | None] = (None, None)
 
     @cached_property
     def fairing(self) -> Fairing | None:
@@ -80,7 +80,7 @@ class Smoothing:
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
             return _smoothed(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
-        if not may_step(self.drawn) or not self._has_width_steps():
+        if not _has_steps_or_corners(self.drawn):
             return None
         try:
             fairing = fair_curve(self.drawn, usual_tolerance(self.drawn), unbent)
@@ -126,16 +126,6 @@ class Smoothing:
 
     def _inflections(self, curve: PlaneCurve) -> int:
         return sum(zero.changes_sign for zero in ExcessCurvature(curve, self.natural_curvature).zeros)
-
-    def _has_width_steps(self) -> bool:
-        curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:
-            breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-            return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
-        widest, narrowest = self.widths
-        return outline_steps(
-            rod, narrowest * rod.ratio if narrowest and not widest else widest or UNKNOWN_WIDTH
-        )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
         if self._inflections(curve) > self._inflections(self.drawn):
@@ -200,15 +190,15 @@ class Smoothing:
             severity: Severity = "warning" if self.moved > SLIGHT_MM else "note"
             notes.append(
                 note(
-                    "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
-                    "{far:.2g}; a strip can take only the smoothed curve.",
+                    "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
+                    "by at most {far:.2g}; a strip can take only the smoothed curve.",
                     far=Length(self.moved), severity=severity,
                 )
                 if before is None
                 else note(
-                    "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
-                    "{far:.2g}; the drawn curve needs a stiffness ratio of {ratio:.3g}. Set {field} to limit the "
-                    "movement, or to 0 to keep the curve as drawn.",
+                    "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
+                    "by at most {far:.2g}; the drawn curve needs a stiffness ratio of {ratio:.3g}. Set {field} to "
+                    "limit or prevent this.",
                     far=Length(self.moved), ratio=before, field=FieldName("smooth"), severity=severity,
                 )
             )  # fmt: skip
@@ -221,12 +211,11 @@ class Smoothing:
         return tuple(notes)
 
 
-def outline_steps(rod: Rod, widest: float) -> bool:
-    """Return True if the width of a strip has steps to smooth. `widest` is the largest width, mm."""
-    places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
-    least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
-    step = most - least
-    return bool(np.any((step > STEP_SHARE * most) & (widest / rod.ratio * step > STEP_MM)))
+def _has_steps_or_corners(curve: PlaneCurve) -> bool:
+    """Return True if the outline has steps or corners. Straight pieces must stay, so the result is False then."""
+    jumps, kinks = curvature_jumps(curve, curve.breaks if curve.seam is None else (curve.seam, *curve.breaks))
+    rough = np.any(kinks > KINK_SHARE) or np.any(jumps > STEP_SHARE)
+    return bool(rough) and all(zero.kind != "flat" for zero in curve.curvature_zeros)
 
 
 def check_smooth(smooth: object) -> float | None:
@@ -254,14 +243,13 @@ def smooth_curve(
     *,
     supports: Supports | None = None,
     natural_curvature: NaturalCurvature = 0.0,
-    widths: tuple[float | None, float | None] = (None, None),
 ) -> Smoothing:
     """Smooth a drawn curve if necessary, and return the drawn and the smoothed curve.
 
-    By default a curve is smoothed if the width of the strip would have a step of more than 0.2 mm and 2 %. Such
-    a step is caused by a jump of the curvature, or of its derivative at an inflection. The curve moves by at
-    most 0.1 mm and 5e-4 of its length. The curve is not smoothed if smoothing would add an inflection or
-    increase the stiffness ratio by 5 % or more.
+    By default a curve is smoothed if the width of the strip would have a step of more than 2 %, or if its edges
+    would have corners. A step is caused by a jump of the curvature, or of its derivative at an inflection; a corner
+    is caused by a jump of the derivative elsewhere. The curve moves by at most 0.1 mm and 5e-4 of its length. The
+    curve is not smoothed if smoothing would add an inflection or increase the stiffness ratio by 10 % or more.
 
     Parameters
     ----------
@@ -272,8 +260,6 @@ def smooth_curve(
         Supports of the ends. At ends that are free to turn, a small curvature is removed.
     natural_curvature : float or RestCurvature
         Curvature of the unbent strip, 1/mm.
-    widths : (float or None, float or None)
-        Requested largest and least width, mm. Without both, a width of 40 mm is assumed.
 
     Examples
     --------
@@ -286,10 +272,7 @@ def smooth_curve(
     require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
     supports = None if supports is None else require_supports(supports)
     require_natural_curvature(natural_curvature)
-    each = tuple(widths) if is_series(widths) else ()
-    if len(each) != 2 or not all(width is None or (is_number(width) and width > 0) for width in each):
-        raise InputError(f"widths are {quoted(widths)}: give two positive numbers in mm, or None")
-    smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature, widths)
+    smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature)
     _ = smoothing.fairing
     return smoothing
 

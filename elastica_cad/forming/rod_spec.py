@@ -32,8 +32,6 @@ class RodSpec(RodRequest):
         Largest distance that smoothing may move the curve, mm: see `smooth_curve`.
     widths : WidthRange, optional
         Limits of the width of a solid strip that carries loads.
-    outline_widths : (float or None, float or None)
-        Requested largest and least width of the strip, mm, for `smooth_curve`.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
     """
@@ -43,7 +41,6 @@ class RodSpec(RodRequest):
     layers: LaminateLayers | None = None
     smooth: float | None = None
     widths: WidthRange | None = None
-    outline_widths: tuple[float | None, float | None] = (None, None)
     weights: Weights = None
     measure: Measure = "mean"
     coefficients: int | None = None
@@ -60,7 +57,7 @@ class RodSpec(RodRequest):
     @cached_property
     def smoothing(self) -> Smoothing:
         """Drawn curve, with its smoothed curve."""
-        return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature, self.outline_widths)
+        return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature)
 
     @property
     def curve_to_bend(self) -> PlaneCurve:

@@ -120,23 +120,6 @@ class Fairing:
     tolerance: float
 
 
-def may_step(curve: PlaneCurve) -> bool:
-    """Return True if the width of a strip with this curve may have a step.
-
-    The width has a step if the curvature jumps, or if the slope of the curvature jumps at an inflection. The
-    result is False for curves with corners or straight pieces, because they are not smoothed.
-    """
-    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-    rough = [b for b in breaks if b.continuity <= 2]
-    if not rough or curve.has_corners or any(zero.kind == "flat" for zero in curve.curvature_zeros):
-        return False
-    if any(b.continuity <= 1 for b in rough):
-        return True
-    zeros = np.array([z.t for z in curve.curvature_zeros])
-    near = 1e-9 * np.ptp(np.array(curve.domain))
-    return any(np.abs(zeros - b.t).min(initial=np.inf) <= near for b in rough)
-
-
 def usual_tolerance(curve: PlaneCurve) -> float:
     """Return the default largest distance, mm, between a curve and its smooth curve."""
     return min(USUAL, USUAL_SHARE * curve.length)

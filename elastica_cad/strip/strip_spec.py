@@ -19,7 +19,6 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
-from elastica_cad.geometry.fairing import may_step
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie, require_elements
@@ -354,8 +353,8 @@ class StripSpec(EqualByValue):
         Text engraved on the strip; an empty string for none. By default the label is engraved.
     smooth : float, optional
         Largest distance, mm, by which smoothing may move the curve; 0 keeps it as drawn. Smoothing makes the
-        curvature and its derivative continuous. By default, the curve is smoothed only if the outline would have a
-        step, by at most 0.1 mm and 5e-4 of the length: see `smooth_curve`.
+        curvature and its derivative continuous. By default, the curve is smoothed only if the outline would have
+        steps or corners, by at most 0.1 mm and 5e-4 of the length: see `smooth_curve`.
     shop : FabricationLimits
         Limits of the workshop, such as least widths and the size of the stock.
     compensate : bool, optional
@@ -677,10 +676,6 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
             widths=self._widths,
-            # smoothing uses the widths only to find steps of the outline
-            outline_widths=(self.max_width, self.min_width)
-            if may_step(self._curve_from_seam)
-            else (None, None),
         )
 
     @cached_property
@@ -907,8 +902,7 @@ class StripSpec(EqualByValue):
                 "sheet, or leave out {field}",
                 field=FieldName("gravity"),
             )
-        widths = self.max_width, self.min_width
-        bent = Smoothing(self._curve_from_seam, self.smooth, self.supports, widths=widths).curve
+        bent = Smoothing(self._curve_from_seam, self.smooth, self.supports).curve
         return LaminateLayers(
             LaminatedSection(self.material, style.backing),
             width_profile(style.width, bent.length, "the width of the base"),

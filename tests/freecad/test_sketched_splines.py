@@ -18,13 +18,38 @@ PEN = [(0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 60)]
 PIECES = (0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2)
 
 
-@pytest.mark.parametrize("degree", [3, 4])
-def test_a_spline_of_continuous_curvature_is_followed_exactly(document, drawn, degree):
+@pytest.mark.parametrize(("degree", "options"), [(3, {"AsDrawn": True}), (4, {})])
+def test_a_spline_without_corners_or_kept_as_drawn_is_followed_exactly(document, drawn, degree, options):
     made = new(strip.create, document, drawn(WAVY, degree))
+    change(made, **options)
     assert made.State == ["Up-to-date"], made.Reasons
     assert made.Deviation.Value == 0
     curve = drawn_curve(made.Curve).curve
     assert np.array_equal(strip.strip_of(made).rod.curve.control_points, curve.control_points)
+
+
+def test_the_distance_counts_although_the_curve_is_kept_as_drawn_without_it(document, drawn):
+    made = new(strip.create, document, drawn(WAVY, 3))
+    by_default = made.Deviation.Value
+    assert 0 < by_default <= 0.1
+    assert any(reason.startswith("The curvature jumped or had a kink") for reason in made.Reasons)
+    change(made, AsDrawn=True)
+    assert made.Deviation.Value == 0
+    change(made, Smooth=0.05)
+    assert 0 < made.Deviation.Value <= 0.05
+
+
+@pytest.mark.parametrize("as_drawn", [True, False])
+def test_strips_of_earlier_files_keep_their_curve(document, drawn, as_drawn):
+    made = new(strip.create, document, drawn(WAVY, 3))
+    change(made, AsDrawn=as_drawn)
+    deviation = made.Deviation.Value
+    made.removeProperty("AsDrawn")
+    made.Proxy.onDocumentRestored(made)
+    assert made.AsDrawn is as_drawn
+    made.touch()
+    document.recompute()
+    assert made.Deviation.Value == deviation
 
 
 def test_overlay_and_strip_follow_the_smoothed_curve(document, drawn):

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Keep the curve as drawn, if Smooth is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stop dragged poles where the strip can be made</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1100,6 +1104,10 @@
     </message>
     <message>
         <source>Section into curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Keep the curve as drawn, if Smooth is 0</source>
+        <translation>Kurve wie gezeichnet lassen, wenn Smooth 0 ist</translation>
+    </message>
+    <message>
         <source>Stop dragged poles where the strip can be made</source>
         <translation>Gezogene Pole dort anhalten, wo der Streifen machbar ist</translation>
     </message>
@@ -1097,6 +1101,10 @@
     <message>
         <source>Section into curves</source>
         <translation>Schnitt in Kurven</translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn</source>
+        <translation>Kurve wie gezeichnet</translation>
     </message>
     <message>
         <source>Smooth the curve by</source>

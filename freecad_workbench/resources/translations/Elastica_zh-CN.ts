@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Keep the curve as drawn, if Smooth is 0</source>
+        <translation>Smooth 为 0 时保持所绘曲线</translation>
+    </message>
+    <message>
         <source>Stop dragged poles where the strip can be made</source>
         <translation>将拖动的控制点停在条带可制作的位置</translation>
     </message>
@@ -1097,6 +1101,10 @@
     <message>
         <source>Section into curves</source>
         <translation>截切成曲线</translation>
+    </message>
+    <message>
+        <source>Keep the curve as drawn</source>
+        <translation>保持所绘曲线</translation>
     </message>
     <message>
         <source>Smooth the curve by</source>

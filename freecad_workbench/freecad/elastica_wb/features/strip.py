@@ -76,9 +76,14 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Update a file of an earlier version, in which a strip beyond the limits was only a warning."""
-        lacks_override = "Anyway" not in obj.PropertiesList
+        """Update a file of an earlier version.
+
+        There a strip beyond the limits was only a warning, and a curve whose outline has only corners was kept.
+        """
+        lacks_override, lacks_choice = (name not in obj.PropertiesList for name in ("Anyway", "AsDrawn"))
         super().onDocumentRestored(obj)
+        if lacks_choice:
+            obj.AsDrawn = obj.Deviation.Value == 0
         if lacks_override:
             obj.Anyway = obj.StrainUse >= 100
 

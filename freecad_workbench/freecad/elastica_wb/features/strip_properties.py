@@ -102,6 +102,7 @@ SHEET_PROPERTIES = (
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
     Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
+    Property("Bool", "AsDrawn", "Curve", "Keep the curve as drawn, if Smooth is 0"),
     Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
     Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
     *SHEET_PROPERTIES,
@@ -528,6 +529,7 @@ READ_STRIP: dict[str, Callable[[Any], Any]] = {
     "max_width": _max_width,
     "shop": _shop,
     "compensate": _compensate,
+    "smooth": lambda obj: 0.0 if obj.AsDrawn and not obj.Smooth.Value else None,
     "loads": _loads,
     "ends": _ends,
 }

@@ -61,6 +61,7 @@ STRIP = Layout(
             "MaxWidth",
             "MinWidth",
             "Smooth",
+            "AsDrawn",
         ),
         QT_TRANSLATE_NOOP("Elastica", "Style"): ("Style", "OuterWidth", "Columns", "Rows", "Backing", "Form"),
         QT_TRANSLATE_NOOP("Elastica", "Nearest curve"): (

@@ -548,6 +548,7 @@ LABELS = {
     "SheetHeight": QT_TRANSLATE_NOOP("Elastica", "Sheet height"),
     "SheetWidth": QT_TRANSLATE_NOOP("Elastica", "Sheet width"),
     "Smooth": QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by"),
+    "AsDrawn": QT_TRANSLATE_NOOP("Elastica", "Keep the curve as drawn"),
     "StartSupport": QT_TRANSLATE_NOOP("Elastica", "Start is held"),
     "StartTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the start"),
     "StrainLimit": QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)"),

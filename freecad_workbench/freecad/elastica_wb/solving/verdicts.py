@@ -14,8 +14,8 @@ from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import ElasticaError, StrainError, rounded_down, rounded_up
-from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Refusal, Span, note, sentences
@@ -24,6 +24,9 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 SLENDER = 2.0
 """Least ratio of length to width of a strip that can be modelled as a rod."""
+
+STEP_MM, STEP_SHARE = 0.2, 0.02
+"""A step of the width is visible if it exceeds both limits: in mm, and as a fraction of the width."""
 
 
 @dataclass(frozen=True)
@@ -66,9 +69,17 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
         yield Fault(note("snaps into another shape"), sentence, "Margin")
     if strip.sideways.word == "unstable":
         yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
-    for warning in strip.rod.warnings if outline_steps(strip.rod, strip.width.extremes[1]) else ():
+    for warning in strip.rod.warnings if _has_visible_steps(strip.rod, strip.width.extremes[1]) else ():
         if isinstance(warning, Refusal) and warning.kind == "kinks":
             yield Fault(note("kinks in its width"), warning, "NarrowestWidth")
+
+
+def _has_visible_steps(rod: Rod, widest: float) -> bool:
+    """Return True if the width of a strip has visible steps. `widest` is the largest width, mm."""
+    places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
+    least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
+    step = most - least
+    return bool(np.any((step > STEP_SHARE * most) & (widest / rod.ratio * step > STEP_MM)))
 
 
 def width_fault(length: float, width: float | None) -> Fault | None:
