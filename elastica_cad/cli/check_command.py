@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property
 from itertools import chain, count, groupby
 from math import ceil
 from pathlib import Path
@@ -37,19 +37,12 @@ from elastica_cad.cli.voice import answer, exit_code, say, say_row, say_step, vo
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
-from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import (
-    EndName,
-    NaturalCurvature,
-    Supports,
-    require_supports,
-)
+from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import unit_question
 from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
@@ -121,7 +114,7 @@ def check(
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
     between = elements_of({"rail": rail, "pin": pin, "tie": tie}, ELEMENTS)
     supports = require_supports(Supports(start, end), between=bool(between))
-    request = _Request(supports, bent, smooth, alone=not several, between=between)
+    checks = [_Check(drawn, supports, bent, smooth, not several, between) for drawn in requested]
     of_file, worst, bad = list(voice().notes), 0, 0
     answers: list[dict[str, Any]] = []
     if picture is not None:
@@ -130,17 +123,16 @@ def check(
                 "A picture shows a single curve, but the file has {count}. Choose a curve with --curve.",
                 count=len(requested),
             )
-        _, smoothing, verdict = request.examined(requested[0])
-        on_elements = between and verdict.realizable
-        _draw(request.rod(smoothing.curve) if on_elements else verdict, picture, force=force)
+        verdict = checks[0].verdict
+        _draw(checks[0].rod if between and verdict.realizable else verdict, picture, force=force)
     for rows, alike in groupby(
-        ((drawn, *request.judged(drawn)) for drawn in requested),
+        ((check, *check.judged()) for check in checks),
         key=lambda judged: _rows(judged[1]),
     ):
-        curves, reports, codes = zip(*alike, strict=True)
-        first, last, answered = curves[0], curves[-1], reports[-1]
+        judged, reports, codes = zip(*alike, strict=True)
+        first, last, answered = judged[0].requested, judged[-1].requested, reports[-1]
         if "problem" in answered:
-            bad += len(curves)
+            bad += len(judged)
             warn(answered["advice"], printed=bad <= MOST_REFUSALS)
         else:
             if max(first.count, len(requested)) > 1:
@@ -151,13 +143,13 @@ def check(
             for row in rows:
                 say_row(row, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
-            answered["cures"] = request.cures(first)
+            answered["cures"] = judged[0].cures()
             for cure in answered["cures"]:
                 say_row(Row("Change", cure["text"]))
         if (
             not codes[-1]
             and not (several or voice().quiet or picture)
-            and (larger := request.enlarging(first, answered))
+            and (larger := judged[0].enlarging(answered))
         ):
             say_row(Row("Change", larger))
         worst = max(worst, *codes)
@@ -169,33 +161,52 @@ def check(
         ctx.exit(worst)
 
 
-@dataclass(frozen=True)
-class _Request:
-    """Options for every checked curve. `smooth` is the largest movement by smoothing, mm."""
+@dataclass(frozen=True, eq=False)
+class _Check:
+    """A curve to check, with its options. `smooth` is the largest movement by smoothing, mm."""
 
+    requested: RequestedCurve
     supports: Supports
     natural_curvature: NaturalCurvature
     smooth: float | None
     alone: bool
-    between: tuple[Rail | Pin | Tie, ...] = ()
+    between: tuple[Rail | Pin | Tie, ...]
 
-    def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
-        supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
-        ends = StraightEnds.of(requested.bendable(smooth), supports, rest)
-        spec = RodSpec(
-            ends.bent, supports=supports, natural_curvature=rest, smooth=smooth, between=self.between
+    @cached_property
+    def ends(self) -> StraightEnds:
+        return StraightEnds.of(self.requested.bendable(self.smooth), self.supports, self.natural_curvature)
+
+    @cached_property
+    def spec(self) -> RodSpec:
+        return RodSpec(
+            self.ends.bent,
+            supports=self.supports,
+            natural_curvature=self.natural_curvature,
+            smooth=self.smooth,
+            between=self.between,
         )
-        return ends, spec.smoothing, spec.check if not self.between else _check_on_elements(spec)
 
-    def rod(self, curve: PlaneCurve) -> Rod:
-        return optimal_rod(
-            curve, supports=self.supports, natural_curvature=self.natural_curvature, between=self.between
-        )
+    @cached_property
+    def rod(self) -> Rod:
+        return accepted_rod(solve_rod(self.spec))
 
-    def judged(self, requested: RequestedCurve) -> tuple[dict[str, Any], int]:
-        """Return the report on a curve, and the exit code."""
+    @cached_property
+    def verdict(self) -> EquilibriumCheck:
+        check = self.spec.check
+        if not self.between:
+            return check
+        # a linear program checks curves with rails, pins or ties, and gives the reasons
         try:
-            report = self._report(requested)
+            warnings = self.rod.warnings
+        except NotRealizable as problem:
+            return cast(EquilibriumCheck, problem.check)
+        undecided = str(check.undecided)
+        return replace(check, warnings=tuple(text for text in warnings if text != undecided))
+
+    def judged(self) -> tuple[dict[str, Any], int]:
+        """Return the report on the curve, and the exit code."""
+        try:
+            report = self._report()
         except ElasticaError as problem:
             if not self.alone:
                 refused = {
@@ -204,33 +215,33 @@ class _Request:
                     "advice": f"{str(problem).rstrip('.')}.",
                 }
                 return refused, exit_code(problem)
-            if not requested.drawn.problem:
-                suggest_later(partial(self.request, requested), self.typed)
+            if not self.requested.drawn.problem:
+                suggest_later(self.request, self.typed)
             raise
         return report, 0 if report["realizable"] and not report.get("undecided") else NOT_REALIZABLE
 
-    def _report(self, requested: RequestedCurve) -> dict[str, Any]:
-        ends, smoothing, verdict = self.examined(requested)
-        outcome = self._smoothed(requested, verdict)
+    def _report(self) -> dict[str, Any]:
+        verdict, smoothing = self.verdict, self.spec.smoothing
+        outcome = self._smoothed()
         report = report_check(verdict)
         if not verdict.undecided:
             report["advice"] = " ".join([*outcome, report["advice"]])
         # the check already reports noise
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
-        report["notes"] = [*outcome, *verdict.details, *([ends.message] if ends else []), *of_curve]
+        of_ends = [self.ends.message] if self.ends else []
+        report["notes"] = [*outcome, *verdict.details, *of_ends, *of_curve]
         if verdict.realizable:
-            rod = self.rod(smoothing.curve)
-            report |= _report_on_sheets(smoothing.curve, rod.ratio, self.natural_curvature)
-            report |= _report_on_elements(rod) if self.between else {}
+            report |= _report_on_sheets(smoothing.curve, self.rod.ratio, self.natural_curvature)
+            report |= _report_on_elements(self.rod) if self.between else {}
         return report
 
-    def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
-        points = measured_points(verdict.curve)
-        if verdict.realizable or points is None or points.outlier or not_tried(requested.curve):
+    def _smoothed(self) -> tuple[Refusal, ...]:
+        points = measured_points(self.verdict.curve)
+        if self.verdict.realizable or points is None or points.outlier or not_tried(self.requested.curve):
             return ()
         fair = False
         with suppress(ElasticaError):
-            fair = replace(self, smooth=points.reach).examined(requested)[2].realizable
+            fair = replace(self, smooth=points.reach).verdict.realizable
         return (note(
             (
                 "No strip can take this curve as drawn, but a strip can take the curve smoothed within "
@@ -240,26 +251,26 @@ class _Request:
             reach=Length(points.reach),
         ),)  # fmt: skip
 
-    def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
+    def request(self, problem: ElasticaError) -> "StripSpec | None":
         settled = self.natural_curvature or self.smooth is not None
         if settled or not problem.refusal.changes:
             return None
-        return common_request(requested.curve, self.supports, between=self.between)
+        return common_request(self.requested.curve, self.supports, between=self.between)
 
-    def cures(self, requested: RequestedCurve) -> list[Cure]:
-        problem = NotRealizable(self.examined(requested)[2])
-        spec = self.request(requested, problem)
+    def cures(self) -> list[Cure]:
+        problem = NotRealizable(self.verdict)
+        spec = self.request(problem)
         say_step(LOOKING)
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
-    def enlarging(self, requested: RequestedCurve, report: Mapping[str, Any]) -> str:
+    def enlarging(self, report: Mapping[str, Any]) -> str:
         from elastica_cad.strip.suggestions import try_change
 
         least = report["sheets"][0]
-        smoothed = self.examined(requested)[1].fairing is not None
+        smoothed = self.spec.smoothing.fairing is not None
         if (
             least["scale"] <= 1
-            or not_tried(requested.curve)
+            or not_tried(self.requested.curve)
             or report["unit_question"]
             or smoothed
             or self.smooth
@@ -267,7 +278,7 @@ class _Request:
             or self.between
         ):
             return ""
-        spec = common_request(requested.curve, self.supports).changed(
+        spec = common_request(self.requested.curve, self.supports).changed(
             sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
         )
         larger = try_change(spec, Change("size", rounded_up(SPARE_LENGTH * least["scale"], 4)))
@@ -360,16 +371,6 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
     figure = draw_rod(verdict) if isinstance(verdict, Rod) else draw_check(verdict)
     save_figure(figure, path, force=force)
     wrote([path])
-
-
-def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
-    """Check a curve with rails, pins or ties by a linear program, which also gives the reasons."""
-    try:
-        rod = solve_rod(spec)
-    except NotRealizable as problem:
-        return cast(EquilibriumCheck, problem.check)
-    undecided = str(spec.check.undecided)
-    return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 
 
 def _report_on_elements(rod: Rod) -> dict[str, Any]:
