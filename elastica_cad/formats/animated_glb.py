@@ -13,7 +13,7 @@ from elastica_cad._types import FloatArray, IntArray
 GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
 METRES_PER_MM = 1e-3
-Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
+Y_UP = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
 """Rotation (quaternion x, y, z, w) that turns z, our upward axis, to y, the upward axis of glTF."""
 
 
@@ -59,7 +59,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
     frames = len(meshes[0].points)
     there_and_back = np.concatenate([np.arange(frames), np.arange(frames - 1)[::-1]])
     clock = file.add(np.linspace(0.0, seconds, 2 * frames - 1), "SCALAR", bounds=True)
-    for mesh in meshes:
+    for k, mesh in enumerate(meshes):
         first, normal = mesh.points[0], mesh.normals[0]
         targets = [
             {"POSITION": file.add(p - first, "VEC3", bounds=True), "NORMAL": file.add(n - normal, "VEC3")}
@@ -71,7 +71,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
                 "NORMAL": file.add(normal, "VEC3", target=ARRAY_BUFFER),
             },
             "indices": file.add(mesh.triangles.ravel(), "SCALAR", kind=UNSIGNED_INT, target=ELEMENT_BUFFER),
-            "material": len(materials),
+            "material": k,
             "targets": targets,
         }
         paint = {
@@ -80,13 +80,11 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
             "roughnessFactor": 0.8,
         }
         materials.append({"name": mesh.name, "pbrMetallicRoughness": paint})
-        scale, turn = [METRES_PER_MM] * 3, [float(q) for q in Y_UP]
-        nodes.append({"name": mesh.name, "mesh": len(shapes), "scale": scale, "rotation": turn})
+        nodes.append({"name": mesh.name, "mesh": k, "scale": [METRES_PER_MM] * 3, "rotation": Y_UP})
         shapes.append({"name": mesh.name, "primitives": [skin], "weights": [0.0] * len(targets)})
         keys = np.eye(frames, frames - 1, -1)[there_and_back].ravel()
         samplers.append({"input": clock, "output": file.add(keys, "SCALAR"), "interpolation": "LINEAR"})
-        path = {"node": len(nodes) - 1, "path": "weights"}
-        channels.append({"sampler": len(samplers) - 1, "target": path})
+        channels.append({"sampler": k, "target": {"node": k, "path": "weights"}})
     return file.glb({
         "asset": {"version": "2.0", "generator": "elastica_cad"},
         "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}],
@@ -98,7 +96,8 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
 def _linear_color(color: tuple[float, ...]) -> list[float]:
     """Return the linear values of an sRGB colour for glTF (transfer function of IEC 61966-2-1)."""
     c = np.asarray(color)
-    return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]
+    linear: list[float] = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4).tolist()
+    return linear
 
 
 class _Buffers:

@@ -170,12 +170,13 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
         return [*chains], [[] for _ in chains]
     circles: dict[int, list[Run]] = {}
     hole_numbers = set()
-    for i, circle in ((i, _circle(chain)) for i, chain in enumerate(chains)):
+    for i, chain in enumerate(chains):
+        circle = _circle(chain)
         if circle is None:
             continue
         for k in ended:
             if any(_is_on_edge(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
-                circles.setdefault(k, []).append(chains[i])
+                circles.setdefault(k, []).append(chain)
                 hole_numbers.add(i)
     curve_numbers = [i for i in range(len(chains)) if i not in hole_numbers]
     return [chains[i] for i in curve_numbers], [circles.get(i, []) for i in curve_numbers]
@@ -190,8 +191,9 @@ def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
         return False
     chord, out = edge.end - edge.start, centre - edge.start
     length = float(np.linalg.norm(chord))
-    along = float(out @ chord) / max(length, 1e-300)
-    aside = float(np.linalg.norm(out - along * chord / max(length, 1e-300)))
+    unit = chord / max(length, 1e-300)
+    along = float(out @ unit)
+    aside = float(np.linalg.norm(out - along * unit))
     return diameter / 2 < along < length - diameter / 2 and aside <= HOLE_ASIDE * diameter
 
 
@@ -280,14 +282,10 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
             end_a[0] != end_b[0]
             and paired[k]
             and paired[other]
-            and (corners or _is_smooth_joint(runs, end_a, end_b))
+            and (corners or _cosine_of_turn(runs, end_a, end_b) > _SMOOTH_COSINE)
         ):
             partners[end_a] = end_b
     return partners
-
-
-def _is_smooth_joint(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> bool:
-    return bool(_cosine_of_turn(runs, first, other) > _SMOOTH_COSINE)
 
 
 def _cosine_of_turn(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:

@@ -97,34 +97,20 @@ class LayerStyle:
 
 LayerChoice: TypeAlias = str | tuple[str, str] | LayerStyle
 
-_STANDARD = {
-    CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
-    CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
-    ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
-    MARK: LayerStyle(MARK, "#00ff00"),
-    SHEET: LayerStyle(SHEET, "#808080"),
-}
-
-
 Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
 
-SCHEMES: dict[str, dict[str, LayerStyle]] = {
-    "elastica": _STANDARD,
+
+def _scheme(*colors: str) -> dict[str, LayerStyle]:
+    layers = (CUT_OUTER, CUT_INNER, ENGRAVE, MARK, SHEET)
+    return {layer: LayerStyle(layer, color) for layer, color in zip(layers, colors, strict=True)}
+
+
+SCHEMES = {
+    "elastica": _scheme("#ff0000", "#0000ff", "#000000", "#00ff00", "#808080"),
     # colours of boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
-    "boxes": {
-        CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
-        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
-        ENGRAVE: LayerStyle(ENGRAVE, "#00ff00"),
-        MARK: LayerStyle(MARK, "#00ffff"),
-        SHEET: LayerStyle(SHEET, "#ff0000"),
-    },
-    "lightburn": {  # colours of LightBurn's layers C00 to C03, and of its tool layer T1, which is never cut
-        CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
-        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
-        ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
-        MARK: LayerStyle(MARK, "#00e000"),
-        SHEET: LayerStyle(SHEET, "#f36926"),
-    },
+    "boxes": _scheme("#000000", "#0000ff", "#00ff00", "#00ffff", "#ff0000"),
+    # colours of LightBurn's layers C00 to C03, and of its tool layer T1, which is never cut
+    "lightburn": _scheme("#ff0000", "#0000ff", "#000000", "#00e000", "#f36926"),
 }
 """Colour schemes for programs in which the colour of a line selects the operation."""
 
@@ -151,7 +137,7 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
                 schemes=", ".join(SCHEMES),
             )
         return dict(SCHEMES[choices])
-    styles = dict(_STANDARD)
+    styles = dict(SCHEMES["elastica"])
     if not (choices is None or isinstance(choices, Mapping)):
         raise InputError(
             "layers are {choices}: give a mapping such as {{'ENGRAVE': 'Raster'}}", choices=quoted(choices)

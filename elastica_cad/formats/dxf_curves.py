@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from math import radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,17 +73,6 @@ def _dxf_rounding(path: Path) -> float:
             if len(numbers) >= _MOST_NUMBERS:
                 break
     return half_last_place(numbers)
-
-
-def _refuse_many_inserts(document: "Drawing") -> None:
-    known: dict[str, int] = {}
-    total = _count(document, document.modelspace(), known, 0)
-    check_count(
-        total,
-        MOST_SHAPES,
-        "entities, including those of its blocks",
-        "leave out blocks, or explode one of them",
-    )
 
 
 def _check_depth(depth: int) -> None:
@@ -153,7 +143,12 @@ def read_dxf_drawing(
         ezdxf is not installed.
     """
     document = _opened(file)
-    _refuse_many_inserts(document)
+    check_count(
+        _count(document, document.modelspace(), {}, 0),
+        MOST_SHAPES,
+        "entities, including those of its blocks",
+        "leave out blocks, or explode one of them",
+    )
     scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
     skipped = _curves_on_paper(document)
@@ -238,29 +233,19 @@ def _opened(path: Path) -> "Drawing":
         if re.match(rb"AC10\d\d", opened.read(6)):
             raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
     # exceptions of ezdxf for truncated or corrupt files
-    damage = (
-        DXFError,
-        OSError,
-        ArithmeticError,
-        ValueError,
-        LookupError,
-        TypeError,
-        AttributeError,
-        AssertionError,
-        struct.error,
-    )
+    damage = (*ODDITIES, DXFError, OSError, struct.error, StopIteration)
     with quiet_log("ezdxf"):
         try:
             document = readfile(str(path))
             document.modelspace()
-        except (*damage, StopIteration):
+        except damage:
             pass
         else:
             return document
         try:
             document, audit = recover.readfile(str(path))
             document.modelspace()
-        except (*damage, StopIteration) as error:
+        except damage as error:
             raise InputError(
                 "is not a readable DXF file: export the file again, as DXF R2000 or later"
             ) from error
@@ -407,21 +392,15 @@ def _circle(entity: Any, *, full: bool) -> Edge:
     to_world, radius = entity.ocs().to_wcs, entity.dxf.radius
     start, end = (0.0, 360.0) if full else (entity.dxf.start_angle, entity.dxf.end_angle)
     x_axis, y_axis = radius * np.array(to_world((1, 0, 0))), radius * np.array(to_world((0, 1, 0)))
-    return Edge.arc(
-        np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_arc_angles(np.radians([start, end]))
-    )
+    return Edge.arc(to_world(entity.dxf.center), x_axis, y_axis, *_arc_angles(radians(start), radians(end)))
 
 
 def _ellipse(entity: Any) -> Edge:
-    center, x_axis = np.array(entity.dxf.center), np.array(entity.dxf.major_axis)
-    y_axis = np.array(entity.minor_axis)
-    return Edge.arc(
-        center, x_axis, y_axis, *_arc_angles(np.array([entity.dxf.start_param, entity.dxf.end_param]))
-    )
+    angles = _arc_angles(entity.dxf.start_param, entity.dxf.end_param)
+    return Edge.arc(entity.dxf.center, entity.dxf.major_axis, entity.minor_axis, *angles)
 
 
-def _arc_angles(angles: FloatArray) -> tuple[float, float]:
-    start, end = float(angles[0]), float(angles[1])
+def _arc_angles(start: float, end: float) -> tuple[float, float]:
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
 
@@ -431,11 +410,10 @@ def _spline(entity: Any) -> Edge:
         if len(entity.fit_points) < 2:
             raise InputError("a SPLINE has neither control points nor fit points: draw the SPLINE again")
         places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
-        return (
-            _closed_spline(places)
-            if entity.closed and len(places) > 2
-            else _spline_through_fit_points(entity, places)
-        )
+        if entity.closed and len(places) > 2:
+            around = places if np.array_equal(places[0], places[-1]) else np.vstack([places, places[:1]])
+            return _cubic_spline(around, "periodic")
+        return _spline_through_fit_points(entity, places)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
@@ -494,11 +472,6 @@ def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
         length = float(np.linalg.norm(along))
         ends.append([(1, along / length)] if length > 0 else [(2, np.zeros(3))])
     return _cubic_spline(points, ends)
-
-
-def _closed_spline(points: FloatArray) -> Edge:
-    around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
-    return _cubic_spline(around, "periodic")
 
 
 def _cubic_spline(points: FloatArray, ends: Any) -> Edge:

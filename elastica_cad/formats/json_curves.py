@@ -59,14 +59,13 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     stated = str(unit_name.get("length", "mm") if isinstance(unit_name, dict) else unit_name)
     scale = look_up_unit(unit or stated)
     known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
-    if "curve" in data:
-        curve = DrawnCurve(1, partial(_curve, data["curve"], "curve", scale), kinds={"spline": 1})
-        return DrawnFile(file, [curve], unit=known)
-    curves = data.get("curves")
+    curves = [data["curve"]] if "curve" in data else data.get("curves")
     if not isinstance(curves, list) or not curves:
         raise InputError("has no list of curves: add the list 'curves', with a record for each curve")
-    makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
-    drawn = [DrawnCurve(i, make, kinds={"spline": 1}) for i, make in enumerate(makers, start=1)]
+    drawn = []
+    for i, record in enumerate(curves, start=1):
+        make = partial(_curve, record, "curve" if "curve" in data else f"curve {i}", scale)
+        drawn.append(DrawnCurve(i, make, kinds={"spline": 1}))
     return DrawnFile(file, drawn, unit=known)
 
 

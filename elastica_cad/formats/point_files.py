@@ -427,14 +427,6 @@ def _in_mm(cell: str, scale: float) -> float:
     return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
 
 
-def _is_length(cell: str) -> bool:
-    try:
-        _in_mm(cell, 1.0)
-    except ValueError:
-        return False
-    return True
-
-
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
     if not least <= len(cells) <= most:
         raise InputError(
@@ -443,14 +435,16 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
             count=len(cells),
             needed="x, y and z" if least == 3 else "x and y" if most == 2 else "x and y (and z)",
         )
+    values = []
     for cell in cells:
-        if not _is_length(cell):
+        try:
+            values.append(_in_mm(cell, scale))
+        except ValueError:
             raise InputError(
                 "row {row} has {cell!r} instead of a number: write a number such as 12.5, or # before a comment",
                 row=row,
                 cell=cell[:40],
-            )
-    values = [_in_mm(cell, scale) for cell in cells]
+            ) from None
     if not all(map(isfinite, values)):
         raise InputError(
             "row {row} is not finite ({cells}): correct this row or leave it out",

@@ -147,16 +147,11 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
         pen.start = end
     elif kind in "LHV":
         pen.add(_line(pen.here, end))
-    elif kind in "CS":
-        if kind == "S":
-            points = np.vstack([_mirrored_handle(pen, "CS"), points])
-        pen.add(_bezier_edge(np.vstack([pen.here, points])))
-        handle = points[1]
     else:
-        if kind == "T":
-            points = np.vstack([_mirrored_handle(pen, "QT"), points])
+        if kind in "ST":
+            points = np.vstack([_mirrored_handle(pen, "CS" if kind == "S" else "QT"), points])
         pen.add(_bezier_edge(np.vstack([pen.here, points])))
-        handle = points[0]
+        handle = points[-2]
     pen.here, pen.handle = end, handle
 
 

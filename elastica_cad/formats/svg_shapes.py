@@ -365,22 +365,16 @@ def _in_view(element: Element, clone: Element | None, context: Context) -> Conte
     given = [
         (None if clone is None else clone.get(side)) or element.get(side) for side in ("width", "height")
     ]
-    sides = [user_units(text, whole, whole) for text, whole in zip(given, around, strict=True)]
-    start = [user_units(element.get(axis), whole) for axis, whole in zip("xy", around, strict=True)]
+    sides = np.array([user_units(text, whole, whole) for text, whole in zip(given, around, strict=True)])
+    start = np.array([user_units(element.get(axis), whole) for axis, whole in zip("xy", around, strict=True)])
     if element.get("overflow", "").strip().lower() not in ("visible", "auto"):
-        view = (start[0], start[1], start[0] + sides[0], start[1] + sides[1])
+        view = (*start.tolist(), *(start + sides).tolist())
         context = context._replace(clips=(*context.clips, (view, np.eye(3))))
-    low, extent = (box[:2], box[2:]) if box else ((0.0, 0.0), (sides[0], sides[1]))
-    scales = [side / length for side, length in zip(sides, extent, strict=True)] if box else [1.0, 1.0]
-    shares = [0.0, 0.0]
+    low, extent = (box[:2], box[2:]) if box else ((0.0, 0.0), (float(sides[0]), float(sides[1])))
+    scales, shares = sides / extent if box else np.ones(2), np.zeros(2)
     if "none" not in aspect:
-        scales = [max(scales) if "slice" in aspect else min(scales)] * 2
+        scales = np.full(2, scales.max() if "slice" in aspect else scales.min())
         places = re.match(r"\s*(?:defer\s+)?x(Min|Mid|Max)Y(Min|Mid|Max)", aspect)
-        shares = [_PLACES[word] for word in (places.groups() if places else ("Mid", "Mid"))]
-    x, y = (
-        begin + share * (side - scale * length) - scale * first
-        for begin, share, side, scale, length, first in zip(
-            start, shares, sides, scales, extent, low, strict=True
-        )
-    )
-    return context._replace(extent=extent).moved(affine(scales[0], 0, 0, scales[1], x, y))
+        shares = np.array([_PLACES[word] for word in (places.groups() if places else ("Mid", "Mid"))])
+    offset = start + shares * (sides - scales * extent) - scales * low
+    return context._replace(extent=extent).moved(affine(scales[0], 0, 0, scales[1], *offset))
