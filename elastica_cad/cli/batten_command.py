@@ -23,7 +23,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.write_files import File, write_files, write_json, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
@@ -99,8 +99,15 @@ def batten(**chosen: Any) -> None:
     if chosen["leaves"] is not None:
         _write_plies(result, chosen)
         return
-    table = result.table(stations)
-    report = _report(result, table)
+    table, (depth, place) = result.table(stations), result.camber
+    report: dict[str, Any] = {
+        "length_mm": result.spec.length, "lying": result.spec.lying, "chord_mm": result.chord,
+        "camber": depth, "camber_place": place,
+        "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
+        "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
+        # in JSON, null replaces the infinite safety of ends that do not bend
+        "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
+    }  # fmt: skip
     if chosen["weight"]:
         report["camber_with_weight"] = {
             side: dict(zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True))
@@ -209,24 +216,12 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
     return np.unique(np.append(np.arange(0.0, length, every), length))
 
 
-def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
-    depth, place = result.camber
-    return {
-        "length_mm": result.spec.length, "lying": result.spec.lying, "chord_mm": result.chord,
-        "camber": depth, "camber_place": place,
-        "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
-        "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
-        # in JSON, null replaces the infinite safety of ends that do not bend
-        "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
-    }  # fmt: skip
-
-
 def _write(
     strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
 ) -> tuple[Path, ...]:
     name, drawing = file_word(chosen["name"]), bench_drawing(strip, stations)
     files = [
-        File(f"{name}.csv", lambda path: write_text(path, bench_csv(strip, stations))),
+        text_file(f"{name}.csv", bench_csv(strip, stations)),
         *(File(f"{name}.{kind}", partial(save, drawing)) for kind in ("svg", "dxf")),
         File(f"{name}.json", lambda path: write_json(path, report)),
     ]

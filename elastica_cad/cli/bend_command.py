@@ -39,7 +39,7 @@ from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_reques
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
@@ -276,8 +276,7 @@ def _with_changes(finished: FinishedStrip, chosen: dict[str, Any], settings: dic
 
 
 def _initial_strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
-    sized = chosen["sheet"] is not None and (settings or chosen["max_width"] is not None)
-    if not sized:
+    if chosen["sheet"] is None or not (settings or chosen["max_width"] is not None):
         return None
     if curve is None:
         sheet, widest = requested_sheet(chosen), chosen["max_width"]
@@ -300,9 +299,9 @@ def _initial_rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     smooth, gravity = chosen["smooth"], _gravity(chosen)
-    if chosen["nearest"]:
-        return accepted_rod(_solve(RodSpec(requested.curve, gravity, smooth=smooth, limits=Limits())))
-    return accepted_rod(_solve(RodSpec(requested.bendable(smooth), gravity, smooth=smooth)))
+    limits = Limits() if chosen["nearest"] else None
+    drawn = requested.curve if limits else requested.bendable(smooth)
+    return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
 
 
 def _gravity(chosen: dict[str, Any]) -> Gravity | None:
@@ -367,32 +366,23 @@ def _with_shorter_cord(action: ElementForce, by: float) -> Any:
 def _keywords_of_steps(
     rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, from_zero: bool = False
 ) -> list[dict[str, Any]]:
-    here = rod.position[[0, -1]]
-    there = np.array(
-        [
-            h if given is None else given
-            for h, given in zip(here, (chosen["start"], chosen["end"]), strict=True)
-        ]
-    )
-    now = rod.angle[[0, -1]].tolist()
-    new_angles = [
-        None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
-    ]
-    parts = np.arange(0 if from_zero else 1, chosen["steps"] + 1) / chosen["steps"]
-    return [
-        {
-            "start": here[0] + part * (there[0] - here[0]),
-            "end": here[1] + part * (there[1] - here[1]),
-            "angles": tuple(
-                None if then is None else a + part * (then - a)
-                for a, then in zip(now, new_angles, strict=True)
-            ),
+    gravity = {"gravity": change["gravity"]} if "gravity" in change else {}
+
+    def keywords(part: float) -> dict[str, Any]:
+        places, angles = {}, []
+        for end, here, now in zip(("start", "end"), rod.position[[0, -1]], rod.angle[[0, -1]], strict=True):
+            there, angle = chosen[end], chosen[f"{end}_angle"]
+            places[end] = here if there is None else here + part * (np.array(there) - here)
+            angles.append(None if angle is None else float(now + part * (np.radians(angle) - now)))
+        return {
+            **places,
+            "angles": tuple(angles),
             "supports": supports,
             **part_of_change(rod, change, part),
-            **({"gravity": change["gravity"]} if "gravity" in change else {}),
+            **gravity,
         }
-        for part in parts
-    ]
+
+    return [keywords(k / chosen["steps"]) for k in range(0 if from_zero else 1, chosen["steps"] + 1)]
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
@@ -448,14 +438,11 @@ def _print_shapes(
         limit = f"safety {number_text(moved.safety[worst])}"
         say_row(Row("Strain", f"at most {number_text(100 * moved.strain[worst])} %, {limit}"))
     say_row(_stability_row(states, shapes, moved, change))
-    side_warnings = (
-        text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
-    )
     # leave out warnings about a snap, because `moved.warnings` below state where it happens
-    bent_warnings = (
+    texts = [
         text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
-    )
-    texts = [*bent_warnings, *side_warnings]
+    ]
+    texts += [text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])]
     for warning in dict.fromkeys([*texts, *_warnings_on_stretch(shapes[-1])]):
         say_row(warning_row(warning))
     if moved is None:
@@ -601,7 +588,7 @@ def _write_files(
     travelled = _travel_name(name)
     files = [
         File(f"{name}.csv", partial(_write_shapes, shapes)),
-        File(f"{name}.json", lambda path: write_text(path, curves_json([shape.curve for shape in shapes]))),
+        text_file(f"{name}.json", curves_json([shape.curve for shape in shapes])),
     ]
     if can_draw():
         from elastica_cad.plot.canvas import save_figure
@@ -611,7 +598,7 @@ def _write_files(
         design = None if rod.shape is None else rod
         files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path)))
     if moved is not None:
-        files.append(File(f"{travelled}.csv", lambda path: write_text(path, moved.csv())))
+        files.append(text_file(f"{travelled}.csv", moved.csv()))
         if can_draw() and shapes[1:]:
             files.append(File(f"{travelled}.png", lambda path: save_figure(draw_travel(moved), path)))
     return write_files(files, output, force=force)

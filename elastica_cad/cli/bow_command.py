@@ -24,7 +24,7 @@ from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
-from elastica_cad.formats.write_files import File, write_files, write_json, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
@@ -290,7 +290,7 @@ def _write(
     stem, strip = f"{name}-bow", result.strip
     curves = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(strip.rod.curve)]}
     files = [
-        File(f"{stem}.csv", lambda path: write_text(path, csv_text(table))),
+        text_file(f"{stem}.csv", csv_text(table)),
         File(f"{stem}.json", lambda path: write_json(path, curves | report)),
     ]
     rod = chosen["rod"]

@@ -192,25 +192,23 @@ def _common_options_first(args: list[str]) -> list[str]:
     return [*first, *remaining]
 
 
-def _records_of(context: click.Context | None) -> list[Record]:
+def _records_of(context: click.Context) -> list[Record]:
     """Return the records of the keys that `--set` of the command takes."""
-    params = [] if context is None else context.command.params
+    params = context.command.params
     return [record for param in params if (record := getattr(param.type, "record", None)) is not None]
 
 
 def _instead_of(problem: click.NoSuchOption) -> str:
-    typed = problem.option_name
-    name = typed.lstrip("-").replace("-", "_")
-    context = problem.ctx
-    command = "elastica" if context is None else context.command_path
-    options = [] if context is None else [name for option in context.command.params for name in option.opts]
-    word, words = typed.lstrip("-"), [option.lstrip("-") for option in options]
+    typed, context = problem.option_name, problem.ctx
+    assert context is not None
+    command, word = context.command_path, typed.lstrip("-")
+    name = word.replace("-", "_")
+    options = [option for param in context.command.params for option in param.opts]
+    words = [option.lstrip("-") for option in options]
     if near := near_names(word, words, cutoff=NEAR_OPTION):
         return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
-    if (new := ALIKE.get(name)) is not None:
-        typed_new = option_name(new)
-        if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):
-            return f"{typed} is called {typed_new}"
+    if name in ALIKE and (called := option_name(ALIKE[name])) in options:
+        return f"{typed} is called {called}"
     from elastica_cad.cli.settings import CommandKeys
     from elastica_cad.design.records import is_settable, meant_paths, paths_of
     from elastica_cad.design.tables import OTHER_WORDS
@@ -218,7 +216,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     for record in _records_of(context):
         keys = paths_of(record)
         if paths := meant_paths(name, keys):
-            key = f"pair.{paths[0]}" if context is not None and context.info_name == "pair" else paths[0]
+            key = f"pair.{paths[0]}" if context.info_name == "pair" else paths[0]
             instead = Either(
                 own
                 if (own := option_name(path.rpartition(".")[2])) in options

@@ -12,7 +12,7 @@ from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
-from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.report_rows import Row
 
 
@@ -76,7 +76,7 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
             File(f"{name}-measure.svg", partial(save, measuring_page(name, measuring)))
             for name, measuring in zip(names, strips.values(), strict=True)
         ),
-        File(f"{stem}-measured.toml", lambda path: write_text(path, blank_readings(strips))),
+        text_file(f"{stem}-measured.toml", blank_readings(strips)),
     )
     wrote(write_files(files, report.parent, force=force))
     answer({"expected": expected.get("", expected)})

@@ -14,7 +14,7 @@ from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
-from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, library_folders, plausible_number, require_flat
@@ -132,12 +132,10 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
 
 def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
     thickness, density = chosen["thickness"], chosen["density"]
-    for option, value, key in (
-        ("--thickness", thickness, "thickness_mm"),
-        ("--density", density, "density_kg_m3"),
-    ):
-        if value is not None:
-            plausible_number(value, key, option)
+    if thickness is not None:
+        plausible_number(thickness, "thickness_mm", "--thickness")
+    if density is not None:
+        plausible_number(density, "density_kg_m3", "--density")
     if chosen["sheet"] is None:
         if thickness is None or density is None:
             raise InputError(
@@ -173,18 +171,11 @@ def _library_folder() -> Path:
 
 
 def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
-    measured, least_radius, is_listed = (
-        chosen["measured"],
-        chosen["least_radius"],
-        chosen["sheet"] is not None,
-    )
-    name, output = (
-        chosen["name"] or f"my-{sheet.name}",
-        _library_folder() if chosen["keep"] else chosen["output"],
-    )
+    measured, least_radius = chosen["measured"], chosen["least_radius"]
+    is_listed, name = chosen["sheet"] is not None, chosen["name"] or f"my-{sheet.name}"
+    output = _library_folder() if chosen["keep"] else chosen["output"]
     result = calibrate_cantilever(
-        [reading[0] for reading in measured],
-        [reading[1] for reading in measured],
+        *zip(*measured, strict=True),
         reading_error=chosen["reading_error"],
         thickness=sheet.thickness,
         density=sheet.density,
@@ -197,7 +188,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
     measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
-    file = File(f"{file_word(name)}.toml", lambda path: write_text(path, measured_sheet.toml()))
+    file = text_file(f"{file_word(name)}.toml", measured_sheet.toml())
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": measured_sheet, "measured": result})
     for line in str(result).split("\n"):

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import replace
+from itertools import islice
 from typing import Any
 
 import click
@@ -97,14 +97,8 @@ def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], An
 
 def cut_options() -> Callable[[Any], Any]:
     """Return a decorator that adds the options for holes and notches of pins and ties."""
-    cuts = [field for field in declared(Pin) if field.name in CUTS]
-    helps = [f"{field.help} For each --pin and --tie." for field in cuts]
-    return join_options(
-        *(
-            option_of(replace(field, option=replace(field.option, help=text)))
-            for field, text in zip(cuts, helps, strict=True)
-        )
-    )
+    cuts = (field for field in declared(Pin) if field.name in CUTS)
+    return join_options(*(option_of(field, more=" For each --pin and --tie.") for field in cuts))
 
 
 def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
@@ -136,10 +130,9 @@ def elements_of(chosen: Mapping[str, Any], names: Iterable[str]) -> tuple[Any, .
 
 def _values(name: str, values: Any) -> dict[str, Any]:
     fields = _fields(name)
-    remaining = [values] if len(fields) == 1 else list(values)
+    remaining = iter([values] if len(fields) == 1 else values)
     row: dict[str, Any] = {}
     for field in fields:
-        count = len(list(_types(field)))
-        row[field.name] = remaining[0] if count == 1 else remaining[:count]
-        remaining = remaining[count:]
-    return {key: list(value) if isinstance(value, tuple) else value for key, value in row.items()}
+        value, *others = islice(remaining, len(list(_types(field))))
+        row[field.name] = [value, *others] if others else list(value) if isinstance(value, tuple) else value
+    return row

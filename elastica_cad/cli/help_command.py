@@ -76,16 +76,12 @@ def _explanation(path: str, option: str) -> str:
         if word in options:
             typed = " ".join(filter(None, [f"--{word}", options[word].metavar]))
             return f"{path}\n  {options[word].help}\n  elastica strip: {typed}"
-        if alike := [
+        near = [
             key for key in paths_of(record) if key.endswith(f".{word}") and not key.startswith("strips.")
-        ]:
+        ] or [name for name in near_names(word, [*paths_of(record), *options]) if name in options]
+        if near:
             raise InputError(
-                "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=Either(alike)
-            )
-        near = near_names(word, [*paths_of(record), *options])
-        if near and near[0] in options:
-            raise InputError(
-                "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=near[0]
+                "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=Either(near)
             )
     field = require_path_of(key, record)
     declaration = field.option
@@ -93,16 +89,12 @@ def _explanation(path: str, option: str) -> str:
     if declaration.bounds:
         lines.append(f"Bounds: {declaration.bounds}.")
     if isinstance(field.default, bool | int | float | str) and field.default != "":
-        lines.append(
-            f"Default: {field.default}.".lower()
-            if isinstance(field.default, bool)
-            else f"Default: {field.default}."
-        )
+        text = f"Default: {field.default}."
+        lines.append(text.lower() if isinstance(field.default, bool) else text)
     elif field.default is REQUIRED:
         lines.append("Required.")
-    inner = [
-        inner_key.rpartition(".")[2] for inner_key in paths_of(record) if inner_key.rpartition(".")[0] == key
-    ]
+    split = (inner_key.rpartition(".") for inner_key in paths_of(record))
+    inner = [name for table, _, name in split if table == key]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     typed = f"{option}=VALUE" if option.startswith("--set") else option
@@ -119,18 +111,13 @@ def _strip_options() -> dict[str, click.Option]:
 
 def _list_of_keys() -> str:
     keys = paths_of(CommandKeys)
+    heads = {f"{group}:": group for group in GROUPS} | {"whole models, in design files:": ""}
     lines = []
-    for group in GROUPS:
-        lines += ["", f"{group}:"]
-        lines += [
-            f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
-            for path, field in keys.items()
-            if keys[path.partition(".")[0]].option.group == group and path.count(".") <= DEEPEST
-        ]
-    lines += ["", "whole models, in design files:"]
-    lines += [
-        f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
-        for path, field in paths_of(DesignKeys).items()
-        if path.partition(".")[0] not in {*keys, "strips"} and path.count(".") <= DEEPEST
-    ]
+    for head, group in heads.items():
+        lines += ["", head]
+        for path, field in (keys if group else paths_of(DesignKeys)).items():
+            first = path.partition(".")[0]
+            listed = keys[first].option.group == group if group else first not in {*keys, "strips"}
+            if listed and path.count(".") <= DEEPEST:
+                lines.append(f"  {path:<24} {help_with_unit(field.help, field.option.unit)}")
     return "\n".join(lines[1:])

@@ -14,7 +14,7 @@ from elastica_cad.cli.suggestions import name_program
 from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.report_rows import Row
 
@@ -44,7 +44,7 @@ def new(kind: str, output: Path, force: bool) -> None:
     this file alone, for existing designs. Begin these designs with the line #:schema elastica.schema.json
     """
     text = json.dumps(design_schema(), indent=1) + "\n"
-    schema = File(SCHEMA_FILE, lambda path: write_text(path, text))
+    schema = text_file(SCHEMA_FILE, text)
     if kind == "schema":
         wrote(write_files([schema], output, force=force))
         answer({"kind": kind})
@@ -55,7 +55,7 @@ def new(kind: str, output: Path, force: bool) -> None:
         curves = [PlaneCurve.spline(ARCH_MM, degree=4)]
         new_files.append(File("arch.dxf", lambda path: write_curves(curves, path)))
     if kind == "sections":
-        new_files.append(File("bowl.obj", lambda path: write_text(path, _bowl())))
+        new_files.append(text_file("bowl.obj", _bowl()))
     present = output / SCHEMA_FILE
     if not (os.path.isfile(present) and present.read_bytes() == text.encode()):
         new_files.append(schema)

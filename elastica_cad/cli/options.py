@@ -70,19 +70,25 @@ def option_name(name: str) -> str:
 
 
 def option_of(
-    field: Field, name: str = "", *, default: str = "", switch: bool = False, required: bool = False
+    field: Field,
+    name: str = "",
+    *,
+    default: str = "",
+    more: str = "",
+    switch: bool = False,
+    required: bool = False,
 ) -> Callable[[Any], Any]:
     """Return the option of a declared field, by default with the name of the field.
 
     Parameters
     ----------
-    default : str
-        Description of the default in help.
+    default, more : str
+        Description of the default in help, and further help.
     switch : bool
         True for a flag that can only be switched on.
     """
     default_text = f"  [default: {default}]" if default else ""
-    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{default_text}"
+    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{more}{default_text}"
     if switch or field.kind.name == "flag":
         words = typed if switch else f"{typed}/--no-{typed[2:]}"
         return click.option(words, is_flag=True, default=None, help=help)

@@ -110,8 +110,6 @@ class RequestedCurve:
         File with the curve.
     drawn : DrawnCurve
         The curve, or a piece of a split curve.
-    whole : DrawnCurve
-        Curve before it was split at corners; `drawn` if it was not split.
     count : int
         Number of curves in the file.
     name : str
@@ -130,7 +128,6 @@ class RequestedCurve:
 
     path: Path
     drawn: DrawnCurve
-    whole: DrawnCurve
     count: int
     name: str
     label: str
@@ -189,31 +186,24 @@ def requested_curves(
     selected = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
     in_files = _names_by_number(selected)
     in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
-    pieces = [
-        (whole, piece) for whole in selected for piece in (whole.split_at_corners() if split else (whole,))
-    ]
+    pieces = [piece for whole in selected for piece in (whole.split_at_corners() if split else (whole,))]
     words = []
-    for whole, piece in pieces:
-        which = (in_files[whole.number][0] or str(whole.number)) if every else number
+    for piece in pieces:
+        which = (in_files[piece.number][0] or str(piece.number)) if every else number
         words.append([path.stem, *([which] if which else []), *_number_of(piece)])
     stems = distinct("-".join(map(file_word, parts)) for parts in words)
     curves = []
-    for (whole, piece), parts, stem in zip(pieces, words, stems, strict=True):
-        own, alone = in_drawing.get(whole.number, ("", False))
-        label = _printable("-".join([own, *_number_of(piece)] if own else parts))
+    for piece, parts, stem in zip(pieces, words, stems, strict=True):
+        own, alone = in_drawing.get(piece.number, ("", False))
+        name = plain_name("-".join([own, *_number_of(piece)] if own else parts))
+        label = "".join(sign if sign.isprintable() else "_" for sign in name)[:LONGEST_LABEL]
         which_options = ("--curve", str(piece.number)) if several else ()
-        curves.append(
-            RequestedCurve(path, piece, whole, len(drawing), stem, label, which_options, unit, own, alone)
-        )
+        curves.append(RequestedCurve(path, piece, len(drawing), stem, label, which_options, unit, own, alone))
     return tuple(curves)
 
 
 def _number_of(piece: DrawnCurve) -> list[str]:
     return [str(piece.piece)] if piece.pieces > 1 else []
-
-
-def _printable(name: str) -> str:
-    return "".join(sign if sign.isprintable() else "_" for sign in plain_name(name))[:LONGEST_LABEL]
 
 
 def drawn_curves(

@@ -30,7 +30,7 @@ from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.mesh_files import read_sized_surface
 from elastica_cad.formats.point_files import read_path_points
 from elastica_cad.formats.source_file import require_file
-from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.forming.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.forming.section_spec import (
     AlongPath,
@@ -175,20 +175,25 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         say_step(f"judged {curve.name}", number, len(curves))
         verdicts.append(_verdict(curve))
     for section in verdicts:
-        say_row(Row("Section", f"{section['name'].removeprefix('section ')}: {_sentence(section)}"))
+        verdict = section["problem"] or f"a strip can take it, stiffness ratio {section['ratio']:.4g}"
+        text = (
+            f"{section['name'].removeprefix('section ')}: {section['length']:.2f} mm long, "
+            f"{section['deviation']:.2g} mm from the section at most; {verdict}"
+        )
+        say_row(Row("Section", text))
     for text in reports:
         say_row(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note"))
     answer({"sections": verdicts})
     name = f"{file_word(mesh.stem)}-sections"
     plane_curves = [curve.curve for curve in curves]
     files = [
-        File(f"{name}.json", lambda path: write_text(path, curves_json(plane_curves))),
+        text_file(f"{name}.json", curves_json(plane_curves)),
         File(f"{name}.dxf", lambda path: write_curves(_side_by_side(plane_curves), path)),
     ]
     if chosen["sheet"] is not None:
         mesh_table = {"mesh": seen_from(str(mesh), output)} | size_options
         text = compose_section_design(name, mesh_table, spec, _strip_keys(chosen, output))
-        files.append(File(f"{name}.toml", lambda path: write_text(path, text)))
+        files.append(text_file(f"{name}.toml", text))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
         say_row(
@@ -308,13 +313,6 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
     except (InputError, NotConvergedError) as problem:
         return verdict | {"problem": f"no strip: {problem}"}
     return verdict | {"problem": f"no strip can take it: {check.reasons[0]}"}
-
-
-def _sentence(section: dict[str, Any]) -> str:
-    verdict = section["problem"] or f"a strip can take it, stiffness ratio {section['ratio']:.4g}"
-    return (
-        f"{section['length']:.2f} mm long, {section['deviation']:.2g} mm from the section at most; {verdict}"
-    )
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:

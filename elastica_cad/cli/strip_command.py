@@ -38,7 +38,7 @@ from elastica_cad.errors import (
     InputError,
     NotConvergedError,
 )
-from elastica_cad.formats.write_files import File, check_folder, write_files, write_text
+from elastica_cad.formats.write_files import check_folder, text_file, write_files
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
@@ -210,7 +210,7 @@ def _save_design(
         for requested in curves
     ]
     text = toml_text({"schema": 1, **shared, "strips": strips})
-    write_files([File(path.name, lambda file: write_text(file, text))], path.parent, force=force)
+    write_files([text_file(path.name, text)], path.parent, force=force)
     return path
 
 

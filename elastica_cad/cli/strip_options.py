@@ -1,6 +1,7 @@
 """Options of a strip, and their conversion to a `StripSpec`."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -95,19 +96,13 @@ def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = 
 
 
 def _names_of_common_keys() -> dict[str, str]:
-    names = {}
-    for path, entry in paths_of(CommandKeys).items():
-        below_common = all(
-            paths_of(CommandKeys)[parent_path].option.common for parent_path in _parent_paths(path)
-        )
-        if entry.option.common and below_common and path not in BY_HAND:
+    keys, names = paths_of(CommandKeys), {}
+    for path in keys:
+        # the key itself, and the keys of the tables that contain it
+        levels = accumulate(path.split("."), "{}.{}".format)
+        if path not in BY_HAND and all(keys[level].option.common for level in levels):
             names[path] = CALLED.get(path, path.rpartition(".")[2])
     return names
-
-
-def _parent_paths(path: str) -> list[str]:
-    parts = path.split(".")
-    return [".".join(parts[:k]) for k in range(1, len(parts))]
 
 
 _OWN_OPTIONS = {
@@ -124,13 +119,6 @@ DEFAULTS = {
     "cut.kerf": f"{KERF:g}",
 }  # fmt: skip
 """Descriptions of defaults in help."""
-
-
-def _option(path: str, name: str) -> Callable[[Any], Any]:
-    field = paths_of(CommandKeys)[path]
-    return option_of(
-        field, name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
-    )
 
 
 _HAND_MADE: dict[str, tuple[Any, ...]] = {
@@ -180,11 +168,16 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 
 def strip_options(function: Any) -> Any:
     """Add the options of common keys, and `--set` for all other keys, to a command."""
-    groups = []
+    options = []
     for group in GROUPS:
-        common_keys = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
-        groups += [*(_option(*option) for option in common_keys), *_HAND_MADE.get(group, ())]
-    return join_options(*groups, set_option(CommandKeys))(function)
+        for path, name in OPTIONS.items():
+            if _group(path) == group:
+                field, default = paths_of(CommandKeys)[path], DEFAULTS.get(path, "")
+                options.append(
+                    option_of(field, name, default=default, switch=path in FLAGS, required=path == "sheet")
+                )
+        options += _HAND_MADE.get(group, ())
+    return join_options(*options, set_option(CommandKeys))(function)
 
 
 def _group(path: str) -> str:

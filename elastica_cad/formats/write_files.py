@@ -10,6 +10,7 @@ from codecs import BOM_UTF8
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from io import FileIO
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -210,6 +211,11 @@ class File:
     description: str = ""
 
 
+def text_file(name: str, text: str, description: str = "") -> File:
+    """Return a file with a text, in UTF-8."""
+    return File(name, partial(write_text, text=text), description)
+
+
 def write_files(
     files: Sequence[File],
     folder: str | os.PathLike[str],
@@ -233,7 +239,7 @@ def write_files(
     --------
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     paths = write_files([File("a.txt", lambda path: write_text(path, "done"))], folder)
+    ...     paths = write_files([text_file("a.txt", "done")], folder)
     ...     paths[0].name, paths[0].read_text()
     ('a.txt', 'done')
     """

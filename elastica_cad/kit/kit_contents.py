@@ -1,7 +1,7 @@
 """Contents of the kit of a model: parts to cut, nested sheets, holders and notes."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -109,9 +109,8 @@ def kit_contents(
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
     if spec.cutting.service:
-        unmarked = {id(strip): replace(strip, unmarked=True) for strip in model.strips}
-        model = model.with_strips([unmarked[id(strip)] for strip in model.strips])
-    model = _with_plates_over_joints(model, spec, requests)
+        model = _with_each(model, lambda strip: replace(strip, unmarked=True))
+    model = _with_each(model, lambda strip: joined_within(strip, _shop_of(strip, spec, requests)))
     deviations = _deviations(model, entries)
     messages = [
         *_departure_notes(model, entries, deviations), *_instability_notes(model),
@@ -148,7 +147,14 @@ def kit_contents(
     messages += _unheld_messages(model, unheld)
     held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else (None, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
+    if spec.reference_bar is not None and spec.cutting.service:
+        messages.append(
+            note(
+                "The files are for a cutting service, so they have no bar of known length, which is only for "
+                "checking your own machine."
+            )
+        )
+    messages += _rod_notes(pieces, spec)
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     numbers = (
         ()
@@ -169,11 +175,12 @@ def _tip_notes(kind: HolderKind, parts: Sequence[Holder]) -> tuple[str, ...]:
     return tips_below(standing) if standing else ()
 
 
-def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
-    joined = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
-    if all(joined[id(strip)] is strip for strip in model.strips):
+def _with_each(model: Model, change: Callable[[Strip], Strip]) -> Model:
+    """Return the model with every strip changed. Copies of a strip stay copies, and an unchanged model the same."""
+    changed = {id(strip): change(strip) for strip in model.strips}
+    if all(changed[id(strip)] is strip for strip in model.strips):
         return model
-    return model.with_strips([joined[id(strip)] for strip in model.strips])
+    return model.with_strips([changed[id(strip)] for strip in model.strips])
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
@@ -333,17 +340,6 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
     )
 
 
-def _bar_messages(spec: KitSpec) -> list[str]:
-    if spec.reference_bar is None or not spec.cutting.service:
-        return []
-    return [
-        note(
-            "The files are for a cutting service, so they have no bar of known length, which is only for "
-            "checking your own machine."
-        )
-    ]
-
-
 END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("end (2)")}
 """Names of the ends, with the numbers that are engraved on strips and slots."""
 
@@ -395,7 +391,7 @@ def _shapes_in_holders(
     return held_shapes, (*notes, *_deviation_notes(model, held_shapes))
 
 
-def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
+def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> list[str]:
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [
@@ -403,13 +399,8 @@ def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, 
         for name in names
         if name in locked and name in held and held[name].deviation > CLEARANCE
     ]
-    if not deviating:
-        return ()
-    return (
-        note(
-            "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If "
-            "their slots do not meet, bend the strips by hand until they do.",
-            room=Length(CLEARANCE),
-            strips=", ".join(deviating),
-        ),
+    text = (
+        "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If their slots "
+        "do not meet, bend the strips by hand until they do."
     )
+    return [note(text, room=Length(CLEARANCE), strips=", ".join(deviating))] if deviating else []

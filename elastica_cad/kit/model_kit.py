@@ -16,12 +16,12 @@ from elastica_cad.design.measuring_sheet import measuring_of, measuring_page
 from elastica_cad.design.model_report import compose_start_page
 from elastica_cad.errors import InputError
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.write_files import File, check_folder, write_json, write_text
+from elastica_cad.formats.write_files import File, check_folder, text_file, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.model.assembly import engraved_marks, single_holders
-from elastica_cad.model.cut_rows import CutList, CutListRow, Stock
+from elastica_cad.model.cut_rows import CutListRow, Stock
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
@@ -120,9 +120,19 @@ def model_kit(
     listed = replace(contents.cut_list, rows=rows, printed=tuple(blocks))
     csv, txt, json, page = _list_names(name)
     if pictures:
-        files.append(
-            File(f"{name}-assembly.pdf", partial(_draw_assembly, contents, listed), "assembly sheet")
+        from elastica_cad.plot.assembly_sheet import save_assembly_sheet
+        from elastica_cad.plot.canvas import draw_file
+        from elastica_cad.plot.model_pictures import model as draw_model
+        from elastica_cad.plot.strip_pictures import drawing as draw_nest
+
+        draw_assembly = partial(
+            save_assembly_sheet,
+            model,
+            holders=contents.holders,
+            cut_list=listed,
+            language=spec.language or "en",
         )
+        files.append(File(f"{name}-assembly.pdf", draw_assembly, "assembly sheet"))
     if spec.pages and can_draw():
         files.append(
             File(
@@ -131,18 +141,22 @@ def model_kit(
                 "parts and templates at full size on paper",
             )
         )
-    files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
-    files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
-    shapes = cache(partial(_shapes, contents))
+    files += [text_file(csv, listed.csv, "cut list"), text_file(txt, str(listed), "cut list")]
     if step:
-        files += _assemblies(contents, f"{MODEL}/{name}", shapes)
+        from elastica_cad.kernel.step_files import model_shapes
+
+        shapes = cache(partial(model_shapes, model, contents.holders))
+        files += _assemblies(model.name, f"{MODEL}/{name}", shapes)
     if pictures:
-        files.append(File(f"{MODEL}/{name}.png", partial(_draw_model, contents), "picture of the model"))
+        picture = partial(draw_file, partial(draw_model, model, holders=contents.holders))
+        files.append(File(f"{MODEL}/{name}.png", picture, "picture of the model"))
     for stem, nest in () if cutting.service else _stems_of_nests(contents):
         if nest.sheet is not None:
             files += cutting_files(nest, stem, cutting, nest.sheet, "nested sheet")
         if pictures:
-            files.append(File(f"{stem}.png", partial(_draw_nest, nest), "picture of a sheet"))
+            files.append(
+                File(f"{stem}.png", partial(draw_file, partial(draw_nest, nest)), "picture of a sheet")
+            )
     for stem, piece in _stems_of_parts(contents) if parts else ():
         if piece.is_rod and cutting.service:
             continue
@@ -164,7 +178,7 @@ def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
         name
         for place in (PARTS, SHEETS)
         for name in sorted(f"{place}/{path.name}" for path in Path(folder, place).glob("*.*"))
-        if name not in names and Path(name).suffix in CUT_FROM
+        if name not in names and name.endswith(CUT_FROM)
     )
 
 
@@ -256,7 +270,8 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
     paper, margin = str(contents.spec.pages), contents.spec.nesting.margin
     size = printed_size(paper)
-    pieces = (*contents.pieces, *_templates(contents))
+    held_by_hand = not (contents.holders or contents.model.plates)
+    pieces = (*contents.pieces, *(_templates(contents.model) if held_by_hand else ()))
     called = {
         piece.name: f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name for piece in pieces
     }
@@ -273,15 +288,17 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
         if len(names) > LONGEST_TITLE:
             names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
         drawings.append(Drawing(names, cut, nest.texts))
-    drawings += _measuring_pages(contents)
+    drawings += [
+        measuring_page(part["name"], measuring_of(part["measuring"]))
+        for part in (contents.report["parts"] if held_by_hand else ())
+        if part["measuring"] is not None
+    ]
     save_templates(drawings, path, title=f"{contents.model.name}: parts", paper=paper)
 
 
-def _templates(contents: KitContents) -> list[Piece]:
-    if _has_holders(contents):
-        return []
+def _templates(model: Model) -> list[Piece]:
     templates = []
-    for part in contents.model.parts:
+    for part in model.parts:
         if part.strip.is_closed:
             continue
         template = holding_template(part.strip.labelled(part.name))
@@ -291,20 +308,6 @@ def _templates(contents: KitContents) -> list[Piece]:
         framed = replace(template, paths=(LayeredPath(CUT_OUTER, frame), *template.paths))
         templates.append(Piece(template.name, framed, replace(part.strip.sheet, name="paper")))
     return templates
-
-
-def _measuring_pages(contents: KitContents) -> list[Drawing]:
-    if _has_holders(contents):
-        return []
-    return [
-        measuring_page(part["name"], measuring_of(part["measuring"]))
-        for part in contents.report["parts"]
-        if part["measuring"] is not None
-    ]
-
-
-def _has_holders(contents: KitContents) -> bool:
-    return bool(contents.holders or contents.model.plates)
 
 
 def _stems_of_parts(contents: KitContents) -> Iterator[tuple[str, Piece]]:
@@ -333,7 +336,8 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
         f"{count_strips(contents.model)}; {counted(listed.count, 'piece')}, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
-            f"{nest.name}: {_taken(len(nest.pieces))} {100 * nest.share:.0f} % of a sheet of "
+            f"{nest.name}: {counted(len(nest.pieces), 'piece')} {'take' if nest.pieces[1:] else 'takes'} "
+            f"{100 * nest.share:.0f} % of a sheet of "
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
             for nest in contents.nests
         ),
@@ -349,10 +353,6 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
 
 def _sawn(item: Stock) -> str:
     return f"; saw from each, mm: {'; '.join(item.sawn)}" if item.sawn else ""
-
-
-def _taken(pieces: int) -> str:
-    return f"{counted(pieces, 'piece')} {'takes' if pieces == 1 else 'take'}"
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
@@ -386,19 +386,10 @@ def _pack(files: Sequence[str], path: Path) -> None:
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 
-def _shapes(contents: KitContents) -> "list[NamedShape]":
-    from elastica_cad.kernel.step_files import model_shapes
-
-    return model_shapes(contents.model, contents.holders)
-
-
-def _assemblies(
-    contents: KitContents, stem: str, shapes: "Callable[[], list[NamedShape]]"
-) -> tuple[File, File]:
+def _assemblies(name: str, stem: str, shapes: "Callable[[], list[NamedShape]]") -> tuple[File, File]:
     from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import write_step
 
-    name = contents.model.name
     return (
         File(f"{stem}.step", lambda path: write_step(shapes(), path, name=name), "assembly for CAD programs"),
         File(
@@ -424,29 +415,3 @@ def _save_block(block: EndFixture, place: int, shapes: "Callable[[], list[NamedS
     from elastica_cad.kernel.mesh_files import write_stl
 
     write_stl(shapes()[place].shape, path, bed=block.ground)
-
-
-def _draw_assembly(contents: KitContents, listed: CutList, path: Path) -> None:
-    from elastica_cad.plot.assembly_sheet import save_assembly_sheet
-
-    save_assembly_sheet(
-        contents.model,
-        path,
-        holders=contents.holders,
-        cut_list=listed,
-        language=contents.spec.language or "en",
-    )
-
-
-def _draw_model(contents: KitContents, path: Path) -> None:
-    from elastica_cad.plot.canvas import save_figure
-    from elastica_cad.plot.model_pictures import model
-
-    save_figure(model(contents.model, holders=contents.holders), path)
-
-
-def _draw_nest(nest: NestedSheet, path: Path) -> None:
-    from elastica_cad.plot.canvas import save_figure
-    from elastica_cad.plot.strip_pictures import drawing
-
-    save_figure(drawing(nest), path)

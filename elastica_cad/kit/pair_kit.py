@@ -1,6 +1,6 @@
 """Kit of a flexure, a part with two rest shapes: cutting files, bodies, picture and report."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -11,7 +11,7 @@ from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.write_files import File, write_json, write_text
+from elastica_cad.formats.write_files import File, text_file, write_json
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import STATES, Flexure, State
@@ -53,12 +53,18 @@ class MadePair:
                 File(f"{stem}.step", partial(self._write_step, state))
                 for stem, state in zip(stems, (None, *STATES), strict=True)
             ]
-            files += [File(f"{name}.stl", partial(save_solid, part.solid))]
             holder = part.holder_solid
-            files += [File(f"{name}-holder.stl", partial(save_solid, holder, bed=holder.frame))]
+            files += [
+                File(f"{name}.stl", partial(save_solid, part.solid)),
+                File(f"{name}-holder.stl", partial(save_solid, holder, bed=holder.frame)),
+            ]
         if can_draw():
-            files.append(File(f"{name}.png", self._picture()))
-        files.append(File(f"{name}-force.csv", lambda path: write_text(path, part.force_csv())))
+            from elastica_cad.plot.canvas import draw_file
+            from elastica_cad.plot.pair_pictures import pair_sheet
+
+            picture = partial(draw_file, partial(pair_sheet, part, self.spec.faired))
+            files.append(File(f"{name}.png", picture))
+        files.append(text_file(f"{name}-force.csv", part.force_csv()))
         matched = self.spec.matched
         report = {
             "name": name,
@@ -104,9 +110,3 @@ class MadePair:
         from elastica_cad.kernel.step_files import write_flexure_step
 
         write_flexure_step(self.part, path, state=state, name=self.name)
-
-    def _picture(self) -> Callable[[Path], object]:
-        from elastica_cad.plot.canvas import draw_file
-        from elastica_cad.plot.pair_pictures import pair_sheet
-
-        return partial(draw_file, partial(pair_sheet, self.part, self.spec.faired))

@@ -9,7 +9,7 @@ from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import request_record
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.write_files import File, write_json, write_text
+from elastica_cad.formats.write_files import File, text_file, write_json
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
@@ -103,9 +103,7 @@ class StripResult:
         if strip.layout.size is not None:
             from elastica_cad.model.batten import bench_csv, bench_drawing
 
-            files.append(
-                File(f"{name}-bench.csv", lambda path: write_text(path, bench_csv(strip)), "bench csv")
-            )
+            files.append(text_file(f"{name}-bench.csv", bench_csv(strip), "bench csv"))
             files += self._drawn("side", bench_drawing, request, pdf=pictures or looked_at)
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
