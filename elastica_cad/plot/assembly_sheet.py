@@ -43,6 +43,7 @@ from elastica_cad.plot.canvas import (
     empty_figure,
     paint_patches,
     paint_polygons,
+    show_box,
     text_in,
     write_pages,
 )
@@ -685,8 +686,8 @@ class View:
         to_points = self.scale(size) * SCREEN
         middle = self._box.mean(axis=0) * self.scale(size)
         axes.set_axis_off()
-        axes.set_xlim(*(middle[0] + [-size[0] / 2, size[0] / 2]))
-        axes.set_ylim(*(middle[1] + [-size[1] / 2, size[1] / 2]))
+        inside = np.array([middle - size / 2, middle + size / 2])
+        show_box(axes, *inside)
         depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
         # paint from far to near, and draw runs of patches at once, which is much faster
         order = np.argsort(depths, kind="stable")
@@ -708,7 +709,6 @@ class View:
         occupied = np.array(
             [_draw_dimension(axes, line @ to_points, words.sentence(text)) for line, text in self.dimensions]
         )
-        inside = np.array([middle - size / 2, middle + size / 2])
         for label in self.labels:
             half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
             for at, side in zip(label.positions @ to_points, label.sides, strict=True):

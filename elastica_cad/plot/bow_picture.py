@@ -6,7 +6,7 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.bows import Bow
 from elastica_cad.plot.canvas import INK, Figure, new_page
-from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, NUMBERED, WIDE, blend, finish_axes
+from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, blend, finish_axes, numbered_panel
 from elastica_cad.strip.travel import Travel
 
 SAME_CORD_SHARE = 1e-6
@@ -25,9 +25,8 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
     require_record(shorter, Travel, "the bow with shorter cords", "a Travel")
     rod, wish = bow.strip.rod, bow.drawn.sample(600).position
     low, high = box_about(np.concatenate([wish, rod.position, *(shape.position for shape in shorter.rods)]))
-    width, height = np.maximum(high - low, 0.3 * np.max(high - low))
-    panel = NUMBERED._replace(height=float(np.clip(1.1 * WIDE * height / width, 2.2, 5.2)))
-    figure, (axes,) = new_page([panel])
+    size = np.maximum(high - low, 0.3 * np.max(high - low))
+    figure, (axes,) = new_page([numbered_panel(size * (1.0, 1.1))])
     cords, colors = np.hypot(*shorter.end.T), blend(FIRST, LAST, len(shorter.rods))
     lines = [
         axes.plot(*shape.position.T, color=color, linewidth=1.0, label=f"_{cord:.1f} mm")[0]

@@ -180,6 +180,12 @@ def text_in(font: str | None) -> Iterator[None]:
         yield
 
 
+def show_box(axes: Axes, low: Sequence[float] | FloatArray, high: Sequence[float] | FloatArray) -> None:
+    """Set the limits of axes to a box from its lower left to its upper right corner."""
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+
+
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
     """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later polygons on top.
 

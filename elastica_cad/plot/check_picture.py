@@ -1,22 +1,20 @@
 """Picture of a check: the drawn curve, its inflections, the line through them, and its faults."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from textwrap import fill
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_points import box_about, clipped
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, measured_points
-from elastica_cad.plot.canvas import INK, Figure, new_page
+from elastica_cad.plot.canvas import INK, Figure, new_page, show_box
 from elastica_cad.plot.strip_pictures import (
     FAINT,
     LINE,
-    NUMBERED,
-    WIDE,
     comb_tips,
     finish_axes,
+    numbered_panel,
     paint_comb,
 )
 from elastica_cad.refusals import number_text
@@ -52,15 +50,14 @@ def check(check: EquilibriumCheck) -> Figure:
     nodes = curve.sample(POINTS)
     tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
-    width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
+    size = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
     title = fill(
         " ".join((*check.points_message, *check.reasons))
         if check.reasons and check.undecided is None
         else str(check),
         LETTERS,
     )
-    panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
-    figure, (axes,) = new_page([panel], title)
+    figure, (axes,) = new_page([numbered_panel(size)], title)
     paint_comb(axes, nodes.position, tips)
     axes.plot(
         *nodes.position.T, color=GOOD if check.realizable and not check.undecided else INK, linewidth=2.2
@@ -79,14 +76,13 @@ def check(check: EquilibriumCheck) -> Figure:
             beside = {"xytext": (7, 6), "textcoords": "offset points", "fontsize": 9, "color": color}
             axes.annotate(number_text(s, ".4g"), tuple(point), **beside)
     reach = 0.06 * extent
-    middle, half = box.mean(axis=0), np.array([width, height]) / 2
+    low, high = box.mean(axis=0) - size / 2, box.mean(axis=0) + size / 2
     if check.line is not None:
         point, direction = np.array(check.line.point), np.array(check.line.direction)
-        line = clipped(point, direction, middle - half + reach, middle + half - reach)
+        line = clipped(point, direction, low + reach, high - reach)
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
-    axes.set_xlim(middle[0] - half[0], middle[0] + half[0])
-    axes.set_ylim(middle[1] - half[1], middle[1] + half[1])
+    show_box(axes, low, high)
     verdict = (
         "Undecided by these points" if check.undecided else
         "Can be bent" if check.realizable else
@@ -97,20 +93,20 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
-        ("inflections", LINE, "o", list(check.inflections)),
+    kinds: tuple[tuple[str, str, str, Sequence[float]], ...] = (
+        ("inflections", LINE, "o", check.inflections),
         (
             "off the line",
             LINE,
             "D",
             [s for s, distance in check.off_line if distance > ON_THE_LINE * check.length],
         ),
-        ("the line crosses here", FAINT, "X", list(check.crossings)),
-        ("the line touches here", FAINT, "P", list(check.touches)),
-        ("the curvature touches zero", "#b06a00", "s", list(check.curvature_touches)),
-        ("the curvature jumps", "#b06a00", "v", list(check.jumps)),
+        ("the line crosses here", FAINT, "X", check.crossings),
+        ("the line touches here", FAINT, "P", check.touches),
+        ("the curvature touches zero", "#b06a00", "s", check.curvature_touches),
+        ("the curvature jumps", "#b06a00", "v", check.jumps),
         ("straight", "#b06a00", "|", [s for piece in check.flats for s in piece]),
     )
     for label, color, marker, places in kinds:
-        if len(places):
+        if places:
             yield label, color, marker, list(places)

@@ -23,7 +23,7 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.interlocking import strip_thickness
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches, show_box
 from elastica_cad.plot.strip_pictures import paint_flat
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.solids import FlatSolid
@@ -110,11 +110,6 @@ def _polygon_of(loop: Path, step: float) -> FloatArray:
 Plate: TypeAlias = BasePlate | Rib
 
 
-def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
-    plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
-    return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
-
-
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
     """Yield patches (n, 4, 3), at most `size` mm large, and unshaded colours (n, 3) for each body of the holders.
 
@@ -137,7 +132,7 @@ def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    low, high = np.array([loop.bounds for loop in loops[:1]])[0]
+    low, high = loops[0].bounds
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
     corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
@@ -160,8 +155,8 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
     """Divide a trapezoid into parts at most `size` mm high. Its two parallel sides are rows x, lower y, upper y."""
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
-    for k, _ in pairwise(range(count + 1)):
-        yield np.column_stack([slab[:, 0], heights[:, k], heights[:, k + 1]])
+    for low, high in pairwise(heights.T):
+        yield np.column_stack([slab[:, 0], low, high])
 
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
@@ -240,7 +235,8 @@ def model(
     if not (is_whole(flat) and flat >= 0):
         raise InputError(f"flat (number of flat parts to draw) is {flat!r}. Use a whole number, 0 for none.")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
-    faces = _plate_faces(held_by)
+    plates = (holder for holder in single_holders(held_by) if isinstance(holder, BasePlate))
+    faces = [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     rim = MODEL_RIM * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, rim, faces) for placed in model.placed]
@@ -251,12 +247,12 @@ def model(
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
-    if flat < 1:
-        return _figure(patches, colors, title, extent, elevation, azimuth, faces=faces)
-    chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
-    parts = [model.parts[i] for i in chosen]
-    longest = max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
-    return _figure(patches, colors, title, extent, elevation, azimuth, (parts, longest), faces)
+    shown = None
+    if flat > 0:
+        chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
+        parts = [model.parts[i] for i in chosen]
+        shown = parts, max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
+    return _figure(patches, colors, title, extent, elevation, azimuth, shown, faces)
 
 
 def bodies(
@@ -353,8 +349,7 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
         axes.text(0.0, y + 0.2 * NAME_SPACE * longest, text, fontsize=9, color=INK, va="bottom")
         paint_flat(axes, strip, (-left, y - top))
         y -= top - bottom
-    axes.set_xlim(-0.02 * longest, 1.02 * longest)
-    axes.set_ylim(y - 0.005 * longest, 0.0)
+    show_box(axes, (-0.02 * longest, y - 0.005 * longest), (1.02 * longest, 0.0))
     axes.set_aspect("equal")
     axes.set_axis_off()
 

@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, show_box
 from elastica_cad.refusals import number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
@@ -53,6 +53,12 @@ STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Width of the axes, inches."""
+
+
+def numbered_panel(size: FloatArray, least: float = 2.2, most: float = 5.2) -> Panel:
+    """Return a panel for a drawing of a size (2,) with numbers on both axes. The limits are its height, inches."""
+    return NUMBERED._replace(height=float(np.clip(WIDE * size[1] / size[0], least, most)))
+
 
 MARGIN_FRACTION = 0.04
 """Space beside the flat strip, as a fraction of its length."""
@@ -99,9 +105,7 @@ def drawing(drawing: Drawing) -> Figure:
     require_record(drawing, Drawing, "what is drawn", "a Drawing")
     low, high = drawing.bounds
     size = np.maximum(high - low, 1e-9)
-    figure, (axes,) = new_page(
-        [NUMBERED._replace(height=float(np.clip(WIDE * size[1] / size[0], 1.6, 11.0)))]
-    )
+    figure, (axes,) = new_page([numbered_panel(size, 1.6, 11.0)])
     lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
@@ -179,8 +183,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
         require_curve(wish)
     shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
     shown += [end.tip[None] for end in ends]
-    width, height = _widened(np.ptp(_with_room_below(np.concatenate(shown), ends), axis=0))
-    return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
+    return numbered_panel(_widened(np.ptp(_with_room_below(np.concatenate(shown), ends), axis=0)))
 
 
 def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
@@ -228,9 +231,8 @@ def _paint_bent(
     shown += _mark_loads(axes, rod, float(np.max(high - low)))
     # enlarge the axes of a nearly straight curve, so that their numbers can be read
     box = box_about(_with_room_below(np.array(shown), ends))
-    least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
-    axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
-    axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
+    half, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
+    show_box(axes, middle - half, middle + half)
     _paint_both_axes(axes, f"Bent: {rod.length:.1f} mm along the curve")
     if len(ends) == 2:
         axes.set_xlabel(
@@ -244,8 +246,7 @@ def _paint_stiffness(axes: Axes, rod: Rod) -> None:
     stiffness = rod.profile(s)
     axes.plot(s, stiffness, color=INK, linewidth=1.6)
     axes.fill_between(s, 0, stiffness, color=COMB, alpha=0.12, linewidth=0)
-    axes.set_xlim(0, s[-1])
-    axes.set_ylim(0, 1.12 * stiffness.max())
+    show_box(axes, (0.0, 0.0), (s[-1], 1.12 * stiffness.max()))
     axes.set_xlabel("arc length from the start of the free part (mm)")
     axes.set_ylabel("stiffness K")
     _set_title(axes, f"Stiffness: largest over smallest {rod.ratio:.3f}")
@@ -278,8 +279,8 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
         axes.text(
             cut.at, top + 0.2 * unit, f"{cut.at - left:.1f}", ha="center", va="bottom", fontsize=9, color=INK
         )
-    axes.set_xlim(left - MARGIN_FRACTION * length, right + MARGIN_FRACTION * length)
-    axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
+    margin = MARGIN_FRACTION * length
+    show_box(axes, (left - margin, bottom - 5.0 * unit), (right + margin, top + 5.2 * unit))
     axes.set_aspect("equal")
     axes.set_xticks([])
     axes.set_yticks([])
@@ -305,15 +306,7 @@ def _stations_of(size: Profile) -> list[float]:
     s = np.linspace(0.0, length, 801)
     # round the widths, so that rounding errors do not choose between places of equal width
     w = np.round(size(s), 9)
-    candidates = [
-        s[int(np.argmax(w))],
-        s[int(np.argmin(w))],
-        0.0,
-        length,
-        length / 2,
-        length / 4,
-        3 * length / 4,
-    ]
+    candidates = [s[np.argmax(w)], s[np.argmin(w)], *(length * np.array([0.0, 1.0, 0.5, 0.25, 0.75]))]
     stations: list[float] = []
     for x in map(float, candidates):
         if all(abs(x - other) > 0.08 * length for other in stations):
@@ -357,7 +350,7 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
     slack = slack_elements(rod.between, rod.force)
     for action in rod.between:
         noun = NOUNS[type(action.element)]
-        at = np.column_stack([np.interp(action.s, rod.s, rod.position[:, k]) for k in (0, 1)])
+        at = np.column_stack([np.interp(action.s, rod.s, axis) for axis in rod.position.T])
         beside = (0.0, 9.0) if len(at) > 1 else tuple(-14 * action.force[0] / (action.size or 1.0))
         color = HOLD
         if action in slack:
@@ -383,7 +376,7 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
         down = np.array(rod.gravity.direction)
         loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
     for s, force, text in loads:
-        head = np.array([np.interp(s, rod.s, rod.position[:, k]) for k in (0, 1)])
+        head = np.array([np.interp(s, rod.s, axis) for axis in rod.position.T])
         way = ARROW_SHARE * size * force / np.hypot(*force)
         arrow = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 1}
         axes.annotate("", tuple(head), tuple(head - way), arrowprops=arrow)

@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.plot.canvas import INK, empty_figure, write_pages
+from elastica_cad.plot.canvas import INK, empty_figure, show_box, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
 from elastica_cad.strip.drawing import Drawing
 
@@ -95,24 +95,18 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
         )
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
     lines = [item.path.closed_points(1.0) for item in drawing.strokes]
-    segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in lines])
+    # boxes about the segments of all lines
+    lows, highs = (
+        np.concatenate([choose(line[:-1], line[1:]) for line in lines]) for choose in (np.minimum, np.maximum)
+    )
     origins, names = [], []
     for row in range(counts[1]):
         for column in range(counts[0]):
             corner = start + (column, row) * step
-            if _enters(segments, corner, corner + size):
+            if np.any(np.all((lows < corner + size) & (highs > corner), axis=1)):
                 origins.append(corner)
                 names.append(f"{_letters(column)}{row + 1}")
     return Tiling(page, np.array(origins), tuple(names), (float(size[0]), float(size[1])))
-
-
-def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Return True if the bounding box of any segment (n, 4) overlaps the box from `low` to `high`.
-
-    A segment is x and y of its start, and x and y of its end.
-    """
-    inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
-    return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
 
 
 def _letters(index: int) -> str:
@@ -175,20 +169,18 @@ def save_templates(
 
 
 def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
-    for k, name in enumerate(tiling.names):
-        page = empty_figure((tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
+    for name, low in zip(tiling.names, tiling.origins, strict=True):
+        page = empty_figure(tuple(np.array(tiling.page) / MM_PER_INCH))
         tile = f"   page {name}" if len(tiling.names) > 1 else ""
-        _draw_page(page, drawing, tiling, k, f"{drawing.name}{tile}   print at 100 %")
+        _draw_page(page, drawing, tiling, low, f"{drawing.name}{tile}   print at 100 %")
         yield page
 
 
-def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
-    low = tiling.origins[k]
+def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, title: str) -> None:
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))
     axes.set_axis_off()
-    axes.set_xlim(low[0] - MARGIN_MM, low[0] - MARGIN_MM + tiling.page[0])
-    axes.set_ylim(low[1] - MARGIN_MM, low[1] - MARGIN_MM + tiling.page[1])
+    show_box(axes, low - MARGIN_MM, low - MARGIN_MM + tiling.page)
     from matplotlib.patches import Rectangle
 
     window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
