@@ -49,21 +49,6 @@ WORDS = {
 }
 
 
-def measuring_record(measuring: Measuring) -> dict[str, Any]:
-    """Return the quantities to measure as plain data for a report."""
-    return {
-        "marks": list(measuring.marks),
-        "expected": dict(measuring.expected),
-        "uncertain": dict(measuring.uncertain),
-        "causes": {
-            cause: [dict(change) for change in changes] for cause, changes in measuring.causes.items()
-        },
-        "shape": [list(point) for point in measuring.shape],
-        "tips": measuring.tips,
-        "can_snap": measuring.can_snap,
-    }
-
-
 def read_measuring(path: FilePath) -> dict[str, Measuring]:
     """Read the quantities to measure from the report of a strip or a model.
 
@@ -100,7 +85,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
 
 
 def measuring_of(record: Mapping[str, Any]) -> Measuring:
-    """Return the quantities to measure from a record that `measuring_record` made."""
+    """Return the quantities to measure from their record in a report."""
     causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
     measuring = Measuring(
         tuple(map(_number, record["marks"])),
@@ -112,10 +97,11 @@ def measuring_of(record: Mapping[str, Any]) -> Measuring:
         record.get("can_snap") is True,
     )
     if not (
-        causes.keys() <= MEANINGS.keys() and all(causes.values()) and min(measuring.uncertain.values()) > 0
+        causes.keys() <= MEANINGS.keys()
+        and all(causes.values())
+        and min(measuring.uncertain.values()) > 0
+        and len(set(measuring.shape)) > 1
     ):
-        raise ValueError
-    if len(set(measuring.shape)) < 2:
         raise ValueError
     return measuring
 

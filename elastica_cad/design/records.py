@@ -241,9 +241,7 @@ class Reader:
                 return table.count(key, 1)
             case "flag":
                 return table.flag(key)
-            case "text":
-                return table.text(key)
-            case "choice":
+            case "text" | "choice":
                 return table.text(key, choices=kind.choices)
             case "names":
                 return table.table(key).data

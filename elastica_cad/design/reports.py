@@ -1,5 +1,6 @@
 """Reports on strips as plain data."""
 
+from collections.abc import Mapping
 from itertools import zip_longest
 from typing import Any
 
@@ -7,14 +8,12 @@ import numpy as np
 
 from elastica_cad._values import is_whole, require_record, round_numbers
 from elastica_cad.design.check_report import report_check
-from elastica_cad.design.measuring_sheet import measuring_record
 from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import NOUNS, Tie
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
-from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
 from elastica_cad.refusals import FieldName, Length, note
@@ -167,8 +166,15 @@ def report_strip(
         else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
         "stations": _stations_report(strip, stations),
         "blank": report_blank(strip),
-        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
-        "sheet": _sheet_report(sheet),
+        "width": _rounded({"least": low, "largest": high}),
+        "sheet": {
+            "name": sheet.name,
+            "thickness": sheet.thickness,
+            "youngs_modulus_MPa": sheet.youngs_modulus,
+            "density_kg_m3": sheet.density,
+            "max_strain": sheet.max_strain,
+            "source": sheet.source,
+        },
         "strain": {
             "largest": round_numbers(strip.max_strain),
             "at": round_numbers(strip.max_strain_at),
@@ -188,6 +194,14 @@ def report_strip(
     }
 
 
+def _rounded(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the values with rounded numbers. Texts, flags and None are unchanged."""
+    return {
+        name: value if value is None or isinstance(value, str | bool) else round_numbers(value)
+        for name, value in values.items()
+    }
+
+
 def _without_loads(strip: Strip) -> dict[str, Any] | None:
     if strip.unloaded is None:
         return None
@@ -196,12 +210,7 @@ def _without_loads(strip: Strip) -> dict[str, Any] | None:
         for strains in (strip.strains, strip.unloaded_strains)
     )
     moved, at, _ = farthest_move(strip.rod, strip.unloaded)
-    return {
-        "strain": round_numbers(unloaded),
-        "strain_with_loads": round_numbers(loaded),
-        "moved": round_numbers(moved),
-        "moved_at": round_numbers(at),
-    }
+    return _rounded({"strain": unloaded, "strain_with_loads": loaded, "moved": moved, "moved_at": at})
 
 
 def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
@@ -218,12 +227,10 @@ def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
 
 def report_sideways(verdict: SidewaysStability) -> dict[str, Any]:
     """Return the stability against tipping sideways as plain data."""
-    return {
-        "word": verdict.word,
-        "margin": round_numbers(verdict.margin),
-        "overloaded": round_numbers(verdict.overloaded),
+    return _rounded({
+        "word": verdict.word, "margin": verdict.margin, "overloaded": verdict.overloaded,
         "meaning": verdict.meaning,
-    }
+    })  # fmt: skip
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
@@ -236,51 +243,31 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
     moves = displacements_per_mm(strip.rod)
     for action, moved in zip_longest(strip.rod.acting, moves):
         row = {
-            "kind": NOUNS[type(action.element)],
-            "at": round_numbers(action.s),
-            "force": round_numbers(strip.bending_stiffness * action.force),
-        }
+            "kind": NOUNS[type(action.element)], "at": action.s, "force": strip.bending_stiffness * action.force,
+        }  # fmt: skip
         if isinstance(action.element, Tie):
-            row["length"] = round_numbers(action.distance_on(strip.rod.curve))
-            row["pull"] = round_numbers(strip.bending_stiffness * action.size)
+            row |= {
+                "length": action.distance_on(strip.rod.curve), "pull": strip.bending_stiffness * action.size,
+            }  # fmt: skip
         if moved is not None:
-            row["moved_per_mm"] = round_numbers(moved)
-        rows.append(row)
+            row["moved_per_mm"] = moved
+        rows.append(_rounded(row))
     return rows
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
-    return {
-        "s": round_numbers(s),
-        "stiffness": round_numbers(rod.profile(s)),
-        "width": round_numbers(strip.width(s)),
-        "material": round_numbers(layout.material(s)),
-        "backing": None if layout.backing is None else round_numbers(layout.backing.width(s)),
-        **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
-    }
-
-
-def _sheet_report(sheet: Sheet) -> dict[str, Any]:
-    return {
-        "name": sheet.name,
-        "thickness": sheet.thickness,
-        "youngs_modulus_MPa": sheet.youngs_modulus,
-        "density_kg_m3": sheet.density,
-        "max_strain": sheet.max_strain,
-        "source": sheet.source,
-    }
+    return _rounded({
+        "s": s, "stiffness": rod.profile(s), "width": strip.width(s), "material": layout.material(s),
+        "backing": None if layout.backing is None else layout.backing.width(s),
+        **{name: size(s) for name, size in strip.tapered.items()},
+    })  # fmt: skip
 
 
 def report_reactions(reactions: Reactions) -> dict[str, Any]:
     """Return the forces (N) and moments (N mm) at both ends as plain data."""
-    return {
-        "start_force": round_numbers(reactions.start_force),
-        "start_moment": round_numbers(reactions.start_moment),
-        "end_force": round_numbers(reactions.end_force),
-        "end_moment": round_numbers(reactions.end_moment),
-    }
+    return _rounded(vars(reactions))
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
@@ -307,27 +294,20 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
     except NotConvergedError as problem:
         return {"factor": strip.creep, "problem": str(problem)}
     assert crept is not None
-    return {
-        "factor": crept.factor,
-        "basis": "exact" if crept.exact else "effective modulus",
-        "sag": round_numbers(crept.sag),
-        "force_share": round_numbers(crept.force_share),
-        "end_forces": round_numbers(crept.end_forces * strip.bending_stiffness),
-        "margin": round_numbers(crept.stability.margin),
-        "word": crept.stability.word,
-        "kept_bend": round_numbers(crept.kept_share),
-    }
+    return _rounded({
+        "factor": crept.factor, "basis": "exact" if crept.exact else "effective modulus", "sag": crept.sag,
+        "force_share": crept.force_share, "end_forces": crept.end_forces * strip.bending_stiffness,
+        "margin": crept.stability.margin, "word": crept.stability.word, "kept_bend": crept.kept_share,
+    })  # fmt: skip
 
 
 def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
-    ratio = smoothing.ratio_as_drawn if smoothing.fairing is not None else None
-    return {
-        "moved": round_numbers(smoothing.moved),
-        "allowed": None if smoothing.fairing is None else round_numbers(smoothing.fairing.tolerance),
-        "ratio_as_drawn": None if ratio is None else round_numbers(ratio),
-        "healed": round_numbers(smoothing.healed),
-        "drawn": None if smoothing.fairing is None else curve_record(smoothing.drawn),
-    }
+    fairing = smoothing.fairing
+    numbers = {
+        "moved": smoothing.moved, "allowed": fairing and fairing.tolerance,
+        "ratio_as_drawn": fairing and smoothing.ratio_as_drawn, "healed": smoothing.healed,
+    }  # fmt: skip
+    return _rounded(numbers) | {"drawn": fairing and curve_record(smoothing.drawn)}
 
 
 def _nearest_report(near: NearestRod) -> dict[str, Any]:
@@ -353,12 +333,13 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
         "expected": float(f"{shape.expected:.2g}"),
         "deviation": round_numbers(shape.deviation),
         "open": float(f"{shape.open:.2g}"),
-        "sheet": {"all": float(f"{shape.sheet_adds:.2g}")}
-        | {cause: float(f"{mm:.2g}") for cause, mm in shape.sheet.items()},
-        "parts": {cause: round_numbers(mm) for cause, mm in shape.parts.items()},
+        "sheet": {
+            cause: float(f"{mm:.2g}") for cause, mm in {"all": shape.sheet_adds, **shape.sheet}.items()
+        },
+        "parts": _rounded(shape.parts),
         "made_up_for": list(shape.made_up_for),
         "ends": {
-            end: {"shift": round_numbers(pose.shift), "turn": round_numbers(pose.turn)}
+            end: _rounded({"shift": pose.shift, "turn": pose.turn})
             for end, pose in (("start", shape.start), ("end", shape.end))
         },
         "notes": list(shape.notes),
@@ -369,23 +350,21 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     if strip.is_closed:
         return None
     ends = held_ends(strip)
-    by_end: dict[str, Any] = {
-        "distance": round_numbers(distance_between(ends)),
-        "tips": round_numbers(distance_of_tips(ends)),
-        "meaning": str(ends_message(strip)),
-    }
+    by_end = _rounded({
+        "distance": distance_between(ends), "tips": distance_of_tips(ends), "meaning": str(ends_message(strip)),
+    })  # fmt: skip
     for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
-        by_end[name] = {
-            "position": round_numbers(end.position + 0.0),
-            "angle": round_numbers(end.angle),
-            "from_the_line": round_numbers(end.tilt),
-            "tab": round_numbers(end.tab),
-            "holes": [
-                {"at": hole.at, "across": hole.across, "diameter": hole.diameter}
-                | {"from_the_start": round_numbers(np.round(place, 6) + 0.0)}
-                for hole, place in zip(end.holes, places, strict=True)
-            ],
-        }
+        placed = {
+            "position": end.position + 0.0, "angle": end.angle, "from_the_line": end.tilt, "tab": end.tab,
+        }  # fmt: skip
+        holes = [
+            {
+                "at": hole.at, "across": hole.across, "diameter": hole.diameter,
+                "from_the_start": round_numbers(np.round(place, 6) + 0.0),
+            }
+            for hole, place in zip(end.holes, places, strict=True)
+        ]  # fmt: skip
+        by_end[name] = _rounded(placed) | {"holes": holes}
     return by_end
 
 
@@ -409,7 +388,7 @@ def report_measuring(strip: Strip) -> dict[str, Any] | None:
     if strip.is_closed or strip.rod.acting:
         return None
     try:
-        return measuring_record(Measuring.of(strip))
+        return {**vars(Measuring.of(strip))}
     except NotConvergedError:
         return None
 

@@ -73,22 +73,18 @@ class Formula:
     where: str = "formula"
 
     def __post_init__(self) -> None:
-        _require_arithmetic(self._tree, self)
+        _require_arithmetic(self._parsed[0], self)
 
     @property
     def names(self) -> frozenset[str]:
         """Names in the formula that need a value."""
-        calls = {node.func for node in ast.walk(self._tree) if isinstance(node, ast.Call)}
-        variables = {n.id for n in self._parsed[1] if n not in calls}
-        return frozenset(variables - set(CONSTANTS))
+        tree, names = self._parsed
+        calls = {node.func for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        return frozenset({node.id for node in names if node not in calls} - set(CONSTANTS))
 
     @property
     def _shown(self) -> str:
         return self.text[:LONGEST_FORMULA]
-
-    @property
-    def _tree(self) -> ast.expr:
-        return self._parsed[0]
 
     @cached_property
     def _parsed(self) -> "_Parsed":
