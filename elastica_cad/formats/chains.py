@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import SEEN_APART, distinct_digits
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
+from elastica_cad.formats.edges import Edge, Run, Source, reverse_run, sample_run, size_of
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.fairing import (
     FIT_TOLERANCE,
@@ -111,7 +111,7 @@ def join_runs(
         If True, also join ends where the direction turns by more than 1 degree.
     """
     check_tolerance(tolerance, "tolerance for joining")
-    long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
+    long = [tuple(run) for run in runs if size_of(run) > tolerance]
     if len(long) < 2:
         return JoinedRuns(long)
     distinct, overlaps = _without_overlaps(long, tolerance)
@@ -123,7 +123,7 @@ def join_runs(
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
-    sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
+    sizes = np.repeat([size_of(run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
     return np.asarray(np.minimum(digit, np.minimum(DIGIT_MM, DIGIT_SHARE * sizes) / 2))
 
@@ -202,7 +202,7 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
         return None
     if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
         return None
-    points = np.concatenate([edge.at(edge.stations(9)) for edge in run])
+    points = sample_run(run, 9)
     centre = (points.max(axis=0) + points.min(axis=0)) / 2
     away = np.linalg.norm(points - centre, axis=1)
     return (centre, 2 * float(away.mean())) if np.ptp(away) <= JOIN_TOLERANCE else None
@@ -218,7 +218,7 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     if len(chains) < 2:
         return []
     ends = _ends(chains)
-    sizes = [sum(edge.size for edge in chain) for chain in chains]
+    sizes = [size_of(chain) for chain in chains]
     pairs = []
     for a, b in sorted(np.transpose(near_pairs(ends, ends, NEAR_MM)).tolist()):
         if a >= b:
@@ -376,7 +376,7 @@ def _without_overlaps(
         for i, run in enumerate(runs)
         if i not in dropped
     ]
-    return [run for run in cut if sum(edge.size for edge in run) > tolerance], tuple(overlaps)
+    return [run for run in cut if size_of(run) > tolerance], tuple(overlaps)
 
 
 def _common_parts(
@@ -393,10 +393,7 @@ def _common_parts(
         for place, end in sorted(on_run, key=lambda met: met[0], reverse=bool(side)):
             first, last = _end_places(run)
             common = _part_between(run, place, last) if side else _part_between(run, first, place)
-            if (
-                sum(e.size for e in common) > least
-                and _on_run(_sample_points(common), longer, tolerance).all()
-            ):
+            if size_of(common) > least and _on_run(_sample_points(common), longer, tolerance).all():
                 parts.append((side, place, end))
                 break
     return parts
@@ -494,7 +491,7 @@ def curve_from_run(
     if all(edge.degree == 1 for edge in run):
         vertices = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
         return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
-    dust = 1e-9 * sum(edge.size for edge in run)
+    dust = 1e-9 * size_of(run)
     pieces = [_fitted_if_polyline(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
     whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)

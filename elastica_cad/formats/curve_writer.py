@@ -94,8 +94,10 @@ def write_curves(
     if suffix == ".json":
         return write_atomically(path, curves_json(curves).encode(), force)
     if suffix == ".csv":
-        content = "\n\n".join(_points_csv(_evenly_spaced_points(curve)) for curve in curves).encode()
-        held = [curve_from_points(_evenly_spaced_points(curve)) for curve in curves]
+        sampled = [curve.sample(min(int(curve.length) + 101, _MOST_POINTS)).position for curve in curves]
+        texts = ("".join(f"{x:.9f},{y:.9f}\n" for x, y in points) for points in sampled)
+        content = "\n\n".join(f"x_mm,y_mm\n{text}" for text in texts).encode()
+        held = [curve_from_points(points) for points in sampled]
     else:
         chains = [Chain((Spline(curve),), closed=curve.is_closed) for curve in curves]
         drawing = Drawing(Path(path).stem, tuple(LayeredPath(MARK, chain) for chain in chains))
@@ -112,14 +114,6 @@ def write_curves(
         if fitted is not drawn:
             warnings.warn(_fit_note(Path(path).name, number, drawn, fitted), FitWarning, stacklevel=2)
     return written
-
-
-def _evenly_spaced_points(curve: PlaneCurve) -> FloatArray:
-    return curve.sample(min(int(curve.length) + 101, _MOST_POINTS)).position
-
-
-def _points_csv(points: FloatArray) -> str:
-    return "x_mm,y_mm\n" + "".join(f"{x:.9f},{y:.9f}\n" for x, y in points)
 
 
 def _read_again(chain: Chain) -> PlaneCurve:

@@ -14,7 +14,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import counted
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.chains import JoinedRuns, curve_from_run, holes_on_chains, join_runs, near_ends
-from elastica_cad.formats.edges import Edge, Run, Source
+from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tolerance, name_source
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import distances
@@ -47,7 +47,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     """
     if float(np.linalg.norm(run[0].start - run[-1].end)) > tolerance or run[0].points.shape[1] != 2:
         return None
-    drawn = np.concatenate([edge.at(edge.stations()) for edge in run])
+    drawn = sample_run(run)
     drawn -= drawn[0]
     s = np.append(0.0, np.cumsum(np.hypot(*np.diff(drawn, axis=0).T)))
     area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
@@ -319,7 +319,11 @@ class DrawnFile:
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             named = [curve for curve in curves if which and curve.name == which]
-            named = named or [curve for curve in curves if which and which in _alternative_names(curve)]
+            named = named or [
+                curve
+                for curve in curves
+                if which and which in (curve.id, *curve.name.split("/"), *curve.id.split("/"))
+            ]
             curves = named or [curve for curve in curves if str(curve.number) == which.strip()]
         return tuple(curves)
 
@@ -410,9 +414,8 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
         operations["joined"] |= len({id(edge.source or edge) for edge in curve.chain}) > 1
         operations["smoothed"] |= drawn is not None and drawn.healed > EXACT_MM
         distance = max(distance, away)
-    return ReadReport(
-        (width, height), unit, kinds, tuple(name for name, is_so in operations.items() if is_so), distance
-    )
+    done = tuple(name for name, is_done in operations.items() if is_done)
+    return ReadReport((width, height), unit, kinds, done, distance)
 
 
 # largest number of points of the drawing that are compared with the curve
@@ -431,7 +434,7 @@ def _distance(curve: PlaneCurve, flat: Run) -> float:
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):
             return 0.0
-        points = np.concatenate([edge.at(edge.stations()) for edge in flat])
+        points = sample_run(flat)
     elif record is not None and record.measured is not None:
         points = record.measured.points
     else:
@@ -566,10 +569,6 @@ _SHOWN = 6
 def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:
     first = ", ".join(curve.called.removeprefix("curve ") for curve in curves[:_SHOWN])
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
-
-
-def _alternative_names(curve: DrawnCurve) -> set[str]:
-    return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 
 def list_things(counted: Mapping[str, int]) -> str:

@@ -370,7 +370,10 @@ def _run(entity: Any) -> Run | None:
         return (_circle(entity, full=kind == "CIRCLE"),)
     if kind == "ELLIPSE":
         return (_ellipse(entity),)
-    if kind == "SPLINE" or (kind == "HELIX" and _is_flat(entity)):
+    if kind == "SPLINE" or (
+        kind == "HELIX"
+        and abs(entity.dxf.turns * entity.dxf.turn_height) <= FLAT_HELIX * abs(entity.dxf.radius)
+    ):
         return (_spline(entity),)
     if kind == "LWPOLYLINE":
         rows = [(x, y, entity.dxf.elevation, bulge) for x, y, bulge in entity.get_points("xyb")]
@@ -429,10 +432,6 @@ def _spline(entity: Any) -> Edge:
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)
     return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
-
-
-def _is_flat(helix: Any) -> bool:
-    return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
 
 
 def _full_period(

@@ -1,6 +1,6 @@
 """Edges of a drawing as stored in its file: NURBS of any degree from 1, in the plane or in space."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -208,6 +208,16 @@ class Edge:
 
 Run = tuple[Edge, ...]
 """Consecutive edges, end to end."""
+
+
+def size_of(run: Sequence[Edge]) -> float:
+    """Return the sum of the sizes of the edges, mm."""
+    return sum(edge.size for edge in run)
+
+
+def sample_run(run: Iterable[Edge], each: int = 17) -> FloatArray:
+    """Return points (n, d), mm, along all edges: `each` in every span."""
+    return np.concatenate([edge.at(edge.stations(each)) for edge in run])
 
 
 def reverse_run(run: Sequence[Edge]) -> Run:

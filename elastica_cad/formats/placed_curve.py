@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import Change, InputError, rounded_up
 from elastica_cad.formats.chains import curve_from_run, holes_on_chains, join_runs
-from elastica_cad.formats.edges import Edge, Run
+from elastica_cad.formats.edges import Edge, Run, sample_run
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, Point, note
@@ -40,7 +40,7 @@ def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
     In a plane within a degree of horizontal, x and y are the axes of the drawing. In all other planes, x is along
     the horizontal line of the plane, towards positive x (or y). The y axis is along the steepest line, upwards.
     """
-    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    points = sample_run(run)
     noise = min(NOISE_MM, NOISE_SHARE * float(np.ptp(points, axis=0).max()))
     x_axis, y_axis = _plane_axes(points, max(tolerance, noise))
     normal = np.cross(x_axis, y_axis)
@@ -125,13 +125,8 @@ def placed_curve(
     if len(runs) > 1:
         raise InputError(_several_chains_message(runs))
     turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
-    run = runs[0]
-    return place_chain(
-        run,
-        partial(_side_of, turned=turn) if plane is None else partial(_require_in_plane, plane=plane),
-        holes[0],
-        join,
-    )
+    frame_of = partial(_side_of, turned=turn) if plane is None else partial(_require_in_plane, plane=plane)
+    return place_chain(runs[0], frame_of, holes[0], join)
 
 
 def edge_chains(edges: Sequence[Edge], join: float = JOIN) -> list[Run]:
@@ -179,11 +174,8 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
             "that the strip must follow",
             place=place,
         )
-    if (
-        gap
-        <= INTENDED_GAP_FRACTION
-        * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max()
-    ):
+    points = np.concatenate([edge.points for part in runs for edge in part])
+    if gap <= INTENDED_GAP_FRACTION * np.ptp(points, axis=0).max():
         return note(
             "two edges end {gap} apart at {place}: join their ends there (in a sketch, by a coincident "
             "constraint)",
@@ -199,7 +191,7 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
 
 
 def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
-    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    points = sample_run(run)
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
         raise InputError(
@@ -211,19 +203,13 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    points = np.concatenate([edge.points for edge in run])
-    heights = points[:, 2]
-    if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
+    if turned is AS_DRAWN and np.ptp(np.concatenate([edge.points[:, 2] for edge in run])) <= JOIN:
         return Frame((0.0, 0.0, run[0].start[2]))
-    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    points = sample_run(run)
     x_axis, y_axis = _plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
     normal = np.cross(x_axis, y_axis)
     before = turned.T @ normal
-    if np.hypot(before[0], before[1]) < TANGENT:
-        side = before[2]
-    else:
-        side = _total_turn(points, normal)
-    if side < 0:
+    if (before[2] if np.hypot(*before[:2]) < TANGENT else _total_turn(points, normal)) < 0:
         x_axis, normal = -x_axis, -normal
     return Frame((run[0].start @ normal) * normal, x_axis, y_axis)
 

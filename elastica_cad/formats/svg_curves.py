@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -14,7 +15,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
-from elastica_cad.formats.edges import Edge, Run, Source
+from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count, half_last_place
 from elastica_cad.formats.svg_path_data import path_data
 from elastica_cad.formats.svg_shapes import Box, Name, Shape, SvgShapes, view_box
@@ -183,7 +184,11 @@ class _Reader:
 
     def runs(self, to_mm: FloatArray) -> Iterator[Run]:
         """Yield the edges of all visible shapes, mm, and count the other shapes."""
-        shown = [shape for shape in self.shapes.displayed if _is_visible(shape.context.values)]
+        shown = [
+            shape
+            for shape in self.shapes.displayed
+            if shape.context.values["visibility"].strip().lower() not in ("hidden", "collapse")
+        ]
         painted = [shape for shape in shown if _is_painted(shape.context.values)] or shown
         count = 0
         for shape in painted:
@@ -249,10 +254,6 @@ class _Reader:
         return (*clipped, *unread)
 
 
-def _is_visible(values: Mapping[str, str]) -> bool:
-    return values["visibility"].strip().lower() not in ("hidden", "collapse")
-
-
 def _is_painted(values: Mapping[str, str]) -> bool:
     """Return True if a shape has a visible stroke or fill."""
     for what in ("stroke", "fill"):
@@ -267,7 +268,7 @@ def _is_painted(values: Mapping[str, str]) -> bool:
 def _may_be_clipped(runs: Sequence[Run], box: Box | None, matrix: FloatArray) -> bool:
     if box is None:
         return True
-    points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run])
+    points = sample_run(chain.from_iterable(runs))
     mapped = points @ matrix[:2, :2].T + matrix[:2, 2]
     near = 1e-6 * max(box[2] - box[0], box[3] - box[1])
     return bool(np.any(mapped < np.array(box[:2]) - near) or np.any(mapped > np.array(box[2:]) + near))

@@ -412,7 +412,7 @@ def _stations(strip: Strip) -> Record:
     wide = [first.width or width[0], *width, last.width or width[-1]]
     return {
         "position": _rounded(np.concatenate(ends), 3),
-        "width": _rounded(np.array(wide), 3),
+        "width": _rounded(wide, 3),
         "curvature": _rounded(kappa, 6),
         "shares": _rounded(fraction, 3),
     }
@@ -532,8 +532,10 @@ def _sheet_rows(request: Mapping[str, Any]) -> Record:
         except ElasticaError as problem:
             row |= {"text": problem.refusal, "kind": problem.refusal.kind}
             continue
-        row |= {"used": round(strip.strain_verdict.used, 3), "mass": float(f"{strip.mass:.4g}")}
-        row |= {"fits": strip.strain_verdict.allowed}
+        verdict = strip.strain_verdict
+        row |= {
+            "used": round(verdict.used, 3), "mass": float(f"{strip.mass:.4g}"), "fits": verdict.allowed,
+        }  # fmt: skip
     return {"sheets": rows}
 
 
