@@ -147,11 +147,8 @@ LONGEST_PART = 2.0  # longest chord in the search for facing points, as a multip
 LEAST_FACING_COSINE = 0.9
 # largest slope of the width for which `_is_obviously_wide` is valid; each edge then slopes by 26 degrees
 STEEPEST_WIDTH_SLOPE = 1.0
-# successive search distances, as fractions of the least width
-_SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
-CELL_FRACTION = (
-    0.25  # side of a cell of which only the narrowest place is compared, as a fraction of the least width
-)
+# side of the cells of which only the narrowest place is compared, as a fraction of the least width
+CELL_FRACTION = 0.25
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
 
@@ -226,47 +223,29 @@ def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
     return np.flatnonzero(np.bincount(i[opposed][facing], minlength=chords.loop.size))
 
 
-def _opposed_points(
-    points: FloatArray, normals: FloatArray, searching: IntArray, reach: float
-) -> Iterator[tuple[IntArray, IntArray]]:
-    """Yield index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
-
-    The first point of each pair is among `searching`. The normals times `reach` are appended to the
-    coordinates, so that one search compares points and normals.
-    """
-    # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
-    here, there = np.hstack([points, reach * normals])[searching], np.hstack([points, -reach * normals])
-    radius = reach * np.hypot(1, 2 * np.sqrt(1 - LEAST_FACING_COSINE**2))
-    for i, j in blocks_of_near_pairs(here, there, float(radius)):
-        yield searching[i], j
-
-
 def _widths_across(
     points: FloatArray, normals: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """Return index pairs (k,) of points that face each other across the material, and their distances, mm.
 
-    Each point is paired only with the closest point. Short distances are searched first, because a long search
-    distance gives very many pairs between close slots.
+    Each point is paired only with the closest point. The normals times `least` are appended to the coordinates,
+    so that one search compares points and normals.
     """
+    here, there = np.hstack([points, least * normals]), np.hstack([points, -least * normals])
+    # if two points face each other, the sum of their normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
+    radius = float(least * np.hypot(1, 2 * np.sqrt(1 - LEAST_FACING_COSINE**2)))
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
-    searching = np.arange(len(points))
-    for reach in (1 - 1e-9) * least * _SEARCH_DISTANCES:
-        wider = np.ones(len(points), dtype=bool)
-        for here, there in _opposed_points(points, normals, searching, reach):
-            across = points[there] - points[here]
-            width = np.hypot(across[:, 0], across[:, 1])
-            with np.errstate(invalid="ignore", divide="ignore"):
-                across = across / width[:, None]
-            facing = (np.sum(across * normals[here], axis=1) > LEAST_FACING_COSINE) & (
-                np.sum(across * normals[there], axis=1) < -LEAST_FACING_COSINE
-            )
-            facing &= width < reach
-            i, j, width = here[facing], there[facing], width[facing]
-            narrowest = _narrowest(i, width)
-            pairs.append((i[narrowest], j[narrowest], width[narrowest]))
-            wider[i] = False
-        searching = searching[wider[searching]]
+    for i, j in blocks_of_near_pairs(here, there, radius):
+        across = points[j] - points[i]
+        width = np.hypot(across[:, 0], across[:, 1])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            across = across / width[:, None]
+        facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
+            np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
+        )
+        facing = np.flatnonzero(facing & (width < (1 - 1e-9) * least))
+        narrowest = facing[_narrowest(i[facing], width[facing])]
+        pairs.append((i[narrowest], j[narrowest], width[narrowest]))
     i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
     i, j = np.minimum(i, j), np.maximum(i, j)
     once = _narrowest(i * len(points) + j, width)
@@ -275,9 +254,8 @@ def _widths_across(
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
     # a long narrow part has very many places, so only the narrowest place of each small cell is compared
-    row, column = (
-        ((middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)).astype(np.int64).T
-    )
+    cells = (middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)
+    row, column = cells.astype(np.int64).T
     kept = np.sort(_narrowest(row * 2**31 + column, width))
     order = kept[np.argsort(width[kept], kind="stable")]
     i, j = near_pairs(middle[order], middle[order], least)
