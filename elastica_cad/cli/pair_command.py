@@ -95,7 +95,7 @@ def pair(**chosen: Any) -> None:
     name = file_word(chosen["name"] or path.stem)
     # raise the error for an unknown kerf before the long computation
     sheet = Sheet.of(spec.sheet)
-    cut_as = cut_text(cutting.options(sheet)["kerf"], sheet.kerf)
+    cut_as = cut_text(cutting.options(sheet)["kerf"])
     if spec.scale != 1:
         say_row(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
     if matched := spec.matched:

@@ -333,7 +333,9 @@ def _report(
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
-    cut = [cut_text(kerf, strip.sheet.kerf)]
+    if kerf_note := cutting.kerf_note([strip.sheet]):
+        say_row(Row("Kerf", kerf_note))
+    cut = [cut_text(kerf)]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
     wrote(
         written,

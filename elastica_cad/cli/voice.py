@@ -189,13 +189,9 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
         say_row(Row("Files", ", ".join(files)))
 
 
-def cut_text(kerf: float, sheet_kerf: float) -> str:
-    """Return the description of a file to cut, from the compensated kerf and the kerf of the sheet, mm."""
-    if kerf:
-        return f"cut, {kerf:g} mm kerf included"
-    if sheet_kerf:
-        return f"cut; the kerf makes parts {sheet_kerf:g} mm narrower; --kerf sheet compensates this"
-    return "cut, kerf not compensated"
+def cut_text(kerf: float) -> str:
+    """Return the description of a file to cut, from the compensated kerf, mm."""
+    return f"cut, {kerf:g} mm kerf included" if kerf else "cut"
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:

@@ -1,6 +1,6 @@
 """Request for the parts of a kit that are not strips: sheets, cutting files, holders, further pieces."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
@@ -14,7 +14,7 @@ from elastica_cad.formats.drawing_style import Scheme
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
 from elastica_cad.model.nesting import Nesting
-from elastica_cad.refusals import FieldName
+from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
@@ -143,6 +143,20 @@ class Cutting:
             "holding": self.holding,
             "marks": self.marks,
         }
+
+    def kerf_note(self, sheets: Iterable[Sheet]) -> Refusal | None:
+        """Return a note if the files for these sheets do not compensate the kerf, or None."""
+        kerfs = [sheet.kerf for sheet in sheets if sheet.kind != ROD_KIND]
+        if self.kerf != 0 or not kerfs:
+            return None
+        kerf = max(kerfs)
+        return note(
+            "The files do not compensate the kerf, which makes parts {kerf} narrower and slots wider. Set {field} "
+            "to sheet, unless the laser program compensates it." if kerf else
+            "The files do not compensate the kerf, which makes parts narrower and slots wider. Set {field} to the "
+            "width of the cut, unless the laser program compensates it.",
+            kerf=Length(kerf), field=FieldName("cut.kerf"),
+        )  # fmt: skip
 
 
 DEFAULT_CUTTING = Cutting()

@@ -161,8 +161,10 @@ def kit_contents(
         if spec.cutting.service
         else numbers_note({piece.name: piece.number or piece.name for piece in pieces})
     )
+    kerf = spec.cutting.kerf_note(piece.sheet for piece in pieces)
+    first = [*numbers, *([] if kerf is None else [kerf])]
     return KitContents(
-        model, spec, pieces, nests, tuple(holders), tuple(entries), held, (*numbers, *messages), deviations
+        model, spec, pieces, nests, tuple(holders), tuple(entries), held, (*first, *messages), deviations
     )
 
 

@@ -531,8 +531,8 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
         note(" (the stiffness still changes by {change:.2g})", change=change) if np.isfinite(change) else ""
     )
     return NotConvergedError(
-        "the iteration of weight and {quantity} did not converge{moves}, because the rod is too heavy for "
-        "this curve. Use a stiffer or lighter material, or support the rod",
+        "the iteration of weight and {quantity} did not converge{moves}. Without weight the rod takes this "
+        "curve. Use a stiffer or lighter material, or support the rod",
         quantity=law.quantity,
         moves=moves,
     )

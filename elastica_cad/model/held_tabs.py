@@ -1,6 +1,7 @@
 """Free play of tabs in pockets and slots, and its effect on the shapes of strips."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
@@ -21,7 +22,9 @@ def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> 
     # use the points of a wall that the tab reaches; if the tab reaches none, use the nearest point
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
-    return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
+    steepness = abs(float(tab.frame.x_axis @ plate.frame.z_axis))
+    named = note("slot of {name}", name=plate.name)
+    return TabSeat(left, right, tab.thickness, named, cut=steepness, key=FieldName("gap"))
 
 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
@@ -60,7 +63,7 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
             both = note("{one} and {other}", one=before.name, other=seat.name.split()[-1])
-            seats[tab.key] = TabSeat(left, right, seat.thickness, both)
+            seats[tab.key] = replace(seat, left=left, right=right, name=both, key=FieldName("clearance"))
         else:
             seats[tab.key] = seat
     return seats

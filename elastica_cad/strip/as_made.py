@@ -16,11 +16,14 @@ from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent, resample
 from elastica_cad.mechanics.sections import SheetCurl, crack_energy
 from elastica_cad.mechanics.sheets import even_shear_ratio
 from elastica_cad.mechanics.stiffness_law import BendFactor
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
     LEAST_REPORTED_MM,
+    LOOSE_TABS,
+    SHEET_KEYS,
+    Contribution,
     HeldShape,
     MakingTolerance,
     Seats,
@@ -35,7 +38,7 @@ from elastica_cad.strip.outline import Ends, fix_tab_widths
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.styles import Layout
-from elastica_cad.strip.tab_seats import EndPose, TabSeat, rest_in_seats
+from elastica_cad.strip.tab_seats import rest_in_seats
 
 CUTS = 8
 """Number of stations between two nodes of the rod at which the net width is measured."""
@@ -511,19 +514,43 @@ class StripAsMade:
         The deviations by cause are computed for `uncorrected`, the strip without compensation.
         """
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
-        parts = uncorrected.parts(seats, poses)
-        corrected, holders = (
-            uncorrected is not self,
-            {_cause_of_holder(k, seat) for k, seat in enumerate(seats) if seat is not None},
-        )
+        parts, corrected = uncorrected.parts(), uncorrected is not self
         made_up_for = tuple(
             cause
             for cause, mm in parts.items()
-            if mm >= LEAST_REPORTED_MM
-            and ((corrected and cause not in holders) or (self.as_plate and cause == ANTICLASTIC))
+            if mm >= LEAST_REPORTED_MM and (corrected or (self.as_plate and cause == ANTICLASTIC))
         )
         if self.as_plate:
             parts.pop(ANTICLASTIC, None)
+        uncertainty = open_deviation(
+            rod.length,
+            self.layout.sheet,
+            parts,
+            width=0.0 if self._cut_breadth is None else float(self._cut_breadth.max()),
+            approximated=self.approximated,
+            crowded=bool(self.crowded),
+        )
+        sheet = sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance)
+        notes = self._notes(seats)
+        try:
+            sheet |= self._loose_tabs(seats, rod, tolerance)
+        except NotConvergedError:
+            notes = (*notes, note("The effect of wider slots is not computed"))
+        # effects can cancel, so a single effect can be larger than the deviation of all effects
+        together = deviation_from(self.design, self.loaded.position + self._leaf_ends)
+        key = FieldName("compensate") if self.layout.stack is None else ""
+        contributions = [
+            Contribution(note("uncertainty of the model"), uncertainty),
+            *(Contribution(note(cause), mm, f"tolerance.{SHEET_KEYS[cause]}") for cause, mm in sheet.items()),
+            *([Contribution(note("effects that the widths do not compensate"), together)] if corrected else
+              [Contribution(note(cause), min(mm, together), key) for cause, mm in parts.items()]),
+        ]  # fmt: skip
+        turned = {abs(pose.turn): seat for seat, pose in zip(seats, poses, strict=True) if seat is not None}
+        if turned:
+            loosest = turned[max(turned)]
+            parts[LOOSE_TABS] = deviation_from(self.loaded, rod.position)
+            cause = note("tabs that turn in the {holder}", holder=loosest.name)
+            contributions.append(Contribution(cause, parts[LOOSE_TABS], loosest.key))
         return HeldShape(
             as_bent(rod),
             deviation_from(self.design, rod.position + self._leaf_ends),
@@ -532,17 +559,30 @@ class StripAsMade:
             corrected=corrected,
             as_plate=self.as_plate and ANTICLASTIC in made_up_for,
             made_up_for=made_up_for,
-            open=open_deviation(
-                rod.length,
-                self.layout.sheet,
-                parts,
-                width=0.0 if self._cut_breadth is None else float(self._cut_breadth.max()),
-                approximated=self.approximated,
-                crowded=bool(self.crowded),
-            ),
-            sheet=sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance),
-            notes=self._notes(seats),
+            open=uncertainty,
+            sheet=sheet,
+            notes=notes,
+            contributions=tuple(sorted(contributions, key=lambda part: -part.mm)),
         )
+
+    def _loose_tabs(self, seats: Seats, rod: Rod, tolerance: MakingTolerance) -> dict[str, float]:
+        """Return the deviation, mm, because tabs are thinner and slots are wider than designed.
+
+        `rod` is the shape in the designed slots. Both errors turn the tabs, so they are computed together.
+        """
+        rooms = np.array([
+            (0.0, 0.0) if seat is None else
+            (tolerance.thickness_wave * seat.thickness, tolerance.kerf * seat.cut) for seat in seats
+        ])  # fmt: skip
+        if not rooms.any():
+            return {}
+        start, end = (
+            None if seat is None else seat.loosened(float(room))
+            for seat, room in zip(seats, rooms.sum(axis=1), strict=True)
+        )
+        loose, _ = rest_in_seats(self.rod, self.design, (start, end), self.tab_ratios(self.rod))
+        far = deviation_from(rod, loose.position) * rooms.sum(axis=0) / rooms.sum()
+        return dict(zip(("thinner tabs", "wider slots"), far.tolist(), strict=True))
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
@@ -597,14 +637,14 @@ class StripAsMade:
         moments = (force[:, 0] * axis[:, 1] - force[:, 1] * axis[:, 0])[:, None]
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
-    def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
+    def parts(self) -> dict[str, float]:
         """Return the deviation from the design, mm, that each cause alone produces, to first order.
 
-        A cause changes the curvature at each node under the designed moment, or moves and turns an end.
+        A cause changes the curvature at each node under the designed moment.
         Anticlastic bending is computed as if the widths did not compensate it.
         """
         design, loaded = self.design, self.loaded
-        K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
+        K, elastic = design.stiffness, design.moment / design.stiffness
         curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
         bends = {cause: elastic * (1 / factor - 1) for cause, factor in {**self.factors, **curl}.items()}
         if self.approximated:
@@ -612,14 +652,6 @@ class StripAsMade:
             bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
             bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
-        shifts = {cause: np.zeros((2, 2)) for cause in bends}
-        cells = design.discrete.node_lengths
-        for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
-            if seat is not None:
-                cause, angle = _cause_of_holder(k, seat), float(design.angle[-k])
-                bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
-                bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
-                shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
         jumps = (
             {LEAF_ENDS: deviation_from(design, design.position + self._leaf_ends)}
             if self._leaf_ends.any()
@@ -628,12 +660,7 @@ class StripAsMade:
         if not bends:
             return jumps
         moments = -loaded.stiffness[:, None] * np.column_stack([*bends.values()])
-        ends = np.array([*shifts.values()])
-        moved = ends[None, :, 0] + shape_responses(loaded, moments, apart=ends[:, 1] - ends[:, 0])
+        moved = shape_responses(loaded, moments)
         return jumps | {
             cause: deviation_from(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
         }
-
-
-def _cause_of_holder(end: int, seat: TabSeat) -> str:
-    return f"{('start', 'end')[end]}: {seat.name}"

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
 from elastica_cad.mechanics.tolerances import feels_modulus
-from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
@@ -63,18 +63,38 @@ ANTICLASTIC = "anticlastic bending"
 LEAF_ENDS = "ends of leaves"
 """Cause of deviation: the neutral axis of a stack jumps by half a thickness where a glued ply ends."""
 
+LOOSE_TABS = "loose tabs"
+"""Cause of deviation: the tabs shift and turn in their holders."""
+
 LEAST_REPORTED_MM = 0.005
 """Smallest deviation, mm, that is reported with its cause."""
 
 
-Source: TypeAlias = Literal["computed", "model", "sheet"]
-"""Source of a deviation: effects computed for the shape, uncertainty of the model, or errors of sheet, cut
-and clamps."""
+@dataclass(frozen=True)
+class Contribution:
+    """Contribution of one cause to the expected deviation of a strip.
 
-MAIN_SOURCE_FRACTION = np.sqrt(0.5)
-"""Fraction of the expected deviation above which a source is the main source.
+    Attributes
+    ----------
+    cause : str
+        Name of the cause, as a message.
+    mm : float
+        Computed deviation due to this cause, mm.
+    key : str
+        Key of the design that determines the contribution, or an empty string.
+    """
 
-The square of the expected deviation is the sum of the squares of the deviations of all sources."""
+    cause: str
+    mm: float
+    key: str = ""
+
+    @property
+    def sentence(self) -> Refusal:
+        """Amount, cause and key, for a message."""
+        return note(
+            "{far} due to {cause} ({key})" if self.key else "{far} due to {cause}",
+            far=about(self.mm), cause=self.cause, key=self.key,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,8 +108,8 @@ class HeldShape:
     deviation : float
         Largest computed distance between a point of the strip and its designed position, mm.
     parts : mapping of str to float
-        Deviation due to each cause alone, to first order, mm: "slots", "narrow tabs", "leaning ligaments",
-        "anticlastic bending", "start: pocket" and so on.
+        Deviation due to each cause alone, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic bending"
+        and so on to first order, and "loose tabs".
     start, end : EndPose
         Positions of the ends at rest.
     corrected : bool
@@ -104,6 +124,8 @@ class HeldShape:
         Deviation due to sheet, cut and clamps, mm, by cause: see `sheet_effects`.
     notes : tuple of str
         Notes on the assumptions of the model for this strip.
+    contributions : tuple of Contribution
+        Contributions to the expected deviation, the largest first.
     """
 
     rod: Rod
@@ -117,6 +139,7 @@ class HeldShape:
     open: float = 0.0
     sheet: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    contributions: tuple[Contribution, ...] = ()
 
     @property
     def sheet_adds(self) -> float:
@@ -130,15 +153,6 @@ class HeldShape:
         """
         return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
 
-    @property
-    def main_source(self) -> Source | None:
-        """Main source of the expected deviation, or None: see `MAIN_SOURCE_FRACTION`."""
-        sources: dict[Source, float] = {
-            "computed": self.deviation, "model": self.open, "sheet": self.sheet_adds,
-        }  # fmt: skip
-        largest = max(sources, key=lambda source: sources[source])
-        return largest if sources[largest] > MAIN_SOURCE_FRACTION * self.expected else None
-
     def __str__(self) -> str:
         strays = note(
             "A real strip, with widths that compensate anticlastic bending (bending across the strip), "
@@ -146,32 +160,10 @@ class HeldShape:
             "A real strip deviates from its design by about {far}, {percent:g} % of its length",
             far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
         )  # fmt: skip
-        if self.main_source is not None:
-            most = {
-                "computed": "mostly as computed",
-                "model": "mostly due to uncertainty of the model",
-                "sheet": "mostly due to the sheet",
-            }[self.main_source]
-            strays = note("{strays}, {most}", strays=strays, most=note(most))
-        sentence = note(
-            ("{strays}. This deviation consists of {modelled} from computed effects, {open} from the "
-             "uncertainty of the model, and {sheet} from sheet, cut and clamps"),
-            strays=strays, modelled=about(self.deviation), open=about(self.open),
-            sheet=about(self.sheet_adds),
-        )  # fmt: skip
-        listed = [
-            note("{far:.2g} due to {cause}", far=Length(mm), cause=note(cause))
-            for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
-            if mm >= LEAST_REPORTED_MM
-        ]
+        listed = [part.sentence for part in self.contributions if part.mm >= LEAST_REPORTED_MM]
         if listed:
-            each = (
-                "{strays}. Each computed effect alone, without the compensation: {causes}"
-                if self.corrected
-                else "{strays}. Each computed effect alone: {causes}"
-            )
-            sentence = note(each, strays=sentence, causes=sentences(listed))
-        return sentences((sentence, *self.notes), ". ")
+            strays = note("{strays}. Contributions: {causes}", strays=strays, causes=sentences(listed))
+        return sentences((strays, *self.notes), ". ")
 
 
 def _two_digits(value: float) -> float:
@@ -327,7 +319,8 @@ class MakingTolerance:
     clamps : float
         Error of the angle of each clamp, rad.
     kerf : float
-        Loss of width in addition to the compensated kerf, mm.
+        Width that the cut removes in addition to the compensated kerf, mm. Strips become narrower, and slots
+        wider.
     modulus : float
         Relative reduction of Young's modulus; it has an effect only on strips under weight or loads.
 
@@ -365,6 +358,19 @@ class MakingTolerance:
 
 USUAL_TOLERANCE = MakingTolerance()
 """Tolerances of a careful workshop."""
+
+
+SHEET_KEYS: Mapping[str, str] = {
+    "thickness": "thickness_wave",
+    "grain": "grain",
+    "modulus": "modulus",
+    "kerf": "kerf",
+    "clamp at the start": "clamps",
+    "clamp at the end": "clamps",
+    "thinner tabs": "thickness_wave",
+    "wider slots": "kerf",
+}
+"""Fields of `MakingTolerance` by the cause of a deviation."""
 
 
 def sheet_effects(

@@ -503,18 +503,12 @@ def not_computed_row(strip: Strip) -> Row | None:
 
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
-    far, share = about(held.expected), held.expected / held.rod.length
-    if share > MOST_DEVIATION:
-        warning = note(
-            "about {far} from the design, {percent:.0f} % of its length, because small errors move this shape "
-            "far. Support the strip between its ends, or draw another curve",
-            far=far, percent=100 * share,
-        )  # fmt: skip
-        return Row(note("Accuracy"), warning, (str(held),), "warning")
-    text = {
-        "computed": "about {far} from the design, mostly from tabs, slots, curling and holders",
-        "model": "about {far} from the design, mostly from the model",
-        "sheet": "about {far} from the design, mostly from material, cut and clamps",
-        None: "about {far} from the design",
-    }[held.main_source]
-    return Row(note("Accuracy"), note(text, far=far), (str(held),))
+    share = held.expected / held.rod.length
+    far_off = share > MOST_DEVIATION
+    text = note(
+        "about {far} from the design, {percent:.0f} % of its length. Largest contribution: {largest}. Reduce it, "
+        "support the strip between its ends, or draw another curve" if far_off else
+        "about {far} from the design. Largest contribution: {largest}",
+        far=about(held.expected), percent=100 * share, largest=held.contributions[0].sentence,
+    )  # fmt: skip
+    return Row(note("Accuracy"), text, (str(held),), "warning" if far_off else "note")

@@ -1,7 +1,7 @@
 """Contact of tabs with their holders, and the rest shape of a strip whose tabs fit loosely."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain, repeat
 
@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 STEEPEST_RAD = np.radians(80.0)
 """Largest turn of a tab, rad, up to which contact with the holder is searched."""
@@ -55,6 +55,11 @@ class TabSeat:
         Thickness of the tab, mm.
     name : str
         Name of the holder in messages.
+    cut : float
+        Change of the clearance across the tab per change of the width of the slot that holds it. It is the sine
+        of the angle between tab and plate, and 0 for pockets that are not cut.
+    key : str
+        Key of the design that determines how far the tab can turn.
 
     Examples
     --------
@@ -67,6 +72,8 @@ class TabSeat:
     right: FloatArray
     thickness: float
     name: str = "holder"
+    cut: float = 0.0
+    key: str = FieldName("clearance")
 
     def __post_init__(self) -> None:
         for side in ("left", "right"):
@@ -120,7 +127,12 @@ class TabSeat:
         cos, sin = np.cos(turn), np.sin(turn)
         rotation = np.array([[cos, sin], [-sin, cos]])
         left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
-        return TabSeat(left, right, self.thickness, self.name)
+        return replace(self, left=left, right=right)
+
+    def loosened(self, room: float) -> "TabSeat":
+        """Return the holder with a larger clearance across the tab, by `room` mm."""
+        aside = np.array([0.0, room / 2])
+        return replace(self, left=self.left + aside, right=self.right - aside)
 
     def gaps(self, shift: float, turn: float, sign: int) -> FloatArray:
         """Return the gaps (k,), mm, between the points of the holder and the tab; negative for overlaps.

@@ -38,10 +38,12 @@ from elastica_cad.model import (
     slotted_frame,
     tab_seats,
 )
+from elastica_cad.model.held_tabs import seat_of
 from elastica_cad.model.plate_pairs import end_plates
-from elastica_cad.strip import TabSeat, compensate_widths
+from elastica_cad.strip import MakingTolerance, TabSeat, compensate_widths
 from elastica_cad.strip.as_made import stiffness_factors
 from elastica_cad.strip.held_shape import LEAST_REPORTED_MM
+from elastica_cad.strip.summary import accuracy_row
 from elastica_cad.strip.tab_seats import lean_against, rest_in_seats
 
 pytestmark = pytest.mark.core
@@ -49,6 +51,7 @@ pytestmark = pytest.mark.core
 PLY = Sheet.named("birch-plywood-0.8")
 CARD = Sheet.named("card-200gsm")
 MDF = Sheet.named("mdf-3")
+NO_ERRORS = MakingTolerance(0.0, 0.0, 0.0, 0.0, 0.0)
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 
 
@@ -177,7 +180,7 @@ def test_play_moves_the_shape_and_a_leaning_pocket_makes_up_for_it(strip):
     straight = [replace(block, lean=(0.0, 0.0)) for block in blocks]
     free = strip.held(*(block.seat for block in straight))
     assert 1e-3 < free.deviation / length < 6e-3
-    assert set(free.parts) >= {"start: pocket", "end: pocket"}
+    assert set(free.parts) >= {"loose tabs"}
     seats = [block.seat for block in blocks]
     leaned = strip.held(*seats)
     # the tab bends between the walls that it is pressed against: pockets for a stiff one left 2.9e-3
@@ -200,6 +203,74 @@ def test_causes_are_listed_each_alone(rod):
     layout = Strip(rod, none, max_width=30.0, style=style).layout
     share = stiffness_factors(rod, layout, (), (None, None))["leaning ligaments"]
     assert 0.98 < share.min() < share.max() < 1
+
+
+@pytest.fixture(scope="module")
+def lamp_strip():
+    """A strip of a lamp and its seats in two pairs of rings."""
+    profile = meridian_through([(60, 0), (85, 40), (100, 90), (85, 140), (60, 180)])
+    lamp = revolve(profile, 12, sheet="polypropylene-0.8", rings="mdf-3", gap=10)
+    seats = tab_seats(lamp.plates)
+    return lamp.placed[0].strip, [seat_of(seats, lamp.placed[0], end) for end in ("start", "end")]
+
+
+def test_wider_slots_turn_the_tabs_of_a_lamp(lamp_strip):
+    """A slot 0.1 mm wider turns both tabs by 1.4 degrees, which moves the strip by 0.3 mm."""
+    strip, seats = lamp_strip
+    strip = replace(strip, tolerance=MakingTolerance(0.0, 0.0, 0.0, 0.1, 0.0))
+    wide = strip.held(*(seat.loosened(0.1 * seat.cut) for seat in seats))
+    assert np.degrees([wide.start.turn, wide.end.turn]) == pytest.approx([-1.4, 1.4], abs=0.05)
+    made = strip.as_made.loaded
+    angles = [
+        float(a) + pose.turn for a, pose in zip(made.angle[[0, -1]], (wide.start, wide.end), strict=True)
+    ]
+    turned = bend(made, angles=tuple(angles))
+    assert float(np.hypot(*(turned.position - made.position).T).max()) == pytest.approx(0.3, abs=0.02)
+    told = strip.held(*seats)
+    # the slots also let the ends shift by 0.04 mm
+    assert told.sheet["wider slots"] == pytest.approx(0.34, abs=0.02)
+    assert told.sheet["thinner tabs"] == 0.0
+    (slots,) = (part for part in told.contributions if part.cause == "wider slots")
+    assert (slots.mm, slots.key) == (told.sheet["wider slots"], "tolerance.kerf")
+    assert "wider slots" not in strip.held().sheet
+    assert replace(strip, tolerance=NO_ERRORS).held(*seats).sheet_adds == 0.0
+
+
+@pytest.mark.parametrize(("kerf", "thinner"), [(0.05, 0.0), (0.0, 0.02), (0.1, 0.03)])
+def test_errors_of_slots_are_as_large_as_in_slots_of_that_width(lamp_strip, kerf, thinner):
+    strip, seats = lamp_strip
+    strip = replace(strip, tolerance=MakingTolerance(thinner, 0.0, 0.0, kerf, 0.0))
+    loose = [seat.loosened(kerf * seat.cut + thinner * seat.thickness) for seat in seats]
+    held, wide = strip.held(*seats), strip.held(*loose)
+    found = float(np.hypot(*(wide.rod.position - held.rod.position).T).max())
+    assert held.sheet["wider slots"] + held.sheet["thinner tabs"] == pytest.approx(found, rel=1e-6)
+
+
+@pytest.mark.parametrize(("gap", "key"), [(None, "gap"), (10, "clearance")])
+def test_loose_tabs_are_named_with_their_key_and_their_effect(gap, key):
+    """By the strip bent between ends that are turned as its tabs turn."""
+    bow = optimal_rod(PlaneCurve.ellipse((0, 0), (75.0, 60.0), 0.0, -0.5, np.pi + 0.5), samples=201)
+    strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A", tolerance=NO_ERRORS)
+    placed = inclined(strip)
+    plates = [base_plate(placed, MDF)] if gap is None else plate_pair(placed, MDF, gap=gap)
+    (held,) = held_shapes(placed, plates)
+    (loose,) = (
+        part for part in held.contributions if part.cause.startswith("tabs that turn in the slot of base")
+    )
+    assert loose.key == key
+    made, ends = strip.as_made.loaded, []
+    for k, pose in ((0, held.start), (-1, held.end)):
+        left = np.array([-np.sin(made.angle[k]), np.cos(made.angle[k])])
+        ends.append((made.position[k] + pose.shift * left, float(made.angle[k]) + pose.turn))
+    (start, first), (end, last) = ends
+    bent = bend(made, start=start, end=end, angles=(first, last))
+    found = float(np.hypot(*(bent.position - made.position).T).max())
+    assert loose.mm == held.parts["loose tabs"] == pytest.approx(found, rel=0.02, abs=2e-3)
+    row = accuracy_row(held)
+    if gap is None:
+        assert held.contributions[0] is loose
+        assert f"Largest contribution: {loose.sentence}" in row.text
+        assert row.text.endswith("due to tabs that turn in the slot of base (gap)")
 
 
 def inclined(strip):
@@ -490,7 +561,8 @@ def test_widths_that_make_up_bring_the_strip_back(rod, asked):
     assert better.held().parts == pytest.approx(
         strip.held().parts
     )  # causes, not what the correction leaves of them
-    assert "without the compensation" in str(better.held())
+    causes = [part.cause for part in better.held().contributions]
+    assert "effects that the widths do not compensate" in causes
     assert better.width.extremes[1] == pytest.approx(30.0, abs=1e-4)
     assert better.rod is strip.rod
 
@@ -500,7 +572,7 @@ def test_only_causes_that_the_correction_changes_are_named(rod):
     strip = Strip(rod, replace(PLY, poisson_ratio=0.0), max_width=30.0, slots=SLOTS)
     narrower = replace(strip, ends=tuple(Tab(10, width=width - 0.2) for width in strip.end_widths))
     held = compensate_widths(narrower).held(start=TabSeat.pocket(10.0, 0.8, 0.1))
-    assert 0 < held.parts["narrow tabs"] < LEAST_REPORTED_MM < held.parts["start: pocket"]
+    assert 0 < held.parts["narrow tabs"] < LEAST_REPORTED_MM < held.parts["loose tabs"]
     assert held.made_up_for == ("slots",)
 
 

@@ -10,6 +10,7 @@ from elastica_cad import InputError, Profile, Slot, Strip
 from elastica_cad.mechanics import Imperfection, perturb_rod
 from elastica_cad.strip import HeldShape, MakingTolerance
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.summary import accuracy_row
 
 pytestmark = pytest.mark.core
 
@@ -84,11 +85,32 @@ def test_only_sheets_with_a_grain_feel_it(strip):
 def test_what_is_expected_says_where_it_comes_from(strip):
     shape = strip.held()
     assert shape.expected == pytest.approx(np.hypot(np.hypot(shape.deviation, shape.open), shape.sheet_adds))
-    assert "mostly due to the sheet. This deviation consists of " in str(shape)
+    assert "Contributions: 0.42 mm due to thickness (tolerance.thickness_wave); " in str(shape)
     slotted = replace(strip, slots=(Slot(150.0, width=1.0),), tolerance=NOTHING).held()
     assert slotted.sheet_adds == 0.0
-    assert "mostly as computed" in str(slotted)
+    assert slotted.contributions[0].cause == "slots"
+    assert slotted.contributions[0].key == "compensate"
     assert slotted.open > 0.1 * slotted.parts["slots"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "cause"),
+    [("thickness_wave", 0.02, "thickness"), ("clamps", 0.03, "clamp at the start"), ("kerf", 1.0, "kerf")],
+)
+def test_the_largest_contribution_is_named_with_its_key(strip, name, value, cause):
+    shape = replace(strip, tolerance=replace(NOTHING, **{name: value})).held()
+    assert shape.contributions[0].mm == max(part.mm for part in shape.contributions)
+    assert shape.contributions[0].mm == shape.sheet[cause]
+    told = accuracy_row(shape).text
+    assert f"Largest contribution: {about(shape.sheet[cause])} due to " in told
+    assert f"(tolerance.{name})" in told
+    assert " due to uncertainty of the model" in accuracy_row(replace(strip, tolerance=NOTHING).held()).text
+
+
+def test_no_computed_effect_is_larger_than_the_deviation(strip):
+    slotted = replace(strip, slots=(Slot(150.0, width=1.0),), tolerance=NOTHING)
+    held = slotted.held()
+    assert all(part.mm <= max(held.deviation, held.open) for part in held.contributions)
 
 
 def test_slots_in_plywood_soften_it_more_than_in_an_even_sheet(strip):
