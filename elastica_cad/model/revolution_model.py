@@ -32,7 +32,7 @@ from elastica_cad.strip.held_shape import about, deviation_from
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import compensate_within, refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
-from elastica_cad.strip.own_weight import bent_under, carried_percentage
+from elastica_cad.strip.own_weight import bent_under, carried_percentage, weight_warning
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import GravityOption, pull_in_plane
@@ -477,7 +477,10 @@ class _Request:
         return replace(strip, rod=rod, max_width=None)
 
     def _notes(self, meridian: Meridian, strip: Strip) -> tuple[str, ...]:
-        """Return notes on the movement by weight and loads, and on gaps between the strips."""
+        """Return notes on the movement by weight and loads, and on gaps between the strips.
+
+        Without weight and loads, a note states the effect of the weight.
+        """
         notes, rod = list[str](), strip.rod
         if self.compensate and strip.correction is None:
             notes.append(note("No correction of the widths makes the strips more accurate."))
@@ -486,6 +489,8 @@ class _Request:
             notes.append(
                 note("The weight and the loads move the strips by up to {far} from the meridian.", far=far)
             )
+        elif warning := weight_warning(strip, self.sheet.gravity()):
+            notes.append(warning)
         gaps = 2 * np.tan(np.pi / self.strips) * rod.position[:, 0] - strip.width(rod.s)
         if float(np.abs(gaps).max()) > VISIBLE_GAP_MM:
             notes.append(note(

@@ -418,7 +418,19 @@ def test_compensated_strips_are_no_wider_than_touching_strips(read):
     assert gaps.min() == pytest.approx(0, abs=1e-3)
     assert f"gaps are up to {gaps.max():.2g} mm wide, and overlaps up to 0 mm" in model.reports[0]
     narrow = read(f"compensate = true\n{BODY}ends = {{ length = 8, width = 15 }}\n").model()
-    assert narrow.reports == ("No correction of the widths makes the strips more accurate.",)
+    assert narrow.reports[0] == "No correction of the widths makes the strips more accurate."
+
+
+@pytest.mark.parametrize(("sheet", "told"), [("card-200gsm", True), ("polypropylene-0.8", False)])
+def test_the_weight_of_strips_without_gravity_is_reported_if_it_matters(read, sheet, told):
+    """The movement is that of the same design with its weight."""
+    body = f"{BODY}sheet = '{sheet}'\n"
+    light, heavy = read(body).model(), read(f"gravity = true\n{body}").model()
+    far = np.hypot(*(heavy.strips[0].rod.position - light.strips[0].rod.position).T).max()
+    weights = [text for text in light.reports if text.startswith("The weight of the strip")]
+    assert len(weights) == told == (far > 1e-3 * light.strips[0].rod.length)
+    assert all(f"moves the strip by {far:.2g} mm if the curve stands upright" in text for text in weights)
+    assert not any(text.startswith("The weight of the strip") for text in heavy.reports)
 
 
 def test_a_drawn_profile_is_smoothed(read, tmp_path):
