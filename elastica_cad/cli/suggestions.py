@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, cast
 import click
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.voice import say_row, say_step
+from elastica_cad.cli.voice import say_row, say_step, warn
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.report_rows import Row
 
@@ -162,4 +162,6 @@ def cures_of(
             command = "" if change == title else f": {change}"
             text = f"{title.rstrip('.')} ({suggestion.effect}){command}."
             cures.append(suggestion.as_dict() | {"text": text})
+        if not (cures or reason):
+            warn("No change that was tried makes the strip possible.", in_notes=False)
     return cures

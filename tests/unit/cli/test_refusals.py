@@ -608,3 +608,20 @@ def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp
     made = run(f"{command} --no-pictures", cwd=tmp_path)
     assert "Strain      1.54 %" in made.stdout
     assert "! Strain" not in made.output
+
+
+@pytest.mark.parametrize(
+    "words", ["check wave.dxf", "strip wave.dxf --sheet card-200gsm --max-width 20 -o out"]
+)
+@pytest.mark.parametrize("found", [False, True])
+def test_a_search_without_a_result_says_so(words, found, tmp_path, monkeypatch):
+    write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
+    first = suggestions.suggest
+
+    def found_changes(*asked):
+        yield from (change for change in list(first(*asked))[:1] if found)
+
+    monkeypatch.setattr(suggestions, "suggest", found_changes)
+    said = run(words, cwd=tmp_path, code=1)
+    assert ("No change that was tried makes the strip possible." in said.stderr) != found
+    assert ("Change" in said.output) == found
