@@ -67,12 +67,16 @@ class Smoothing:
     smooth : float or None
         Requested largest distance between drawn and smoothed curve, mm. With None, the curve is smoothed only if
         the outline of the strip would have steps or corners.
+    with_elements : bool
+        True if elements hold the strip between its ends. Their forces need corners of the curvature, so corners
+        alone are not smoothed.
     """
 
     drawn: PlaneCurve
     smooth: float | None = None
     supports: Supports | None = None
     natural_curvature: NaturalCurvature = 0.0
+    with_elements: bool = False
 
     @cached_property
     def fairing(self) -> Fairing | None:
@@ -80,7 +84,7 @@ class Smoothing:
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
             return _smoothed(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
-        if not _has_steps_or_corners(self.drawn):
+        if not _has_steps_or_corners(self.drawn, np.inf if self.with_elements else KINK_SHARE):
             return None
         try:
             fairing = fair_curve(self.drawn, usual_tolerance(self.drawn), unbent)
@@ -211,10 +215,10 @@ class Smoothing:
         return tuple(notes)
 
 
-def _has_steps_or_corners(curve: PlaneCurve) -> bool:
-    """Return True if the outline has steps or corners. Straight pieces must stay, so the result is False then."""
+def _has_steps_or_corners(curve: PlaneCurve, slight: float) -> bool:
+    """Return True for an outline with steps, or corners above `slight`, but without straight pieces."""
     jumps, kinks = curvature_jumps(curve, curve.breaks if curve.seam is None else (curve.seam, *curve.breaks))
-    rough = np.any(kinks > KINK_SHARE) or np.any(jumps > STEP_SHARE)
+    rough = np.any(kinks > slight) or np.any(jumps > STEP_SHARE)
     return bool(rough) and all(zero.kind != "flat" for zero in curve.curvature_zeros)
 
 

@@ -57,7 +57,9 @@ class RodSpec(RodRequest):
     @cached_property
     def smoothing(self) -> Smoothing:
         """Drawn curve, with its smoothed curve."""
-        return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature)
+        return Smoothing(
+            self.curve, self.smooth, self.supports, self.natural_curvature, with_elements=bool(self.between)
+        )
 
     @property
     def curve_to_bend(self) -> PlaneCurve:
