@@ -44,6 +44,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
@@ -469,7 +470,7 @@ STRETCHED_SHARE = 1e-4
 
 
 def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
-    stretch = float(np.hypot(*np.diff(shape.position, axis=0).T).sum()) - shape.length
+    stretch = float(norm(np.diff(shape.position, axis=0)).sum()) - shape.length
     if stretch > STRETCHED_SHARE * shape.length:
         yield note(
             "The strip is stretched by {stretch:.2g} between its ends, because they cannot approach each other. "

@@ -26,6 +26,7 @@ from elastica_cad.files import save
 from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.forming.limits import FAR_SHARE, Limits
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, known_rods
@@ -226,11 +227,11 @@ def _curve_row(result: Bow) -> Row:
 
 
 def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict[str, Any]:
-    cord = np.hypot(*shorter.end.T)
+    cord = norm(shorter.end)
     return {
         "shorter_percent": [100 * fraction for fraction in fractions],
         "cord_mm": cord.tolist(),
-        "pull_N" if in_newtons else "pull_N_per_GPa": np.hypot(*shorter.end_force.T).tolist(),
+        "pull_N" if in_newtons else "pull_N_per_GPa": norm(shorter.end_force).tolist(),
         "rise_mm": [rise_of(rod) for rod in shorter.rods],
         "strain_percent": (100 * shorter.strain).tolist(),
         **({"safety": shorter.safety.tolist()} if in_newtons else {}),

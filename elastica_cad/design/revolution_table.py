@@ -18,6 +18,7 @@ from elastica_cad.errors import InputError, NotConvergedError, StrainError
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.elements import PointForce
 from elastica_cad.mechanics.loads import Gravity, PointMass
 from elastica_cad.mechanics.sheets import Sheet
@@ -173,7 +174,7 @@ class RevolutionTable:
             np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
         )
         along = (end - start) / np.hypot(*(end - start)) * (1.0 if end[1] >= start[1] else -1.0)
-        across = np.array([along[1], -along[0]])
+        across = -left_of(along)
         if across @ (self.curve.control_points.mean(axis=0) - start) < 0:
             across = -across
         return self.curve.transformed([[*across, -across @ start], [*along, 0.0], [0.0, 0.0, 1.0]])

@@ -29,6 +29,7 @@ from elastica_cad.geometry.plane_points import (
     is_closed,
     lengths_along,
     near_pairs,
+    norm,
     sharp_points,
 )
 from elastica_cad.geometry.segments import Spline
@@ -506,7 +507,7 @@ def curve_from_run(
 def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
     t = drawn.stations()
     points = drawn.at(t)
-    away = np.hypot(*(points - healed.evaluate(t)).T)
+    away = norm(points - healed.evaluate(t))
     # `away` compares points at equal parameters; the distances to the nearest points are smaller
     return float(distances(Spline(healed), points[away >= away.max() / 2]).max())
 

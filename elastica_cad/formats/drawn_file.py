@@ -19,7 +19,7 @@ from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tol
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
-from elastica_cad.geometry.plane_points import near_pairs
+from elastica_cad.geometry.plane_points import near_pairs, norm
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
@@ -49,7 +49,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
         return None
     drawn = sample_run(run)
     drawn -= drawn[0]
-    s = np.append(0.0, np.cumsum(np.hypot(*np.diff(drawn, axis=0).T)))
+    s = np.append(0.0, np.cumsum(norm(np.diff(drawn, axis=0))))
     area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
     # width of a rectangle with this perimeter and area
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
@@ -63,7 +63,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
     i, j = i[across], j[across]
     opposite = np.full(count, np.inf)
-    np.minimum.at(opposite, i, np.hypot(*(points[i] - points[j]).T))
+    np.minimum.at(opposite, i, norm(points[i] - points[j]))
     middle = float(np.median(opposite))
     even = np.abs(opposite - middle) <= _WIDTH_VARIATION * middle
     return middle if np.isfinite(middle) and even.mean() >= 1 - _MOST_END_WIDTHS * width / s[-1] else None

@@ -13,6 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, half_last_place
+from elastica_cad.geometry.plane_points import left_of
 
 # the flags of an arc (f) need no separator
 _PARTS = {"n": rf"((?>{NUMBER}))[\s,]*+", "f": r"([01])[\s,]*+"}
@@ -176,7 +177,7 @@ def _bezier_edge(points: FloatArray) -> Edge | None:
 def _is_straight(points: FloatArray) -> bool:
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
-    across = (points - points[0]) @ np.array([-chord[1], chord[0]])
+    across = (points - points[0]) @ left_of(chord)
     return bool(np.abs(across).max() <= 1e-12 * along[-1] and np.all(np.diff(along) >= 0))
 
 
@@ -207,7 +208,7 @@ def _arc_edge(
         return None
     rest = 1 - reach**2
     along = np.sqrt(rest) / reach if rest > 1e-12 else 0.0
-    middle = (along if (not large) == sweep else -along) * np.array([-half[1], half[0]])
+    middle = (along if (not large) == sweep else -along) * left_of(half)
     if along == 0.0:
         axes, half = axes * reach, half / reach
     begin = np.arctan2(*(-half - middle)[::-1])

@@ -14,7 +14,7 @@ from elastica_cad.forming.limits import Symmetry
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.sqp import LocalModel
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ class TargetCurve:
 
     @cached_property
     def _directions(self) -> FloatArray:
-        return np.column_stack([np.cos(self.angle), np.sin(self.angle)])
+        return unit_vectors(self.angle)
 
     @cached_property
     def diagonal(self) -> float:
@@ -217,7 +217,7 @@ class LargestDistance:
     def value(self, rod: MappedRod) -> float:
         """Return the largest weighted distance of a node from the target."""
         off, _ = offsets(self.target, rod)
-        return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
+        return float((self.factors * norm(off)).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a local model of the largest weighted distance."""
@@ -256,8 +256,8 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
     position, direction = target.at(feet)
     off = rod.position - position
     normal = left_of(direction)
-    normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
-    size = np.hypot(off[:, 0], off[:, 1])
+    normal /= norm(normal)[:, None]
+    size = norm(off)
     past = ((feet <= 0) | (feet >= 1)) & (size > 0)
     normal[past] = off[past] / size[past, None]
     return off, normal
@@ -308,5 +308,5 @@ def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
         off = points - chain[k]
         chord = chords[k]
         off -= np.clip(np.einsum("ij,ij->i", off, chord) / squares[k], 0, 1)[:, None] * chord
-        least = np.minimum(least, np.hypot(off[:, 0], off[:, 1]))
+        least = np.minimum(least, norm(off))
     return float(least.max())

@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
@@ -193,7 +193,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
-    along = np.column_stack([np.cos(turned), np.sin(turned)])
+    along = unit_vectors(turned)
     across = left_of(along[2:])
     # if the strip has a rest curvature, the spline parameter at inflections must be the arc length
     paced = inner[: inner.size * bool(np.any(rest))]
@@ -236,7 +236,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
-    off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
+    off = norm(curve.evaluate(s) - shape.position) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()
     with np.errstate(divide="ignore", invalid="ignore"):
         needed = np.where(near, K, K * kappa / (curve.curvature_at(s) - shape.rest))

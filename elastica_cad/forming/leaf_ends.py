@@ -7,6 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import Weight
@@ -283,7 +284,7 @@ class _Search:
         fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
         s = np.linspace(0.0, fine.length, NODES)
         at_shares = np.column_stack([np.interp(s, fine.s, column) for column in fine.position.T])
-        off = np.hypot(*(at_shares - self.drawn).T)
+        off = norm(at_shares - self.drawn)
         return LeafedRod(
             fine, laid, float(off.max()), float(np.sqrt((off**2).mean())),
             self.relaxed, settled,

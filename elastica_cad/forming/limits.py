@@ -11,6 +11,7 @@ from elastica_cad._values import is_series, numbers, pair, require_positive, sev
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.sheets import Sheet
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
@@ -130,7 +131,7 @@ class Box:
         off = np.maximum(low - points, points - high)
         sign = np.where(points - high > low - points, 1.0, -1.0)
         beyond = np.maximum(off, 0)
-        outside = np.hypot(beyond[:, 0], beyond[:, 1])
+        outside = norm(beyond)
         axis = np.argmax(off, axis=1)
         rows = np.arange(points.shape[0])
         gradient = np.zeros_like(points)

@@ -12,7 +12,7 @@ from elastica_cad._values import is_number, pair, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import finite, fit_spline
@@ -193,7 +193,7 @@ class _Equations:
 
     def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
         angles, lengths, constants = self.parts(unknown)
-        tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        tangents = unit_vectors(angles)
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
@@ -251,7 +251,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
-    at = np.sort([s[int(np.argmin(np.hypot(*(line - p).T)))] for p in points])
+    at = np.sort([s[int(np.argmin(norm(line - p)))] for p in points])
     at[0], at[-1] = 0.0, curve.length
     middles, halves = (at[1:] + at[:-1]) / 2, np.diff(at) / 2
     angles = [curve.at(m + h * equations.stations).angle for m, h in zip(middles, halves, strict=True)]
@@ -563,7 +563,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         raise NotConvergedError(f"{HOPELESS}: {problem}{advice}") from problem
     closes = end < length
     if len(chosen) == len(data):
-        gaps = np.hypot(*(size * shape.points - data).T)
+        gaps = norm(size * shape.points - data)
     else:
         gaps = distances(Spline(_curve(shape, size, length)), data)
     if not gaps.max() <= 0.25 * size:

@@ -19,7 +19,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along, numbers_in_groups, turn_between
+from elastica_cad.geometry.plane_points import lengths_along, norm, numbers_in_groups, turn_between
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
@@ -640,7 +640,7 @@ def remove_false_inflections(
     for wavelength in curve.length * 2.0 ** np.arange(-4.0, 0.1, 0.5):
         where = bends + wavelength * np.array([-1.0, 1.0])
         even = smooth_polyline(points, float(wavelength), where=where)
-        if np.hypot(*(even - points).T).max() > most:
+        if norm(even - points).max() > most:
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)

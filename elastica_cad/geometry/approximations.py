@@ -11,7 +11,7 @@ from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.plane_points import place, turn_between
+from elastica_cad.geometry.plane_points import norm, place, turn_between
 from elastica_cad.geometry.segments import Segment, Spline, require_tolerance_mm, segment_from_bulge
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, knot_runs, solved
 from elastica_cad.refusals import Length
@@ -159,7 +159,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
         spline = SplineFunction(knots, solved(spans, rows, np.pad(index, 1, mode="edge"), values), 3)
         probes = sites[:-1, None] + np.diff(sites)[:, None] * _PROBES
         off = spline(probes.ravel()) - motion(probes.ravel(), 0, False)
-        error = np.hypot(off[:, 0], off[:, 1]).reshape(probes.shape).max(axis=1)
+        error = norm(off).reshape(probes.shape).max(axis=1)
         bad = error > 0.9 * tolerance
         if not bad.any():
             return knots, spline.coefficients

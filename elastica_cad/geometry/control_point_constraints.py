@@ -14,7 +14,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import cross, left_of
+from elastica_cad.geometry.plane_points import cross, left_of, norm
 from elastica_cad.geometry.polynomials import gauss_rule
 
 _EPS = float(np.finfo(float).eps)
@@ -118,7 +118,7 @@ class SmoothJoints:
         before, after = points[at] - points[at - 1], points[at + 1] - points[at]
         residual = cross(before, after) / self.size
         rows, row = np.zeros((at.size, *points.shape)), np.arange(at.size)
-        by_before = np.column_stack([after[:, 1], -after[:, 0]]) / self.size[:, None]
+        by_before = -left_of(after) / self.size[:, None]
         by_after = left_of(before) / self.size[:, None]
         rows[row, at - 1], rows[row, at], rows[row, at + 1] = -by_before, by_before - by_after, by_after
         return residual, rows.reshape(at.size, points.size)
@@ -334,7 +334,7 @@ def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
     """Return the derivatives (k, 2 m) of the curvature at parameters t (k,) by the control points."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
-    speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
+    speed = norm(d1)[:, None]
     turned1, turned2 = (left_of(d) for d in (d1, d2))
     kappa = curve.curvature_at(t)[:, None]
     by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
@@ -349,7 +349,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
-    slope = curve.curvature_slope_at(t) * np.hypot(velocity[:, 0], velocity[:, 1])
+    slope = curve.curvature_slope_at(t) * norm(velocity)
     moved = -curvature_rows(curve, t) / slope[:, None]
     fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
     return curve.evaluate(t), fixed + velocity[:, :, None] * moved[:, None, :]

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import rounded_up
-from elastica_cad.geometry.plane_points import is_closed, lengths_along, thinned
+from elastica_cad.geometry.plane_points import is_closed, lengths_along, norm, thinned
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
@@ -138,7 +138,7 @@ class MeasuredPoints:
         Angles to the left are positive. Points beyond the ends have the angle 0.
         """
         turn = np.pad(self._turns[0], 2)
-        at = int(np.hypot(*(self.points - place).T).argmin())
+        at = int(norm(self.points - place).argmin())
         before, here, after = turn[at : at + 3].tolist()
         return here, before, after
 
@@ -157,7 +157,7 @@ class MeasuredPoints:
         """Turning angles (n - 2,), rad, at inner points, positive to the left, and their largest errors."""
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
-        rounding = 2 * self.resolution / np.hypot(*step.T)
+        rounding = 2 * self.resolution / norm(step)
         return (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, rounding[1:] + rounding[:-1]
 
     @property

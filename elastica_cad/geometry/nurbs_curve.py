@@ -138,7 +138,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
     """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
-    size = np.hypot(part[..., 0], part[..., 1])
+    size = norm(part)
     largest = size.max(axis=1)
     still = largest <= _STILL_SPAN * largest.max()
     stopped = np.concatenate(
@@ -163,7 +163,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         part = np.concatenate(subdivide_pieces(part[rest]))
         width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
         low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
-        size = np.hypot(part[..., 0], part[..., 1])
+        size = norm(part)
     if low.size:
         return TangentCones(edges, part, float((low + width / 2).min()))
     begin, coefficients = np.concatenate(starts), np.concatenate(cones)

@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
 from elastica_cad.geometry.path import JOIN, Path, distances, meets
 from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
-from elastica_cad.geometry.plane_points import left_of, place, turn_between
+from elastica_cad.geometry.plane_points import left_of, norm, place, turn_between
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_tolerance_mm, trim_segment
 from elastica_cad.refusals import Length
 
@@ -124,7 +124,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
         d = curve.evaluate(t, 1, left=before)
         if derivative:
             return (1 - left * curve.curvature_at(t, left=before))[:, None] * d
-        normal = left_of(d) / np.hypot(d[:, 0], d[:, 1])[:, None]
+        normal = left_of(d) / norm(d)[:, None]
         return curve.evaluate(t, left=before) + left * normal
 
     return Spline(cubic_through(motion, stretches, tolerance))

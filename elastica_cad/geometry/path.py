@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_around, is_similarity, place, require_affine
+from elastica_cad.geometry.plane_points import box_around, is_similarity, norm, place, require_affine
 from elastica_cad.geometry.segments import (
     Arc,
     Line,
@@ -87,8 +87,8 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
     off = p - arc.center
     turn = np.sign(arc.sweep) * (np.arctan2(off[:, 1], off[:, 0]) - arc.start_angle)
     on = np.mod(turn, 2 * np.pi) <= abs(arc.sweep)
-    ends = [np.hypot(*(p - end).T) for end in (arc.start, arc.end)]
-    return np.where(on, np.abs(np.hypot(off[:, 0], off[:, 1]) - arc.radius), np.minimum(*ends))
+    ends = [norm(p - end) for end in (arc.start, arc.end)]
+    return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
@@ -106,7 +106,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     for _ in range(_NEWTON_STEPS + 1):
         position, d1, d2 = curve.derivatives(t, 2)
         off = position - p
-        best = np.minimum(best, np.hypot(off[:, 0], off[:, 1]))
+        best = np.minimum(best, norm(off))
         slope = (d1**2).sum(axis=1) + (off * d2).sum(axis=1)
         step = (off * d1).sum(axis=1) / np.where(slope > 0, slope, (d1**2).sum(axis=1))
         before, t = t, np.clip(t - step, t0, t1)
@@ -130,7 +130,7 @@ def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, hi
     for _ in range(_SEARCHES):
         t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
         off = curve.evaluate(np.clip(t, *curve.domain)) - p[:, None, :]
-        gap = np.hypot(off[..., 0], off[..., 1])
+        gap = norm(off)
         k = gap.argmin(axis=1)
         least = np.minimum(least, gap[rows, k])
         low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]

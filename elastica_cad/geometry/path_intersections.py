@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import JOIN, Path, meets
-from elastica_cad.geometry.plane_points import boxes_meet, cross
+from elastica_cad.geometry.plane_points import boxes_meet, cross, norm
 from elastica_cad.geometry.segments import Line, Segment, chords, trim_segment
 from elastica_cad.refusals import BareLength, Length
 
@@ -103,7 +103,7 @@ def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
     Neighbouring chords are not compared. The points of a closed polyline do not repeat its first point.
     """
     q = np.concatenate([p, p[:1]]) if closed else p
-    q = q[np.append(True, np.hypot(*np.diff(q, axis=0).T) > 0)]
+    q = q[np.append(True, norm(np.diff(q, axis=0)) > 0)]
     i, j = _candidate_pairs(q, q)
     neighbours = (j - i <= 1) | (closed & (j - i == len(q) - 2))
     return _first_crossing(q, q, i[~neighbours], j[~neighbours])
@@ -168,7 +168,7 @@ def _line_parameters(
     """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
-    det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
+    det = np.where(np.abs(det) > 1e-14 * norm(p) * norm(q), det, np.nan)
     return cross(gap, q) / det, cross(gap, p) / det
 
 
@@ -301,4 +301,4 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 def _is_within(segment: Segment, u: float) -> bool:
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
-    return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
+    return 0 < u < 1 and bool(norm(gaps).min() > JOIN)

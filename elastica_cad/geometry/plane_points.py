@@ -37,6 +37,20 @@ def left_of(vectors: ArrayLike) -> FloatArray:
     return np.stack([-v[..., 1], v[..., 0]], axis=-1)
 
 
+def unit_vectors(angles: ArrayLike) -> FloatArray:
+    """Return the unit vectors (..., 2) with the angles (...), rad, from the x axis.
+
+    Examples
+    --------
+    >>> unit_vectors([0.0, np.pi / 2]).round(9).tolist()
+    [[1.0, 0.0], [0.0, 1.0]]
+    """
+    vectors = np.empty((*np.shape(angles), 2))
+    np.cos(angles, out=vectors[..., 0])
+    np.sin(angles, out=vectors[..., 1])
+    return vectors
+
+
 def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
     """Return the angles (...,), rad, from directions u to v (..., 2), in (-pi, pi], positive to the left."""
     return np.asarray(np.arctan2(cross(u, v), dot(u, v)))

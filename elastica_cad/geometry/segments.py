@@ -16,10 +16,12 @@ from elastica_cad.geometry.plane_points import (
     cross,
     distinct,
     is_similarity,
+    norm,
     place,
     require_affine,
     similarity_of,
     transform_points,
+    unit_vectors,
 )
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.splines import SplineFunction
@@ -251,7 +253,7 @@ class Arc:
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
     def _on(self, angle: FloatArray) -> FloatArray:
-        return self.center + self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        return self.center + self.radius * unit_vectors(angle)
 
     def _end(self, angle: float) -> FloatArray:
         # plain numbers are faster than arrays, and engraved texts have thousands of arcs
@@ -310,7 +312,7 @@ class Spline:
         d = np.asarray(
             self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
         )
-        return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
+        return np.asarray(d / norm(d)[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area between `origin` and the spline, mm2, by Gauss's rule on each Bezier piece.
@@ -459,7 +461,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
     # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
-    return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)
+    return np.asarray(norm(away).max(axis=1), dtype=float)
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
@@ -540,7 +542,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
     def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
         angle = starts[which] + u * sweeps[which] + derivative * np.pi / 2
-        out = np.column_stack([np.cos(angle), np.sin(angle)])
+        out = unit_vectors(angle)
         out *= (radii[which] * sweeps[which] ** derivative)[:, None]
         return out if derivative else out + centers[which]
 

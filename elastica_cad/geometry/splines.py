@@ -16,8 +16,10 @@ from elastica_cad.geometry.plane_points import (
     begun_at,
     distinct,
     lengths_along,
+    norm,
     numbers_in_groups,
     thinned,
+    unit_vectors,
 )
 from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
@@ -358,7 +360,7 @@ def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, F
     angle = start + half * np.arange(2 * count + 1)
     weights = np.ones(angle.size)
     weights[1::2] = cos(half)
-    points = np.stack([np.cos(angle), np.sin(angle)], axis=1) / weights[:, None]
+    points = unit_vectors(angle) / weights[:, None]
     joints = np.linspace(min(start, end), max(start, end), count + 1) - min(start, end)
     knots = np.concatenate([[0.0], np.repeat(joints, 2), [joints[-1]]])
     return knots, points, weights
@@ -771,7 +773,7 @@ class _Problem:
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
         gap = self._gap(control, t)
-        return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
+        return np.asarray(norm(gap))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
         """Return the correlation of the deviations of neighbouring points: 0 for noise, 1 for a missed shape."""
@@ -853,7 +855,7 @@ def distinct_points(points: ArrayLike) -> FloatArray:
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
         raise InputError(f"points to fit have the shape {data.shape}: give rows of x, y, shape (n, 2)")
-    moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
+    moved = norm(np.diff(data, axis=0)) > 1e-12 * np.abs(data).max(initial=0.0)
     data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:
         raise InputError("there are fewer than two different points to fit: give at least two")

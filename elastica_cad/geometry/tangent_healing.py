@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.splines import elevate_degree, knot_runs
 
 ANYWAY = 1e-9
@@ -127,7 +127,7 @@ def heal_tangents(
             _smooth_node(points, node, degree)
     if knots[degree] in removable:
         _smooth_seam(points, degree)
-    moved = float(np.hypot(*(points - control_points).T).max())
+    moved = float(norm(points - control_points).max())
     return Healing(
         knots, points, degree, weights, moved, tuple(t for t in explained if t.t in removable), undecided
     )
@@ -204,7 +204,7 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
     if straight[0] != straight[1]:
         share = 0.0 if straight[0] else 1.0
     at = float(angles[0] + share * turn)
-    along = np.array([np.cos(at), np.sin(at)])
+    along = unit_vectors(at)
     points[before] = points[node] - inward * along
     points[after] = points[node] + onward * along
 

@@ -15,6 +15,7 @@ from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.bending import bend
@@ -386,7 +387,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
     chord = rod.position[-1] - rod.position[0]
     size = float(chord @ chord)
     along = (rod.position - rod.position[0]) @ chord / size
-    off = np.abs((rod.position - rod.position[0]) @ np.array([-chord[1], chord[0]])) / size
+    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / size
     k = int(np.clip(off.argmax(), 1, off.size - 2))
     a, b, c = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
     return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))

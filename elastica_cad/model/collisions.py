@@ -14,7 +14,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
-from elastica_cad.geometry.plane_points import near_pairs, turns_along
+from elastica_cad.geometry.plane_points import left_of, near_pairs, norm, turns_along, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.model.interlocking import (
@@ -134,7 +134,7 @@ class Body:
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
-        order = np.lexsort((np.hypot(*(points[i] - line[k]).T), i))
+        order = np.lexsort((norm(points[i] - line[k]), i))
         first = order[np.diff(i[order], prepend=-1) > 0]
         return i[first], stations[k[first]]
 
@@ -211,7 +211,7 @@ def _deepest_sample(
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
     thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
     s, across, place, tangent = a.samples(inset)
-    left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    left = left_of(tangent)
     place = np.concatenate([place + height * left for height in heights])
     s, across, left = (np.concatenate([rows] * len(heights)) for rows in (s, across, left))
     local = b.ruled.frame.local(a.ruled.frame.point(place) + across[:, None] * a.ruled.axis)
@@ -224,7 +224,7 @@ def _deepest_sample(
     foot, there, along = b.nearest(local[:, :2], stations)
     gap = local[:, :2] - there
     ends = np.minimum(foot, b.ruled.length - foot) - np.abs((gap * along).sum(axis=1))
-    depth = np.minimum(thick - np.hypot(*gap.T), b.ruled.half_width(foot) - np.abs(local[:, 2]))
+    depth = np.minimum(thick - norm(gap), b.ruled.half_width(foot) - np.abs(local[:, 2]))
     depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)
     if is_flush:
         facing = (a.ruled.frame.direction(left) * b.ruled.normal(along)).sum(axis=1)
@@ -389,7 +389,7 @@ def self_contact(strip: Strip) -> Places | None:
     s = np.linspace(-start, rod.length + end, count)
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
-    middle = np.column_stack([x, y]) + (s - inner)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    middle = np.column_stack([x, y]) + (s - inner)[:, None] * unit_vectors(angle)
     pairs = np.transpose(near_pairs(middle, middle, max(thickness, long / count)))
     between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
     if strip.is_closed:
@@ -397,7 +397,7 @@ def self_contact(strip: Strip) -> Places | None:
     pairs = pairs[between > np.pi / 2]
     if not len(pairs):
         return None
-    first, second = np.sort(s[pairs[np.hypot(*(middle[pairs[:, 1]] - middle[pairs[:, 0]]).T).argmin()]])
+    first, second = np.sort(s[pairs[norm(middle[pairs[:, 1]] - middle[pairs[:, 0]]).argmin()]])
     if any(
         abs(slot.at - place) < slot.width + thickness for slot in strip.slots for place in (first, second)
     ):

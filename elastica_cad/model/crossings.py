@@ -24,7 +24,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path_intersections import segment_crossings
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import distinct, lengths_along
+from elastica_cad.geometry.plane_points import distinct, left_of, lengths_along, norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
@@ -83,7 +83,7 @@ class RuledStrip:
 
     def normal(self, tangent: FloatArray) -> FloatArray:
         """Return unit normals (n, 3), to the left of the curve, for tangents (n, 2) in the plane of the curve."""
-        return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
+        return self.frame.direction(left_of(tangent))
 
     @cached_property
     def box(self) -> FloatArray:
@@ -138,7 +138,7 @@ def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
     t = np.append(inner, panels[-1])
     s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
-    ahead, thirds = velocity / np.hypot(*velocity.T)[:, None], np.diff(s)[:, None] / 3
+    ahead, thirds = velocity / norm(velocity)[:, None], np.diff(s)[:, None] / 3
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
     coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
     return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)

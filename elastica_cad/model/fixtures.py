@@ -15,6 +15,7 @@ from elastica_cad.defaults import POCKET_CLEARANCE
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
 from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
@@ -349,7 +350,7 @@ class EndFixture(EqualByValue):
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
-        return up, np.array([up[1], -up[0]]), float((self.ground.origin - self._profile.origin) @ n)
+        return up, -left_of(up), float((self.ground.origin - self._profile.origin) @ n)
 
     @property
     def lowest(self) -> float:
@@ -463,7 +464,7 @@ def _groove(middle: Segment, width: float) -> Path:
     if middle.length <= width:
         return Path.circle(middle.at(0.5), width / 2)
     ends, along = middle.at(np.array([0.0, 1.0])), middle.tangent_at(np.array([0.0, 1.0]))
-    off = width / 2 * np.column_stack([-along[:, 1], along[:, 0]])
+    off = width / 2 * left_of(along)
     bulge = np.tan(middle.sweep / 4) if isinstance(middle, Arc) else 0.0
     return Path.polyline([*(ends - off), *(ends + off)[::-1]], [bulge, 0.0, -bulge, 0.0], closed=True)
 

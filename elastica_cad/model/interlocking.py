@@ -17,6 +17,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.refusals import Length, Listed, note, sentences
 from elastica_cad.strip.pieces import cut_key
@@ -66,8 +67,8 @@ def _bent_slot_width(
         shallow crossing.
     """
     along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
-    along /= np.hypot(*along.T)[:, None]
-    across = np.column_stack([-along[:, 1], along[:, 0]])
+    along /= norm(along)[:, None]
+    across = left_of(along)
     ways = across[:, :1] * ruled.motion(rows[:, 0])[1] + across[:, 1:] * ruled.axis
     tangents = other.motion(mates[:, 0])[1]
     slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
@@ -95,7 +96,7 @@ def _bent_slot_width(
 
 def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
     points, tangents = strip.in_plane(flat[:, 0])
-    left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    left = left_of(tangents)
     return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
 
 

@@ -10,6 +10,7 @@ from elastica_cad._values import require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import unit_vectors
 from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.refusals import Either, FieldName, Length, Point, note
 
@@ -88,7 +89,7 @@ class PlateHoles:
         round_hole = (self.bulb or 0.0) / 2
         circle = (self.circle or self.bulb_and_border(border)) / 2
         turns = 2 * np.pi * np.arange(self.screws) / max(self.screws, 1)
-        middles = center + circle * np.column_stack([np.cos(turns), np.sin(turns)])
+        middles = center + circle * unit_vectors(turns)
         holes = [Path.circle(center, round_hole)] if round_hole else []
         holes += [Path.circle(middle, self.screw / 2) for middle in middles]
         if opening is None or (not round_hole and not self.bridge):

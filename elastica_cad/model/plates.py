@@ -16,7 +16,15 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
-from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet, distinct, lengths_along
+from elastica_cad.geometry.plane_points import (
+    box_about,
+    boxes_about,
+    boxes_meet,
+    distinct,
+    left_of,
+    lengths_along,
+    norm,
+)
 from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
@@ -163,7 +171,7 @@ class TabSlot:
     @property
     def size(self) -> tuple[float, float]:
         """Size of the slot, mm, in the direction of the tab's width and of the tab's thickness."""
-        a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
+        a, b = norm(self.corners[1:3] - self.corners[:2])
         return float(a), float(b)
 
 
@@ -295,7 +303,7 @@ class BasePlate:
     def opening_radius(self) -> float:
         """Radius, mm, of the opening of a round plate, with or without a bridge, or 0 if the plate is closed."""
         edges = [path for path in (self.opening, *filter(is_window, self.holes)) if path is not None]
-        return float(np.hypot(*(edges[0].points(FLAT_MM) - self._middle).T).max()) if edges else 0.0
+        return float(norm(edges[0].points(FLAT_MM) - self._middle).max()) if edges else 0.0
 
     def resized(self, inner: float, outer: float) -> Self:
         """Return the round plate with other radii, mm, of its opening and its rim, without checks."""
@@ -335,7 +343,7 @@ class BasePlate:
         if not loops:
             return ()
         center = _mean_center([slot.corners for slot in self.slots])
-        inner = max(float(np.hypot(*(loop.points(0.1) - center).T).max()) for loop in loops)
+        inner = max(float(norm(loop.points(0.1) - center).max()) for loop in loops)
         free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
         return _rim_text(self.engraved, inner + CLEAR_MM, free, center)
 
@@ -542,7 +550,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
     `loops` are the corners of the slots, (4, 2) each.
     """
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
-    away = np.hypot(*(points - center).T)
+    away = norm(points - center)
     return float(away.min()) - border, float(away.max()) + border
 
 
@@ -577,7 +585,7 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
     points = np.concatenate(through)[:, :2]
     across = (ground.axes @ tab.frame.y_axis)[:2]
     u = across / np.hypot(*across)
-    v = np.array([-u[1], u[0]])
+    v = left_of(u)
     p = points @ np.array([u, v]).T
     low, high = p.min(axis=0), p.max(axis=0)
     rest = max(options.clearance, (options.slot_width or 0.0) - (high[1] - low[1]))
@@ -729,9 +737,7 @@ class Ring(BasePlate):
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
         seats = [seat.points(FLAT_MM) for seat in self.seats]
-        inner = max(
-            float(np.hypot(*loop.T).max()) for loop in [*(slot.corners for slot in self.slots), *seats]
-        )
+        inner = max(float(norm(loop).max()) for loop in [*(slot.corners for slot in self.slots), *seats])
         name = _rim_text(self.engraved, inner + CLEAR_MM, self.radii[1] - CLEAR_MM) or self._name_anywhere(
             seats
         )
@@ -858,7 +864,7 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)
-    along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
+    along, across = seat @ out, np.abs(seat @ left_of(out))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(
             "{name}: neighbouring tabs overlap at a distance of {least} from the axis. End the strips at a "

@@ -12,7 +12,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import near_pairs
+from elastica_cad.geometry.plane_points import near_pairs, norm, unit_vectors
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plates import (
@@ -177,7 +177,7 @@ def _with_slots(
 
 
 def _rectangle(place: FloatArray, size: FloatArray) -> FloatArray:
-    along = np.array([np.cos(place[2]), np.sin(place[2])])
+    along = unit_vectors(place[2])
     sides = np.array([along, (-along[1], along[0])]) * size[:, None] / 2
     return np.asarray(place[:2] + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides, dtype=float)
 
@@ -245,7 +245,7 @@ def _places(
 def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
     first, options = plates[0], plates[0].options or PlateOptions()
     slots = [plate.tab_loops for plate in plates]
-    offset = float(np.hypot(*np.diff(slots, axis=0)[0].mean(axis=1).T).max())
+    offset = float(norm(np.diff(slots, axis=0)[0].mean(axis=1)).max())
     return max(options.border, _border_with_spacers(first.sheet, options.shop) + float(np.ceil(offset)))
 
 
@@ -414,12 +414,12 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
 
 def _thinned(places: FloatArray, margin: FloatArray, apart: float) -> list[int]:
     """Return indices of places at least `apart` mm apart. Large margins are preferred, then outer places."""
-    radius = np.hypot(*(places[:, :2] - places[:, :2].mean(axis=0)).T) if len(places) else margin
+    radius = norm(places[:, :2] - places[:, :2].mean(axis=0)) if len(places) else margin
     rest = np.lexsort((-radius, -margin.round(1)))
     kept = list[int]()
     while len(rest):
         kept.append(int(rest[0]))
-        rest = rest[np.hypot(*(places[rest] - places[rest[0]])[:, :2].T) >= apart]
+        rest = rest[norm((places[rest] - places[rest[0]])[:, :2]) >= apart]
     return kept
 
 

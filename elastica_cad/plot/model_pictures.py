@@ -13,7 +13,7 @@ from elastica_cad._values import is_series, is_whole, numbers, require_number, s
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import box_about, numbers_in_groups
+from elastica_cad.geometry.plane_points import box_about, numbers_in_groups, unit_vectors
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Color, sheet_color
@@ -426,4 +426,4 @@ def _bent(rod: Rod, x: FloatArray) -> FloatArray:
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])
-    return np.asarray(points + (x - inside)[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1))
+    return np.asarray(points + (x - inside)[..., None] * unit_vectors(angle))

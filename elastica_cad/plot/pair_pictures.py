@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import unit_vectors
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
@@ -62,7 +63,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     else:
         start, size = travel.position[travel.force.argmax(), -1], part.pad.length
     turn = np.radians(part.force_direction)
-    tip = start + size * np.array([np.cos(turn), np.sin(turn)])
+    tip = start + size * unit_vectors(turn)
     arrow = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
     bent.annotate("", xy=tip, xytext=start, arrowprops=arrow)
     bent.annotate(

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, clipped
+from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
@@ -323,7 +323,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     if rod.gravity is not None or rod.acting or size == 0.0:
         return None
     direction = rod.force[0] / size
-    gradient = np.array([direction[1], -direction[0]])  # vector b of Eq. 3, the rotated force
+    gradient = -left_of(direction)  # vector b of Eq. 3, the rotated force
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
@@ -334,7 +334,7 @@ def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
     if len(design.position) != len(rod.position):
         return lines
     move = rod.position - design.position
-    part = float(np.hypot(*move.T).max()) / rod.length
+    part = float(norm(move).max()) / rod.length
     if ROUNDING_SHARE < part < SMALL_MOVE_SHARE:
         factor = float(f"{ENLARGED_SHARE / part:.0e}")
         lines.append(design.position + factor * move)

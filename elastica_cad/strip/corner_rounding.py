@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import cross, norm, place, turn_between
+from elastica_cad.geometry.plane_points import cross, left_of, norm, place, turn_between
 from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, chord_points, trim_segment
 from elastica_cad.refusals import Length
 
@@ -215,7 +215,7 @@ def _corners(
 
 
 def _offset_points(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
-    left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
+    left = left_of(velocities)
     return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 

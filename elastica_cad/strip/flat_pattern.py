@@ -14,6 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
@@ -448,7 +449,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
     ends = np.array([segment.start, segment.end])
     crossings = [float(root.t) for root in roots if root.kind == "crossing"]
     points = [on_segment(segment, np.array(t)) for t in crossings]
-    return [t for t, p in zip(crossings, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
+    return [t for t, p in zip(crossings, points, strict=True) if norm(ends - p).min() > ON_SEAM]
 
 
 def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:

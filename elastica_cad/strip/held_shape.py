@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.geometry.plane_curve import CORNER_RAD
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
@@ -186,7 +187,7 @@ def deviation_from(design: Rod, place: FloatArray) -> float:
         turn = np.arctan2(np.sum(x * v - y * u), np.sum(x * u + y * v))
         cos, sin = np.cos(turn), np.sin(turn)
         place = target + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
-    return float(np.hypot(*(place - design.position).T).max())
+    return float(norm(place - design.position).max())
 
 
 def shape_responses(
@@ -228,7 +229,7 @@ def shape_responses(
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
     # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
-    normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    normals = left_of(tangents)
     moved = np.zeros((n, m, 2))
     moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
     return moved

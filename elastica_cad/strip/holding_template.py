@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.geometry.segments import Line, Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
@@ -137,7 +137,7 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
             tab.length,
             thickness,
             tab.holes,
-            direction * np.array([np.cos(rod.angle[k]), np.sin(rod.angle[k])]),
+            direction * unit_vectors(rod.angle[k]),
         )
         for k, direction, support, tab, thickness in zip(
             (0, -1), (-1, 1), rod.supports.ends, strip.ends, strip.end_thicknesses, strict=True
@@ -410,7 +410,7 @@ def holding_template(strip: Strip) -> Drawing:
     first, last = ends
     lines = [(MARK, [first.position, last.position])]
     for end in ends:
-        aside = np.array([-end.outward[1], end.outward[0]])
+        aside = left_of(end.outward)
         lines.append((MARK, [end.position - CROSS_MM * aside, end.position + CROSS_MM * aside]))
         if end.tab:
             tip, half = end.tip, 0.5 * end.thickness * aside

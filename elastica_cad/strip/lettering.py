@@ -13,6 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.refusals import Refusal, note
 
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
@@ -68,8 +69,8 @@ class Text:
     @property
     def box(self) -> FloatArray:
         """Corners (4, 2) of the box around the capital letters, anticlockwise from `position`, mm."""
-        along = np.array([np.cos(self.angle), np.sin(self.angle)])
-        far, up = self.length * along, self.height * np.array([-along[1], along[0]])
+        along = unit_vectors(self.angle)
+        far, up = self.length * along, self.height * left_of(along)
         return np.asarray(self.position + np.array([0 * far, far, far + up, up]), dtype=float)
 
 

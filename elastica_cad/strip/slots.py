@@ -15,7 +15,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, boxes_meet, left_of, lengths_along, place
+from elastica_cad.geometry.plane_points import box_about, boxes_meet, left_of, lengths_along, norm, place
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, trim_segment
 from elastica_cad.geometry.splines import spline_through
@@ -177,8 +177,8 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
 
 
 def _left_of(tangents: FloatArray) -> FloatArray:
-    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
-    return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
+    normals = left_of(tangents)
+    return np.asarray(normals / norm(tangents)[:, None], dtype=float)
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,6 +26,7 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, ro
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
@@ -919,7 +920,7 @@ class Strip:
 
         built, design = (resample(rod, finer * edges + 1) for rod in (self.as_built, self.rod))
         bent = bend(curling_by_design(built, design, self.layout), end=self.rod.position[-1])
-        return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
+        return float(norm(bent.position[::finer] - self.rod.position).max())
 
     @cached_property
     def rod_to_bend(self) -> Rod:

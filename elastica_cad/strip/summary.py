@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import (
@@ -327,7 +328,7 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
     """Yield a row on the forces of rails, pins and ties, if any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
-    largest = float(np.hypot(*rod.force.T).max())
+    largest = float(norm(rod.force).max())
     texts = [
         _with_side_of_bar(
             _element_text(
@@ -369,7 +370,7 @@ def _unloaded_rows(strip: Strip) -> Iterator[Row]:
 def farthest_move(design: Rod, bent: Rod) -> tuple[float, float, Refusal]:
     """Return the largest movement of a point of a bent rod, mm, the point's arc length, mm, and its direction."""
     moves = bent.position - design.position
-    k = int(np.hypot(*moves.T).argmax())
+    k = int(norm(moves).argmax())
     direction = direction_in_drawing(float(np.degrees(np.arctan2(*moves[k][::-1]))))
     return float(np.hypot(*moves[k])), float(design.s[k]), direction
 

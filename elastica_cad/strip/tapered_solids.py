@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Segment, Spline
 from elastica_cad.geometry.splines import adaptive_spline
@@ -64,7 +65,7 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     segments: list[Segment] = []
     places, directions = _frames(strip, bent)
     (start, end), (back, ahead) = places, (-directions[0] * first, directions[1] * last)
-    across = [np.array([-d[1], d[0]]) for d in directions]
+    across = [left_of(d) for d in directions]
     low_start, high_start = start - ends[0] * across[0], start + ends[0] * across[0]
     low_end, high_end = end - ends[1] * across[1], end + ends[1] * across[1]
     segments += lines_through([high_start, high_start + back, low_start + back, low_start])
@@ -78,7 +79,7 @@ def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
     if not bent:
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
-    return nodes.position, np.column_stack([np.cos(nodes.angle), np.sin(nodes.angle)])
+    return nodes.position, unit_vectors(nodes.angle)
 
 
 def _flat_face(size: Profile, side: int) -> PlaneCurve:
@@ -162,9 +163,9 @@ class RoundSolid:
             position, angle = nodes.position, nodes.angle
         else:
             position, angle = np.column_stack([within, 0.0 * within]), 0.0 * within
-        tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+        tangent = unit_vectors(angle)
         axis = position + (s - within)[:, None] * tangent
-        return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
+        return axis, left_of(tangent), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
         """Return knots and coefficients (m, 5) of a spline: axis point (2), unit normal * radius (2), and
@@ -261,9 +262,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
     weights[[0, -1]] = 1e6  # large weights, because both halves of the cross section must meet exactly
-    fitted = make_lsq_spline(
-        u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
-    )
+    fitted = make_lsq_spline(u, unit_vectors(np.pi * u), knots, DEGREE, w=weights)
     cosines, sines = fitted.c.T.copy()
     cosines[[0, -1]], sines[[0, -1]] = (1.0, -1.0), 0.0
     return knots, cosines, sines

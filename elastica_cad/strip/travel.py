@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.bending import (
     Movement,
     as_steps,
@@ -146,7 +147,7 @@ class Travel:
     def displacement(self) -> FloatArray:
         """Largest displacement (k,) of a point of the strip from its design, mm."""
         moves = [rod.position - self.strip.rod.position for rod in self.rods]
-        return np.array([np.hypot(*move.T).max() for move in moves])
+        return np.array([norm(move).max() for move in moves])
 
     @property
     def support_force(self) -> FloatArray:
@@ -387,7 +388,7 @@ def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
     steps = after - before
-    size = np.hypot(steps[:, 0], steps[:, 1])[:, None]
+    size = norm(steps)[:, None]
     return np.asarray(np.divide(steps, size, out=np.zeros_like(steps), where=size > 0))
 
 

@@ -24,6 +24,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.kit.pair_kit import MadePair
@@ -387,7 +388,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 def _inflections(rod: Rod) -> Record:
     points = inflections_of(rod)
-    s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
+    s = [rod.s[norm(rod.position - point).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
     return {
         "inflections": _rounded(points, 3),
@@ -406,7 +407,7 @@ def _stations(strip: Strip) -> Record:
     layers = strip.layout.strains(Bends(np.abs(kappa - rest), s))
     fraction = np.max([layer.strain / layer.limit for layer in layers], axis=0)
     position, width = rod.position[k], strip.width(s)
-    along = np.column_stack([np.cos(rod.angle[k]), np.sin(rod.angle[k])])
+    along = unit_vectors(rod.angle[k])
     first, last = strip.ends
     ends = [position[:1] - first.length * along[:1], position, position[-1:] + last.length * along[-1:]]
     wide = [first.width or width[0], *width, last.width or width[-1]]
@@ -552,7 +553,7 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     if not np.hypot(*chord) > 0:
         raise InputError("A closed strip has no ends to move. Open the strip to bend it here.")
     out = np.arctan2(chord[1], chord[0])
-    flat = start + NEARLY_FLAT * strip.rod.length * np.array([np.cos(out), np.sin(out)])
+    flat = start + NEARLY_FLAT * strip.rod.length * unit_vectors(out)
     clamped_ends = [support.angle for support in strip.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
@@ -742,7 +743,7 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
     if not np.isfinite(place).all():
         raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
-    at = t[np.argmin(np.hypot(*(curve.evaluate(t) - place).T))]
+    at = t[np.argmin(norm(curve.evaluate(t) - place))]
     weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
     rows = [*(curve.control_points * weights[:, None]).T, weights]
     knots, new, degree = insert(at, (curve.knots, rows, curve.degree))
