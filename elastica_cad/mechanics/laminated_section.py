@@ -269,14 +269,16 @@ class LaminatedSection:
 
 
 @dataclass(frozen=True, eq=False)
-class BackingLaw:
-    """`StiffnessLaw` of a laminate on a given base, with the width of the backing as parameter.
+class BackingLaw(FixedLaw):
+    """`BoundedLaw` of a laminate on a given base, with the width of the backing as parameter.
 
     Attributes
     ----------
     section : LaminatedSection
     base_width : (n,) array
         Width of the base, mm.
+    limits : (float, float)
+        Least and largest width of the backing, mm. With a finite largest width, `parameter` clips to the limits.
 
     Examples
     --------
@@ -287,14 +289,22 @@ class BackingLaw:
 
     section: LaminatedSection
     base_width: FloatArray
+    limits: tuple[float, float] = (0.0, np.inf)
+
+    @property
+    def quantity(self) -> str:
+        """Name of the parameter of the law: width of the backing."""
+        return "backing"
 
     def bending_stiffness(self, backing_width: ArrayLike) -> FloatArray:
         """Return E I (n,), N mm2, for backing widths (n,), mm."""
         return self.section.bending_stiffness(self.base_width, backing_width)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return backing widths (n,), mm, for E I (n,), N mm2."""
-        return self.section.backing_width(self.base_width, bending_stiffness)
+        """Return the backing widths (n,), mm, for E I (n,), N mm2."""
+        if np.isfinite(self.limits[1]):
+            bending_stiffness = np.clip(bending_stiffness, *self.bending_stiffness(np.array(self.limits)))
+        return np.clip(self.section.backing_width(self.base_width, bending_stiffness), *self.limits)
 
     def weight_per_length(self, backing_width: ArrayLike) -> FloatArray:
         """Return the weights per length (n,), N/mm, for backing widths (n,), mm."""
@@ -307,29 +317,6 @@ class BackingLaw:
         return self.section.strains(
             curvature, self.base_width, backing_width, natural_curvature=natural_curvature
         )
-
-
-@dataclass(frozen=True, eq=False)
-class BoundedBacking(BackingLaw, FixedLaw):
-    """Backing of limited width on a given base, for the argument `section` of `nearest_rod`.
-
-    Attributes
-    ----------
-    limits : (float, float)
-        Least and largest width of the backing, mm.
-    """
-
-    limits: tuple[float, float]
-
-    @property
-    def quantity(self) -> str:
-        """Name of the parameter of the law: width of the backing."""
-        return "backing"
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for E I (n,), N mm2, clipped to the limits."""
-        least, most = self.bending_stiffness(np.array(self.limits))
-        return np.clip(super().parameter(np.clip(bending_stiffness, least, most)), *self.limits)
 
 
 def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
@@ -445,7 +432,7 @@ def laminate_factor(
         u, v, c = (deflection[:, places] @ shape for shape in (w, lever, curl))
         along = form[0, 0] * u * v + form[0, 1] * (u + v) + form[1, 1] + (form[0, 2] * v + form[1, 2]) * c
         moment += 2 * np.sum(along * weight[:, None], axis=(1, 2))
-    return np.asarray(moment / section.bending_stiffness(b1, b2))
+    return moment / section.bending_stiffness(b1, b2)
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
@@ -461,7 +448,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
     (A, B, D), (An, Bn, Dn) = along, coupled
     rows = [[A, B, -Bn], [B, D, -Dn], [-Bn, -Dn, D]]
     across = np.array([An, Bn, -B])  # at fixed curvatures, the strain across the strip minimises the energy
-    return np.asarray(rows - np.outer(across, across) / A)
+    return rows - np.outer(across, across) / A
 
 
 def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -533,9 +520,7 @@ class LaminateCurl:
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
         """Return the polynomials at stations `at` (m,), mm, interpolated from those at stations `s` (n,), mm."""
-        fine, coefficients = (
-            np.asarray(at_stations(values, s, at)) for values in (self.fine, self.coefficients)
-        )
+        fine, coefficients = (at_stations(values, s, at) for values in (self.fine, self.coefficients))
         return LaminateCurl(self.reach, fine, coefficients)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:

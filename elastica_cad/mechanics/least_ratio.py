@@ -26,7 +26,7 @@ from elastica_cad.mechanics.elements import (
     require_elements,
     weight_with_loads,
 )
-from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
+from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
 from elastica_cad.mechanics.loads import (
     EndName,
     ExcessCurvature,
@@ -144,9 +144,7 @@ class _AlongArc:
     @classmethod
     def of(cls, curve: PlaneCurve, balance: BalancedStiffness, scale: float) -> "_AlongArc":
         panels = balance.panels
-        width = panels.edge_s[1:] - panels.edge_s[:-1]
-        s = panels.edge_s[:-1, None] + width[:, None] * (1 + NODES) / 2
-        t = curve.parameter(s)
+        t = curve.parameter(panels.edge_s[:-1, None] + np.diff(panels.edge_s)[:, None] * (1 + NODES) / 2)
         values = balance.stiffness.at(*panels.locate(t.ravel())) * scale
         return cls(panels.edge_s, PanelFunction.through(values.reshape(t.shape)))
 
@@ -170,12 +168,11 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
-        s[:-1] = (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel()
+        s[:-1] = (self.edges[:-1, None] + np.diff(self.edges)[:, None] * np.arange(CELLS) / CELLS).ravel()
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
@@ -183,7 +180,7 @@ class _AlongArc:
         inner_knots = [
             a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)
         ]
-        return np.asarray(np.interp(np.concatenate(inner_knots), reached, s))
+        return np.interp(np.concatenate(inner_knots), reached, s)
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
@@ -403,7 +400,7 @@ def _require_load_at_free_end(request: RodRequest) -> None:
     acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
     for name, support, s in zip(("start", "end"), request.supports.ends, (0.0, check.length), strict=True):
         hung = any(abs(at - s) <= AT_END_SHARE * check.length for at in acting)
-        if support.x or support.y or support.angle or hung:
+        if not support.is_free or hung:
             continue
         reason = note(
             "The {end} (at {s}) is free, and near a free end a drawn curve never has exactly the curvature "
@@ -450,9 +447,8 @@ def _unbent_rod(request: RodRequest) -> Rod:
         rod = _uniform_rod(rod, request.section)
     if request.gravity is None:
         return rod
-    down = np.asarray(request.gravity.direction)
     chord = nodes.position[-1] - nodes.position[0]
-    sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
+    sideways = abs(chord @ left_of(request.gravity.direction)) / np.hypot(*chord)
     if request.natural_curvature or sideways > 1e-9:
         reason = "Under its weight a straight strip sags, unless it is vertical. Draw its sagging shape."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
@@ -765,7 +761,7 @@ class _Base:
         return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        K, section = np.asarray(rod.stiffness), self.layers.section
+        K, section = rod.stiffness, self.layers.section
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
             section=section,
@@ -806,7 +802,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 
 
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
-    law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
+    law = BackingLaw(section, np.asarray(base_width), (0.0, base_width))
     try:
         weight = Weight(masses=request.masses, own=True)
         rod = rod_of_request(replace(request, section=law, weight=weight))

@@ -273,8 +273,36 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     return float(np.pi / 2 * twist * np.sqrt(2 * (twist + 1 - nu)) / (twist + 2))
 
 
+@dataclass(frozen=True, eq=False)
+class _OneSheet:
+    """Section of a strip of one sheet with a variable width."""
+
+    sheet: Sheet
+
+    @property
+    def rigidity(self) -> float:
+        """Bending stiffness per mm of width of a narrow strip, N mm."""
+        return self.sheet.bending_stiffness(1.0)
+
+    def weight_per_length(self, width: ArrayLike) -> FloatArray:
+        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
+        return areal_weight(self.sheet) * positive(width, "width")
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm."""
+        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
+        bend = np.abs(kappa - rest)
+        return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
+
+
 @dataclass(frozen=True)
-class PlainSection:
+class PlainSection(_OneSheet):
     """Solid rectangular section of a sheet: E I = w E h^3 / 12 for width w, thickness h (paper, section 8.1).
 
     Examples
@@ -283,13 +311,6 @@ class PlainSection:
     >>> section.bending_stiffness(20.0).item()
     20.0
     """
-
-    sheet: Sheet
-
-    @property
-    def rigidity(self) -> float:
-        """Bending stiffness per mm of width, N mm."""
-        return self.sheet.bending_stiffness(1.0)
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
         """Return E I (n,), N mm2, for widths (n,), mm."""
@@ -303,10 +324,6 @@ class PlainSection:
         """Return the width (n,), mm, for E I (n,), N mm2; see `StiffnessLaw.parameter`."""
         return self.width(bending_stiffness)
 
-    def weight_per_length(self, width: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
-        return areal_weight(self.sheet) * positive(width, "width")
-
     def weight(self, bending_stiffness: float) -> Weight:
         """Return the weight per length, which is proportional to the relative stiffness for every width profile.
 
@@ -316,18 +333,6 @@ class PlainSection:
             E I where the relative stiffness is 1, N mm2.
         """
         return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm."""
-        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
-        bend = np.abs(kappa - rest)
-        return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
 
     @property
     def curvature_limit(self) -> float:
@@ -407,7 +412,7 @@ class PerforatedSection(PlainSection):
 
 
 @dataclass(frozen=True, eq=False)
-class WidthLaw:
+class WidthLaw(_OneSheet):
     """Stiffness law of a strip of one sheet: narrow strips bend with E, wide strips as plates with E/(1 - nu^2).
 
     The weight is not proportional to the stiffness; see `anticlastic_factor`.
@@ -427,7 +432,6 @@ class WidthLaw:
     (900.0, 1.098)
     """
 
-    sheet: Sheet
     least: float
     largest: float
     curvature: float | FloatArray = 0.0
@@ -486,29 +490,13 @@ class WidthLaw:
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
         """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect."""
-        w = positive(parameter, self.quantity)
-        return np.asarray(
-            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
-        )
+        w = positive(parameter, "width")
+        return np.asarray(self.rigidity * w * anticlastic_factor(w, self.curvature, **self._plate))
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Return the widths (n,), mm, for E I (n,), N mm2."""
         EI = positive(bending_stiffness, "bending stiffness")
-        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
-
-    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
-        return areal_weight(self.sheet) * positive(parameter, self.quantity)
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        parameter: ArrayLike,  # noqa: ARG002 - part of the interface; here the strain does not depend on it
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain: half the thickness times the absolute change of curvature."""
-        return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
+        return plate_width(EI / self.rigidity, self.curvature, **self._plate)
 
     @property
     def _plate(self) -> dict[str, Any]:

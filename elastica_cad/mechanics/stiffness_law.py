@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Protocol, Self
+from typing import Protocol, Self, TypeVar, cast
 
 import numpy as np
 
@@ -401,7 +401,8 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
 def require_section(section: object, name: str = "section") -> None:
     """Raise InputError for a value that is not a `BoundedLaw`. The message calls it `name`."""
-    if not all(hasattr(section, part) for part in ("limits", "bent", "bending_stiffness")):
+    unlimited = (0.0, np.inf)
+    if getattr(section, "limits", unlimited) == unlimited or not hasattr(section, "bent"):
         raise InputError(
             "{name} is {given}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
             name=FieldName(name), given=quoted(section), where={"field": name},
@@ -418,7 +419,10 @@ class BendFactor(Protocol):
         """Return the function for stations at arc lengths `at` (m,), mm, by interpolation from `s` (n,), mm."""
 
 
-def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
+Values = TypeVar("Values", float, FloatArray, float | FloatArray)
+
+
+def at_stations(values: Values, s: FloatArray, at: FloatArray) -> Values:
     """Interpolate values (..., n) from arc lengths `s` (n,) to `at` (m,), mm; return a single number unchanged.
 
     Examples
@@ -429,7 +433,7 @@ def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> fl
     """
     if np.ndim(values) == 0:
         return values
-    return np.apply_along_axis(lambda row: np.interp(at, s, row), -1, values)
+    return cast("Values", np.apply_along_axis(lambda row: np.interp(at, s, row), -1, values))
 
 
 def scale_within(

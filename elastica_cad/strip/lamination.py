@@ -10,7 +10,7 @@ from elastica_cad._values import distinct_digits, is_number
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import FaultError, InputError, rounded_up
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
+from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sheets import Sheet, require_flat
@@ -102,7 +102,7 @@ class Laminated:
 
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
-    ) -> BoundedBacking | None:
+    ) -> BackingLaw | None:
         """Return the section with limits of the backing's width; None if the width of the base varies."""
         if not is_number(self.width):
             return None
@@ -111,7 +111,7 @@ class Laminated:
         if least >= most:  # `laid_out` raises the error for these limits
             return None
         section = LaminatedSection(sheet, self.backing)
-        return BoundedBacking(section, np.asarray(width), (least, most))
+        return BackingLaw(section, np.asarray(width), (least, most))
 
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None

@@ -17,13 +17,13 @@ from elastica_cad.forming.curve_distance import (
 )
 from elastica_cad.forming.rod_map import SectionScale, StiffnessBasis, StripGrid
 from elastica_cad.mechanics import WidthLaw
-from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
+from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
 
 pytestmark = pytest.mark.core
 
 EDGES = 81
 CAST = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.37)
-GLUED = BoundedBacking(LaminatedSection(CAST, CAST), np.array(40.0), (0.0, 40.0))
+GLUED = BackingLaw(LaminatedSection(CAST, CAST), np.array(40.0), (0.0, 40.0))
 
 
 @pytest.fixture(scope="module")
