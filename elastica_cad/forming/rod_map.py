@@ -19,7 +19,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
 from elastica_cad.mechanics.loads import Supports, Weight
-from elastica_cad.mechanics.optimal_balance import TangentWeight
+from elastica_cad.mechanics.optimal_balance import tangent_weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.refusals import BareLength, Length
@@ -185,9 +185,9 @@ class SectionScale:
         The weight is divided by the scale and multiplied by the cube of `size`, mm.
         """
         EI = self.scale * stiffness
-        tangent = TangentWeight.of(self.law, EI)
+        slope, fixed = tangent_weight(self.law, EI)
         over = size**3
-        return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
+        return (fixed / self.scale + slope * stiffness) * over, slope * over
 
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
         """Return the rod with this scale and, under gravity, with the weight for K (n,) at the nodes."""
@@ -195,9 +195,9 @@ class SectionScale:
         scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
         if rod.gravity is None:
             return scaled
-        tangent = TangentWeight.of(self.law, EI)
-        alpha = Profile.interpolate(rod.s, tangent.fixed)
-        return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
+        slope, fixed = tangent_weight(self.law, EI)
+        alpha = Profile.interpolate(rod.s, fixed)
+        return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, slope * EI.min())))
 
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
         """Return the derivative of the moment by the curvature (..., n), in the unit of the stiffness K (..., n).

@@ -18,6 +18,7 @@ from elastica_cad._values import (
     with_article,
 )
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -173,11 +174,8 @@ def bend(
             f"bend was called with {with_article(type(rod))}: give a Rod from optimal_rod or Rod.straight"
         )
     rod = rod.following()
-    ends = rod.position[0], rod.position[-1]
-    start, end = (
-        present if coordinates is None else coordinates
-        for coordinates, present in zip((start, end), ends, strict=True)
-    )
+    start = rod.position[0] if start is None else start
+    end = rod.position[-1] if end is None else end
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
@@ -294,7 +292,7 @@ def _interpolated_element(before: ElementForce, after: ElementForce, part: float
 def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tuple[float, FloatArray]]:
     """Return arc length and point, mm, of ends that are held in place and of pins, sorted by arc length."""
     held = [
-        (s, np.asarray(place))
+        (s, place)
         for s, place, end in zip(
             (0.0, system.length), (system.start, system.end), system.supports.ends, strict=True
         )
@@ -584,7 +582,7 @@ class Movement:
         steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
-        travel = np.append(0.0, np.cumsum(np.hypot(steps[:, 0], steps[:, 1])))
+        travel = np.append(0.0, np.cumsum(norm(steps)))
         turn = np.append(0.0, np.cumsum(turns[:, int(turns.sum(axis=0).argmax())]))
         still = travel[-1] <= STILL_SHARE * rods[0].length
         return cls(np.zeros_like(travel) if still else travel.round(9), turn)
@@ -648,7 +646,7 @@ def system_of(
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
-        stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1),
+        stiffness=rod.stiffness, edge_length=rod.length / (rod.s.size - 1),
         load=_present_load(rod),
         natural_curvature=rod.natural_curvature, supports=rod.supports,
         start=present.position[0].copy() if start is None else pair(start, "start"),
@@ -811,8 +809,9 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     free = [not end.angle for end in supports.ends]
     moments = np.zeros(2)
     if moment is None:
-        held = (supports.held | present.supports.held)[[2, 5]]
-        return np.where(held, 0.0, present.moment[[0, -1]] * (-1.0, 1.0))
+        return np.where(
+            (supports.held | present.supports.held)[[2, 5]], 0.0, present.moment[[0, -1]] * (-1.0, 1.0)
+        )
     values = as_floats(moment)
     if values is not None and values.shape == ():
         if free == [True, True]:

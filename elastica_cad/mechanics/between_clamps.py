@@ -12,7 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import End, Gravity, Supports
@@ -274,7 +274,7 @@ def _side(rod: Rod) -> int:
     """Return 1 if the first bulge, or the free end, is on the left, -1 on the right, and 0 for a straight rod."""
     off = rod.position - rod.position[0]
     if _is_free(rod):
-        along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]
+        along, off = unit_vectors(rod.angle[0]), off[-1:]
     else:
         along = off[-1] / np.hypot(*off[-1])
     heights = off @ left_of(along)

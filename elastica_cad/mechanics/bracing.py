@@ -14,11 +14,12 @@ The constraints are v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 f
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights, floats
 from elastica_cad.mechanics.loads import Supports
 
@@ -53,29 +54,8 @@ class Bracing:
 
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
     """Return ties and one-sided rails whose force is almost 0. `force` (n, 2), 1/mm2, is the force in the rod."""
-    largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
+    largest = max(float(norm(force).max()), max((action.size for action in between), default=0.0))
     return tuple(action for action in between if action.is_one_sided and action.size <= SLACK_SHARE * largest)
-
-
-@dataclass(frozen=True, eq=False)
-class _Brace:
-    """Contribution of a rail, pin or tie to the second variation, for changes h (n,) of the edge angles.
-
-    Attributes
-    ----------
-    rows, row_shifts : (k, n) and (k, 2) arrays
-        Constraints rows @ h + row_shifts @ v = 0, where v (2,) is the translation of the whole rod.
-    terms, term_shifts : (r, n) and (r, 2) arrays
-        Linear forms f = terms @ h + term_shifts @ v.
-    coefficients : (r, r) array
-        Matrix C of the term f^t C f that is added to the energy.
-    """
-
-    rows: FloatArray
-    row_shifts: FloatArray
-    terms: FloatArray
-    term_shifts: FloatArray
-    coefficients: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,10 +68,6 @@ class _Edges:
     @property
     def count(self) -> int:
         return len(self.tangents)
-
-    @property
-    def unknowns(self) -> int:
-        return self.count if self.directions is None else 2 * self.count
 
     def covered(self, s: float, order: int = 0) -> FloatArray:
         return edge_weights(s, self.edge_length, self.count, order)
@@ -106,15 +82,14 @@ class _Edges:
             return moves
         return np.concatenate([moves, self.edge_length * self.directions.T * weights], axis=1)
 
-    @property
-    def free(self) -> FloatArray:
-        return np.array(self.supports.free_axes)
-
     def moves(self, s: float) -> FloatArray:
-        """Return the derivatives (2, m) of the position at arc length s by the m angles and strains."""
+        """Return the derivatives (2, m + 2) of the position at arc length s.
+
+        The columns are the m angles and strains, and the translation of the whole rod.
+        """
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
-        return self.moves_with(self.covered(s) - from_end[:, None])
+        return np.concatenate([self.moves_with(self.covered(s) - from_end[:, None]), np.eye(2)], axis=1)
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
         """Return the unit vector (2,) from the first to the second arc length `s`, and the distance, mm."""
@@ -124,23 +99,25 @@ class _Edges:
         return chord / size, size
 
 
+_Brace: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
+"""Contribution of a rail, pin or tie to the second variation.
+
+The vector x (m + 2,) contains the m changes of angles and strains, and the translation of the whole rod. The
+arrays are the rows (k, m + 2) of constraints rows @ x = 0, the rows (r, m + 2) of linear forms f, and the matrix C
+(r, r) of the term f^t C f that is added to the energy. For a pin, C is 0.
+"""
+
+
 def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
-    moves = edges.moves_with(edges.covered(float(action.s[1])) - edges.covered(float(action.s[0])))
+    p, q = (edges.moves(float(s)) for s in action.s)
     pull = float(action.force[0] @ u)
-    acts = slice(None) if pull != 0 else slice(0)
-    return _Brace(
-        rows=(u @ moves)[None],
-        row_shifts=np.zeros((1, 2)),
-        terms=(left_of(u) @ moves)[None][acts],
-        term_shifts=np.zeros((1, 2))[acts],
-        coefficients=np.array([[pull / size]])[acts, acts],
-    )
+    return (u @ (q - p))[None], (left_of(u) @ (q - p))[None], np.array([[pull / size]])
 
 
 def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
-    none = np.zeros((0, edges.unknowns))
-    return _Brace(edges.moves(float(action.s[0])), np.eye(2), none, np.zeros((0, 2)), np.zeros((0, 0)))
+    moves = edges.moves(float(action.s[0]))
+    return moves, moves, np.zeros((2, 2))
 
 
 def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
@@ -150,15 +127,12 @@ def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     tangent /= np.hypot(*tangent)
     normal = left_of(tangent)
     push = float(action.force[0] @ normal)
-    acts = slice(None) if push != 0 else slice(0)
     kappa = edges.edge_length * float(edges.covered(s, 2) @ edges.tangents @ normal)
-    return _Brace(
-        rows=(normal @ moves)[None],
-        row_shifts=normal[None],
-        terms=np.array([np.pad(turn, (0, edges.unknowns - edges.count)), -tangent @ moves])[acts],
-        term_shifts=np.array([np.zeros(2), -tangent])[acts],
-        coefficients=-push * np.array([[0.0, 1.0], [1.0, kappa]])[acts, acts],
-    )
+    turning = np.pad(turn, (0, moves.shape[1] - edges.count))
+    return (
+        (normal @ moves)[None], np.array([turning, -tangent @ moves]),
+        -push * np.array([[0.0, 1.0], [1.0, kappa]]),
+    )  # fmt: skip
 
 
 _BRACES = {Tie: _tie_brace, Pin: _pin_brace, Rail: _rail_brace}
@@ -183,18 +157,19 @@ def bracing_of(
     edge_length : float
         Nominal length of an edge, mm.
     """
-    edges = _Edges(tangents, edge_length, supports, directions)
-    n, free = edges.unknowns, edges.free
+    edges, free = _Edges(tangents, edge_length, supports, directions), np.array(supports.free_axes)
+    n = edges.count if directions is None else 2 * edges.count
     braces = [_BRACES[type(action.element)](action, edges) for action in between]
-    rows = np.concatenate([np.zeros((0, n)), *(brace.rows for brace in braces)])
-    terms = np.concatenate([np.zeros((0, n)), *(brace.terms for brace in braces)])
+    acting = [(forms, matrix) for _, forms, matrix in braces if matrix.any()]
+    rows = np.concatenate([np.zeros((0, n + 2)), *(constraints for constraints, _, _ in braces)])
+    terms = np.concatenate([np.zeros((0, n + 2)), *(forms for forms, _ in acting)])
     if free.any():
-        row_shifts = np.concatenate([np.zeros((0, 2)), *(brace.row_shifts for brace in braces)])[:, free]
-        term_shifts = np.concatenate([np.zeros((0, 2)), *(brace.term_shifts for brace in braces)])[:, free]
-        u, sigma, vt = np.linalg.svd(row_shifts)
+        u, sigma, vt = np.linalg.svd(rows[:, n:][:, free])
         rank = int(np.count_nonzero(sigma > _RANK))
-        terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
+        translation = -(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows
+        terms = terms + terms[:, n:][:, free] @ translation
         rows = u[:, rank:].T @ rows
+    rows, terms = rows[:, :n], terms[:, :n]
     if floats(supports, between):
         # a rod that floats can turn as a whole without a change of energy, so exclude this rotation
         turn = left_of(edges.chord(between[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
@@ -202,8 +177,8 @@ def bracing_of(
     # avoid a division by zero, because a row of `terms` can be zero on a straight strip
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
-    for brace in braces:
-        last = first + len(brace.terms)
-        coefficients[first:last, first:last] = brace.coefficients
+    for _, matrix in acting:
+        last = first + len(matrix)
+        coefficients[first:last, first:last] = matrix
         first = last
     return Bracing(rows, terms / lengths[:, None], coefficients * lengths[:, None] * lengths)

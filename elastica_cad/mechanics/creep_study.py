@@ -2,11 +2,10 @@
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Supports
@@ -56,7 +55,7 @@ class Creep:
     @property
     def sag(self) -> float:
         """Largest displacement of the strip by creep, mm; 0 without weight or constant loads on free ends."""
-        return float(np.hypot(*(self.later.position - self.rod.position).T).max())
+        return float(norm(self.later.position - self.rod.position).max())
 
     @property
     def end_forces(self) -> FloatArray:
@@ -64,7 +63,7 @@ class Creep:
 
         The forces are divided by the least bending stiffness before creep.
         """
-        return np.asarray(self.later.force[[0, -1]] * self.force_share)
+        return self.later.force[[0, -1]] * self.force_share
 
     @property
     def stays(self) -> bool:
@@ -87,8 +86,8 @@ class Creep:
             rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
             angle=float(rod.angle[0]), supports=Supports(end="free"),
         )  # fmt: skip
-        rest = rod.natural_curvature + self.kept_share * (np.asarray(rod.curvature) - rod.natural_curvature)
-        turned = rod.angle[0] + self.kept_share * (np.asarray(rod.angle) - rod.angle[0])
+        rest = rod.natural_curvature + self.kept_share * (rod.curvature - rod.natural_curvature)
+        turned = rod.angle[0] + self.kept_share * (rod.angle - rod.angle[0])
         return bend(replace(free, natural_curvature=rest), guess=turned)
 
     def __str__(self) -> str:

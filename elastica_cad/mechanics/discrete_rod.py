@@ -12,7 +12,7 @@ from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import cross, dot, unit_vectors
 from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports, whole_number
 
@@ -147,7 +147,7 @@ class Terms(NamedTuple):
 
     def on(self, vector: FloatArray) -> FloatArray:
         """Return the product of the added matrix -G^t D^-1 G and a vector (n,)."""
-        return np.asarray(-self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector))
+        return -self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector)
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
@@ -233,7 +233,7 @@ def largest_of_inverse(
     def inverse(x: FloatArray) -> FloatArray:
         x = solve(x - basis.T @ (basis @ x))
         x = x - solved @ (inner @ (border @ x))
-        return np.asarray(x - basis.T @ (basis @ x))
+        return x - basis.T @ (basis @ x)
 
     # ARPACK is not used, because its package is slow to load and its calls wake threads of BLAS
     along: list[float] = []
@@ -322,7 +322,7 @@ def lowest_weighted(
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
-    return np.asarray(np.linalg.qr(powers)[0])
+    return np.linalg.qr(powers)[0]
 
 
 def _reach(diagonal: FloatArray, off: FloatArray) -> float:
@@ -394,14 +394,6 @@ def _shoot_in_python(
         moments.append(M)
     angles.append(alpha + bend[n] * M + rest[n])
     return np.array(angles), np.array(moments)
-
-
-def tangents(angles: FloatArray) -> FloatArray:
-    """Return the unit tangents (n, 2) of edges with the angles (n,), rad."""
-    T = np.empty((angles.size, 2))
-    np.cos(angles, out=T[:, 0])
-    np.sin(angles, out=T[:, 1])
-    return T
 
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
@@ -492,7 +484,7 @@ class Compression:
 
     def stretched(self, directions: FloatArray, force: FloatArray) -> FloatArray:
         """Return the edge vectors (n, 2) under a force (n, 2), divided by the nominal edge length."""
-        more = np.einsum("nk,nk->n", force, directions) - self.pull
+        more = dot(force, directions) - self.pull
         return np.asarray(directions * (1 - self.compliance * more)[:, None])
 
     def resampled(self, edges: int) -> "Compression":
@@ -603,7 +595,7 @@ class DiscreteRod:
     @cached_property
     def directions(self) -> FloatArray:
         """Unit tangents of the edges (n, 2)."""
-        return tangents(self.angles)
+        return unit_vectors(self.angles)
 
     @cached_property
     def tangents(self) -> FloatArray:
@@ -620,12 +612,12 @@ class DiscreteRod:
     @cached_property
     def pull(self) -> FloatArray:
         """Component (n,), 1/mm2, of the force lambda along each edge: the negative tension."""
-        return np.asarray(self.force[..., 0] * self.tangents[:, 0] + self.force[..., 1] * self.tangents[:, 1])
+        return dot(self.force, self.tangents)
 
     @cached_property
     def shear(self) -> FloatArray:
         """Component (n,), 1/mm2, of the force lambda normal to each edge: the slope of the bending moment."""
-        return np.asarray(self.force[..., 1] * self.tangents[:, 0] - self.force[..., 0] * self.tangents[:, 1])
+        return cross(self.tangents, self.force)
 
     @cached_property
     def shortening(self) -> FloatArray:
@@ -636,7 +628,7 @@ class DiscreteRod:
     @cached_property
     def sideways_pull(self) -> FloatArray:
         """Derivative (n,), 1/mm2, of the axial component of the force in each edge by the edge angle."""
-        return np.asarray(np.einsum("nk,nk->n", self.force, left_of(self.directions)))
+        return cross(self.directions, self.force)
 
     @cached_property
     def held(self) -> tuple[int, ...]:
@@ -777,7 +769,7 @@ class DiscreteRod:
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
         """Return the moment imbalance of the edges (n,), 1/mm: the gradient of the energy by the edge angles."""
-        return np.asarray(moments[:-1] - moments[1:] + self.edge_length * self.shear)
+        return moments[:-1] - moments[1:] + self.edge_length * self.shear
 
     def reversed(self) -> "DiscreteRod":
         """Return the same rod with its nodes numbered from the other end."""

@@ -18,7 +18,7 @@ from elastica_cad._values import pair, require_flag, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import cross, left_of, norm, unit_vectors
 from elastica_cad.mechanics.loads import Gravity, Place, PointMass, Supports, Weight, require_place
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
@@ -245,8 +245,7 @@ class PlacedElement:
         if isinstance(element, Pin):
             return cls(element, s, np.eye(2)[:, None, :])
         if isinstance(element, Rail):
-            angle = curve.at(s).angle
-            return cls(element, s, left_of(np.column_stack([np.cos(angle), np.sin(angle)]))[None])
+            return cls(element, s, left_of(unit_vectors(curve.at(s).angle))[None])
         ends = curve.at(s).position
         chord = ends[1] - ends[0]
         size = float(np.hypot(*chord))
@@ -306,7 +305,7 @@ def with_placed_masses(weight: Weight, drawn: PlaneCurve, curve: PlaneCurve) -> 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
     if isinstance(at, tuple):
         s = _nearest_arc_length(curve, np.array(at))
-        off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
+        off = float(np.hypot(*(curve.at(s).position[0] - at)))
         if off > NEAR_SHARE * curve.length:
             raise InputError(
                 "The {element} at {point} is {off:.4g} off the curve, farther than {most:.4g} ({percent:g} % of "
@@ -329,10 +328,10 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
 
 def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
     nodes = curve.survey
-    s = float(nodes.s[np.hypot(*(nodes.position - point).T).argmin()])
+    s = float(nodes.s[norm(nodes.position - point).argmin()])
     for _ in range(_NEWTON_STEPS):
-        here = curve.at(np.array([s]))
-        off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
+        here = curve.at(s)
+        off, tangent = point - here.position[0], unit_vectors(here.angle[0])
         # limit the step, because Newton's method diverges near the centre of curvature
         spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
@@ -442,8 +441,8 @@ def resultant(
         Points relative to the start, mm, and forces.
     """
     total = forces.sum(axis=0)
-    turning = (float(points[:, 0] @ forces[:, 1] - points[:, 1] @ forces[:, 0]) + moment) / length
-    size = float(np.hypot(*forces.T).sum()) + abs(moment) / length + other
+    turning = (float(cross(points, forces).sum()) + moment) / length
+    size = float(norm(forces).sum()) + abs(moment) / length + other
     return np.array([*total, turning]) / (size or 1.0)
 
 

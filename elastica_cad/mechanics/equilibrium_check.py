@@ -23,7 +23,7 @@ from elastica_cad.geometry.fairing import largest_distance, smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve, line_crossings
-from elastica_cad.geometry.plane_points import is_closed, thinned
+from elastica_cad.geometry.plane_points import is_closed, norm, thinned
 from elastica_cad.geometry.self_intersections import find_view_angles
 from elastica_cad.geometry.splines import fit_spline, smoothest_spline
 from elastica_cad.mechanics.loads import (
@@ -43,8 +43,8 @@ from elastica_cad.mechanics.theorem1 import (
 )
 from elastica_cad.mechanics.unbent_ends import (
     MEANT_SHARE,
-    StraightenedTails,
     find_free_tails,
+    straightened,
     without_bend_at,
 )
 from elastica_cad.refusals import Length, Listed, note
@@ -150,10 +150,10 @@ def _examine_curve(
 ) -> EquilibriumCheck:
     tails = find_free_tails(curve, supports, natural_curvature, stations)
     if tails:
-        made = StraightenedTails.of(curve, tails, tolerance * curve.length)
-        check = examine_curvature(made.curve, supports, tails=[tail.end for tail in tails])
-        check = replace(check, moved=made.moved)
-        return replace(check, realizable=False, reasons=made.reasons) if made.reasons else check
+        straight, moved, reasons = straightened(curve, tails, tolerance * curve.length)
+        check = examine_curvature(straight, supports, tails=[tail.end for tail in tails])
+        check = replace(check, moved=moved)
+        return replace(check, realizable=False, reasons=reasons) if reasons else check
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:
@@ -198,7 +198,7 @@ def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature
 def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
     """Return the largest distance between points of two curves at the same parameter, mm."""
     t = np.linspace(*before.domain, 1001)
-    return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
+    return float(np.hypot(*np.moveaxis(after.evaluate(t) - before.evaluate(t), -1, 0)).max())
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
@@ -215,9 +215,8 @@ def _free_ends_near_zeros(
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
         if support.angle or t in unbent:
             continue
-        at, reach = np.array(t), MEANT_SHARE * check.length
-        noise = MEANT_SHARE * float(np.abs(excess.survey).max())
-        if np.abs(excess.at(at)) <= max(reach * np.abs(excess.slope_at(at)), noise):
+        reach, noise = MEANT_SHARE * check.length, MEANT_SHARE * float(np.abs(excess.survey).max())
+        if np.abs(excess.at(t)) <= max(reach * np.abs(excess.slope_at(t)), noise):
             yield t
 
 
@@ -244,14 +243,6 @@ _LINES = {
     "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
 _TURNS = 67
-
-
-@dataclass(frozen=True)
-class LineMeeting:
-    """Meeting of line and curve that Theorem 1 forbids: arc length, mm, and "crossing", "touch" or "tangent"."""
-
-    s: float
-    kind: str
 
 
 @dataclass(frozen=True)
@@ -333,11 +324,11 @@ def _with_line(
             return _refused(check, _off_line_reason(check, normal, 0.0))
         check = moved
     meetings = _line_meetings(check.curve, line, check.zeros)
-    if not meetings:
+    if not any(meetings.values()):
         return _refuse_extreme_ratio(check, natural_curvature)
-    crossings = tuple(m.s for m in meetings if m.kind == "crossing")
-    tangents = tuple(m.s for m in meetings if m.kind == "tangent")
-    touches = tuple(m.s for m in meetings if m.kind == "touch")
+    crossings, touches, tangents = (
+        tuple(sorted(meetings[kind])) for kind in ("crossing", "touch", "tangent")
+    )
     meetings_of = (
         ("crosses the curve at {places}", crossings),
         ("touches the curve at {places}", touches),
@@ -423,31 +414,30 @@ def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) ->
 
 def _line_meetings(
     curve: PlaneCurve, line: InflectionLine, zeros: Sequence[CurvatureZero]
-) -> tuple[LineMeeting, ...]:
-    """Return the points of the curve at which the line violates condition (1) of Theorem 1.
+) -> dict[str, set[float]]:
+    """Return the arc lengths, mm, at which the line violates condition (1) of Theorem 1, by kind of meeting.
 
     The moment is zero on the line. Moment and curvature must have equal signs on the whole curve, or opposite
     signs on the whole curve.
     """
     near = _SAME_PLACE_SHARE * curve.length
-    bad: list[LineMeeting] = []
-    t = np.array([z.t for z in zeros])
-    tangent = np.asarray(curve.evaluate(t, 1)).reshape(-1, 2)
-    sine = tangent @ line.b / np.hypot(tangent[:, 0], tangent[:, 1])
+    bad = dict[str, set[float]](crossing=set(), touch=set(), tangent=set())
+    tangent = curve.evaluate([z.t for z in zeros], 1).reshape(-1, 2)
+    sine = tangent @ line.b / norm(tangent)
     turned = np.array([(z.after or -z.before) for z in zeros]) * sine
     majority = 1.0 if (turned > 0).sum() * 2 >= turned.size else -1.0
     for zero, rate, turn in zip(zeros, sine, turned, strict=True):
         if abs(rate) < _TANGENT_RAD:
-            bad.append(LineMeeting(zero.s, "tangent"))
+            bad["tangent"].add(zero.s)
         elif turn * majority < 0:
-            bad.append(LineMeeting(zero.s, "crossing"))
+            bad["crossing"].add(zero.s)
     places = np.array([z.s for z in zeros])
     for meeting in line_crossings(curve, line.a, line.b):
         if meeting.kind == "flat":
-            bad.append(LineMeeting(meeting.s, "touch"))
+            bad["touch"].add(meeting.s)
         elif not places.size or np.abs(places - meeting.s).min() > near:
-            bad.append(LineMeeting(meeting.s, "touch" if meeting.kind == "touch" else "crossing"))
-    return tuple(sorted(set(bad), key=lambda m: m.s))
+            bad["touch" if meeting.kind == "touch" else "crossing"].add(meeting.s)
+    return bad
 
 
 def _place_of_extreme_ratio(
@@ -465,14 +455,14 @@ def _place_of_extreme_ratio(
     clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
     clear &= kappa != 0
     tangent, slope = _at_zeros(excess, t_zero)
-    point, across = np.asarray(line.point), line.b
+    point, across = line.point, line.b
     bent = np.abs(((nodes.position - point) @ across)[clear] / kappa[clear])
     unbent = np.abs(tangent @ across / slope)
     if max(bent.max(), unbent.max()) <= _WIDEST_RATIO * min(bent.min(), unbent.min()):
         return None
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate([(nodes.position[clear] - point) / kappa[clear, None], tangent / slope[:, None]])
-    along = np.asarray(line.direction)
+    along = line.direction
     turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
     K = np.abs(arm @ normals.T)
@@ -516,7 +506,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
 
 
 def _positions(check: EquilibriumCheck) -> FloatArray:
-    return np.asarray(check.curve.evaluate(np.array([z.t for z in check.zeros])))
+    return check.curve.evaluate(np.array([z.t for z in check.zeros]))
 
 
 def _kind_of(normal: FloatArray | None) -> str:

@@ -673,11 +673,11 @@ class ExcessCurvature:
 
     def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the curvature minus the natural curvature, 1/mm, at parameters t."""
-        return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
+        return self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left)
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the derivative of curvature minus natural curvature by arc length, 1/mm2, at parameters t."""
-        return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
+        return self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left)
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
         """Return the natural curvature, 1/mm, or its derivative by arc length, at parameters t of the curve."""
@@ -690,7 +690,7 @@ class ExcessCurvature:
     def survey(self) -> FloatArray:
         """Curvature minus natural curvature (n,), 1/mm, at the sample points of the curve."""
         nodes = self.curve.survey
-        return np.asarray(nodes.curvature - self.rest_at(nodes.t))
+        return nodes.curvature - self.rest_at(nodes.t)
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:

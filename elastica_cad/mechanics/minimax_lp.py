@@ -360,7 +360,7 @@ def least_variation(
         steepness = changes / np.linalg.norm(edges, axis=0)
         back, out = divmod(int(steepness.argmin()), x.size)
         if steepness[back, out] >= -METHOD.feasible * terms:
-            return np.asarray(basis @ x)
+            return basis @ x
         step = edges[:, out] * (1 - 2 * back)
         rates = planes @ step
         rates[active[active >= 0]] = 0.0

@@ -208,7 +208,7 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     traces, at = np.empty_like(edge_moment), panels.edge_s[zeros]
     for number, column in enumerate(edge_moment[zeros].T):
         traces[:, number] = np.interp(panels.edge_s, at, column)
-    return np.asarray(edge_moment - traces)
+    return edge_moment - traces
 
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
@@ -504,7 +504,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     s = family.panels.arc_length(panel, x)
     d = family.freedom
     if d == 0:
-        return np.asarray(s[offset <= 0])
+        return s[offset <= 0]
     size = np.maximum(np.abs(rows).max(axis=1), 1e-300)
     if d == 1 and family.offset is None:
         sign = rows[:, 0] > 0
@@ -726,7 +726,7 @@ class ConditionedRows:
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
-            tangent = np.asarray(self.check.curve.evaluate(t[inner], 1))
+            tangent = self.check.curve.evaluate(t[inner], 1)
             across = left_of(tangent) / np.hypot(tangent[:, :1], tangent[:, 1:])
             normal = np.zeros((len(across), self.scale.size))
             units = self.request.units_on(self.panels)[at[inner]]
@@ -777,7 +777,7 @@ class ConditionedRows:
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
         """Return the rows that require the unknowns with the indices `sides` to be 0 or more."""
-        return np.asarray((columns.T / self.scale).T[sides])
+        return (columns.T / self.scale).T[sides]
 
     def at_compliance(self, tau: float) -> StateFamily:
         """Return all stiffnesses in equilibrium for the least bending stiffness 1 / tau."""
@@ -842,7 +842,7 @@ class ConditionedRows:
         with suppress(NotConvergedError):
             start = np.asarray(np.linalg.lstsq(numbers.basis, state, rcond=None)[0], dtype=float)
             y = _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE), start)
-            return np.asarray(numbers.basis @ y)
+            return numbers.basis @ y
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
@@ -858,10 +858,10 @@ class ConditionedRows:
         y, ratio = optimum
         if smooth:
             y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), y, self.places, tolerance=CHOSEN)
-        return np.asarray(numbers.fixed + numbers.basis @ y)
+        return numbers.fixed + numbers.basis @ y
 
     def _offset(self, tau: float) -> FloatArray:
-        return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
+        return self.rows.stiffness @ self.at_compliance(tau).fixed
 
     @property
     def load_stiffness(self) -> float:
@@ -924,8 +924,7 @@ class ConditionedRows:
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )
         else:
-            wrong = find_violations(family)
-            near = stretches(wrong, self.check.length)
+            near = stretches(find_violations(family), self.check.length)
             reason = note(
                 "With these supports, rails, pins, ties and loads, the moment near {stretches} would bend the "
                 "strip to the other side. Move or add a rail, pin or tie, there or elsewhere."
@@ -944,15 +943,7 @@ class ConditionedRows:
 
 def null_space(matrix: FloatArray) -> FloatArray:
     """Return the null space (m, d) of matrix (k, m)."""
-    if not len(matrix):
-        return np.eye(matrix.shape[1])
-    size = np.abs(matrix).max(axis=1)
-    _, sigma, vt = svd(matrix / np.where(size > 0, size, 1.0)[:, None])
-    return np.asarray(vt[_rank(sigma) :].T)
-
-
-def _rank(sigma: FloatArray) -> int:
-    return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
+    return _solutions(matrix, np.zeros(len(matrix)))[0]
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
@@ -962,12 +953,9 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
     size = np.where(size > 0, size, np.abs(right))
     size = np.where(size > 0, size, 1.0)
     largest = max(1.0, float(np.abs(right / size).max(initial=0.0)))
-    u, sigma, vt = (
-        np.linalg.svd(matrix / size[:, None]) if len(matrix) else (np.eye(0), np.zeros(0), np.eye(count))
-    )
-    rank = _rank(sigma) if len(matrix) else 0
-    inner = (u.T @ (right / size))[:rank] / sigma[:rank]
-    x = vt[:rank].T @ inner
+    u, sigma, vt = svd(matrix / size[:, None]) if len(matrix) else (np.eye(0), np.zeros(0), np.eye(count))
+    rank = int(np.count_nonzero(sigma > RANK_SHARE * sigma.max(initial=1.0)))
+    x = vt[:rank].T @ ((u.T @ (right / size))[:rank] / sigma[:rank])
     residual = np.abs(matrix @ x - right) / size
     return vt[rank:].T, x if residual.max(initial=0.0) <= 10 * RANK_SHARE * largest else None
 

@@ -18,8 +18,8 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.discrete_rod import edge_positions, tangents
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.mechanics.discrete_rod import edge_positions
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -116,10 +116,9 @@ class MountedElements:
 
     def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
         """Return the position (2,), mm, of the strip at arc length s, or its derivative by s of the given order."""
-        weights = edge_weights(s, self.edge_length, len(tangents), order)
-        reach = self.edge_length * (weights @ tangents)
+        reach = self.edge_length * (edge_weights(s, self.edge_length, len(tangents), order) @ tangents)
         if order:
-            return np.asarray(reach)
+            return reach
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
@@ -151,8 +150,7 @@ class MountedElements:
             places[pair] = True
             if isinstance(action.element, Tie):
                 length = action.mounting.length
-                psi = numbers[more] / length
-                e = np.array([np.cos(psi), np.sin(psi)])
+                e = unit_vectors(numbers[more] / length)
                 weights = self._between(action, n)
                 pulls[pair] = tangents.T * weights
                 rows[pair] = across * weights
@@ -217,7 +215,7 @@ class MountedElements:
         return np.array([not start.x, not start.y], dtype=float)
 
     def _up_to(self, s: float, edges: int) -> FloatArray:
-        return np.asarray(edge_weights(s, self.edge_length, edges)[:, None] - self._from_end)
+        return edge_weights(s, self.edge_length, edges)[:, None] - self._from_end
 
     def _between(self, action: ElementForce, edges: int) -> FloatArray:
         p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
@@ -254,12 +252,12 @@ class ShapeOfRod:
     def at(self, s: float, order: int = 0) -> FloatArray:
         """Return the position (2,), mm, at arc length s, or its derivative by s of the given order."""
         weights = edge_weights(float(s), self.edge_length, len(self.tangents), order)
-        return np.asarray(self.start * (order == 0) + self.edge_length * (weights @ self.tangents))
+        return self.start * (order == 0) + self.edge_length * (weights @ self.tangents)
 
     def foot(self, point: FloatArray) -> float:
         """Return the arc length, mm, at which the rod is nearest to a point (2,)."""
         nodes = edge_positions(self.start, self.tangents, self.edge_length)
-        s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
+        s = self.edge_length * float(norm(nodes - point).argmin())
         for _ in range(_FOOT_STEPS):
             off, slope = point - self.at(s), self.at(s, 1)
             # limit the step, because Newton's method diverges near the centre of curvature
@@ -334,7 +332,7 @@ def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfR
         return replace(action, mount=Mount(length=action.element.length or apart))
     side = 0
     if isinstance(action.element, Rail) and action.element.one_sided:
-        side = int(np.sign(action.force[0] @ left_of(tangents(curve.at(action.s).angle))[0]))
+        side = int(np.sign(action.force[0] @ left_of(unit_vectors(curve.at(action.s).angle))[0]))
     return replace(action, mount=Mount(_point(places[0]), side))
 
 
@@ -352,7 +350,7 @@ def _new(
     assert isinstance(element, Rail | Pin)
     foot = _positions(shape, s)[0]
     point = np.array(element.at) if isinstance(element.at, tuple) else foot
-    side, off = 0, float((point - foot) @ left_of(tangents(curve.at(s).angle))[0])
+    side, off = 0, float((point - foot) @ left_of(unit_vectors(curve.at(s).angle))[0])
     if isinstance(element, Rail) and element.one_sided:
         if before is not None and isinstance(before.element, Rail):
             side = _kept(before, curve, shape).mounting.side

@@ -10,6 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import unit_vectors
 from elastica_cad.mechanics.discrete_rod import solve_bordered
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
@@ -365,8 +366,7 @@ def stretch(state: RodState) -> RodState:
     """
     system, chord = state.system, np.zeros(2)
     chord[list(system.held)] = system.chord
-    angle = _nearest_angle(_direction(state), chord)
-    return system.state(np.full(system.edges, angle))
+    return system.state(np.full(system.edges, _nearest_angle(_direction(state), chord)))
 
 
 def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
@@ -428,7 +428,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     """Return the unloaded rod, buckled because its ends are moved slightly towards each other."""
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
-    tangent = np.array([np.cos(angle), np.sin(angle)])
+    tangent = unit_vectors(angle)
     distance = float(np.linalg.norm(system.chord))
     chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(

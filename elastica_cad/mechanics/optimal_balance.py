@@ -180,8 +180,7 @@ class WeightedPanels:
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
         """Return the conditions of equilibrium for the weights `own`, `dead` and `points` of a `LineLoad`."""
         panels = self.panels
-        load = LineLoad(-self.down, own, dead, points)
-        rows = moment_rows(panels, load, self.request.units_on(panels))
+        rows = moment_rows(panels, LineLoad(-self.down, own, dead, points), self.request.units_on(panels))
         if not np.all(np.isfinite(rows.stiffness)):
             self.refuse()
         return ConditionedRows(self.request, panels, rows)
@@ -190,8 +189,9 @@ class WeightedPanels:
         """Raise `NotRealizable` for a moment beyond the range of floating-point numbers."""
         check = self.request.check
         assert self.gravity is not None  # only weight makes moments that large
-        reason = far_too_heavy(self.gravity, check.length)
-        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+        raise NotRealizable(
+            replace(check, realizable=False, reasons=(far_too_heavy(self.gravity, check.length),))
+        )
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
@@ -245,7 +245,13 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
-        return _ratio_at(load, float(np.exp(logarithm)))
+        tau = float(np.exp(logarithm))
+        try:
+            problem = load.against(tau)
+            optimum = problem.ratio(problem.at_compliance(tau))
+        except NotRealizable:
+            return np.inf
+        return np.inf if optimum is None else optimum[1]
 
     s = np.linspace(0.0, load.request.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
@@ -267,15 +273,6 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         return float(np.exp(trial[-1]))
     low, high = trial[within], trial[within + 1]
     return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
-
-
-def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    try:
-        problem = load.against(tau)
-        optimum = problem.ratio(problem.at_compliance(tau))
-    except NotRealizable:
-        return np.inf
-    return np.inf if optimum is None else optimum[1]
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
@@ -403,22 +400,17 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
-@dataclass(frozen=True, eq=False)
-class TangentWeight:
-    """Linearised weight per length of a section, N/mm: `fixed` + `slope` E I, with arrays (n,) for n stations."""
+def tangent_weight(law: StiffnessLaw, bending_stiffness: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Linearise the weight per length of a section, N/mm, at the bending stiffnesses E I (n,), N mm2.
 
-    fixed: FloatArray
-    slope: FloatArray
-
-    @classmethod
-    def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
-        """Return the weight per length, linearised at the bending stiffnesses E I (n,), N mm2."""
-        below, at, above = (
-            law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
-            for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
-        )
-        slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
-        return cls(at - slope * bending_stiffness, slope)
+    Return its slope (n,) by E I, and its constant part (n,).
+    """
+    below, at, above = (
+        law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
+        for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
+    )
+    slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
+    return slope, at - slope * bending_stiffness
 
 
 def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
@@ -432,8 +424,8 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
     change = np.inf
     history: list[float] = []
     for _ in range(MOST_ROUNDS):
-        tangent = TangentWeight.of(law, EI)
-        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        tangent = tangent_weight(law, EI)
+        problem = load.carrying(*tangent, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
         except NotConvergedError as error:  # the weight is the cause, because `light` has a solution
@@ -445,7 +437,8 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
         if change < SETTLED_SHARE:
             weight = _weight(load, tangent, tried)
             return replace(balance, bending_stiffness=tried, weight=weight)
-        if _ratio_to_least_section(law, EI) < HOPELESS_SHARE:
+        least, _ = law.limits
+        if least > 0 and (EI / law.bending_stiffness(least)).min() < HOPELESS_SHARE:
             raise _unsettled(law, change)
         history.append(np.log(scale))
         if len(history) == 3:
@@ -469,8 +462,8 @@ def _balance_by_descent(
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
-        tangent = TangentWeight.of(law, EI)
-        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        tangent = tangent_weight(law, EI)
+        problem = load.carrying(*tangent, points)
         numbers = problem.at_compliance(1 / scale)
         here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
         share = sense * scale / limit
@@ -483,14 +476,14 @@ def _balance_by_descent(
         optimum = _best_numbers_near(family, here, reach, problem.places)
         if optimum is None:
             break
-        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
+        unknowns = numbers.fixed + numbers.basis @ optimum
+        moved = scale * problem.rows.stiffness @ unknowns
         step = moved / EI - 1
         EI = np.maximum(moved, HOPELESS_SHARE * limit)  # an intermediate E I may be too small, or negative
-        state = (scale * (numbers.fixed + numbers.basis @ optimum))[:3]
+        state = scale * unknowns[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
-            balance = problem.balance(numbers.fixed + numbers.basis @ optimum)
             weight = _weight(load, tangent, scale)
-            return replace(balance, bending_stiffness=scale, weight=weight)
+            return replace(problem.balance(unknowns), bending_stiffness=scale, weight=weight)
         reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
         before = step
     raise _unsettled(law, np.inf)
@@ -508,12 +501,10 @@ def _best_numbers_near(
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
     # the norm of moves @ (parameters - here) is the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
-    for limit_of_change in reach * np.array([1.0, 4.0, 16.0, 64.0]):
-        side = (
-            np.concatenate([moves, -moves]),
-            np.concatenate([limit_of_change - moves @ here, limit_of_change + moves @ here]),
-        )
-        solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
+    moves = np.concatenate([moves, -moves])
+    for factor in (1.0, 4.0, 16.0, 64.0):
+        bounded = replace(family, side_rows=moves, side_offset=factor * reach - moves @ here)
+        solution = least_ratio(bounded, places)
         if solution is not None:
             return solution[0]
     return None
@@ -547,8 +538,7 @@ def extrapolated(first: float, second: float, third: float) -> float:
     step, before = third - second, second - first
     if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
         return third
-    jump = step**2 / (before - step)
-    return third + float(np.clip(jump, -LONGEST_JUMP, LONGEST_JUMP))
+    return third + float(np.clip(step**2 / (before - step), -LONGEST_JUMP, LONGEST_JUMP))
 
 
 def _deciding_limit(law: BoundedLaw) -> float:
@@ -566,10 +556,10 @@ def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
 
-def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
+def _weight(load: WeightedPanels, tangent: tuple[FloatArray, FloatArray], scale: float) -> Weight:
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
-    fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
+    slope, fixed = (PanelFunction.through(values).at(*place) for values in tangent)
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
@@ -595,8 +585,3 @@ def refuse_below_limits(law: BoundedLaw, bending_stiffness: FloatArray, s: Float
             largest=Length(largest),
             least=Length(least),
         )
-
-
-def _ratio_to_least_section(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
-    least, _ = law.limits
-    return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

@@ -11,6 +11,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.optimal_balance import ratio_within
@@ -96,8 +97,7 @@ def move_one_point(
             return ratio_within(request, MOST_RATIO) is not None
         return False
 
-    angles = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
-    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    directions = unit_vectors(2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS)
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
     )  # largest value of the basis function of each control point
@@ -170,7 +170,7 @@ def move_while_possible(
     displacement = end - start
     axes = np.eye(2)[np.argsort(-np.abs(displacement).reshape(-1, 2).max(axis=0))]
     for along in (displacement, *(displacement * axis for axis in axes))[directions]:
-        size = float(np.hypot(*along.T).max())
+        size = float(norm(along).max())
         if size <= step:
             continue
         if along is not displacement and (best := possible(start + along)) is not None:

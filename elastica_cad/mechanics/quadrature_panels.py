@@ -10,7 +10,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.nurbs_curve import curvature, curvature_slope
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.plane_points import norm, numbers_in_groups
 from elastica_cad.geometry.polynomials import (
     DENSE_PARTS,
     LEFT,
@@ -110,7 +110,7 @@ class Panels:
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Return the arc lengths, mm, at coordinates x of panels."""
-        return np.asarray(PanelFunction.through(self.s).at(panel, x))
+        return PanelFunction.through(self.s).at(panel, x)
 
 
 def cut_into_panels(
@@ -290,7 +290,7 @@ def _evaluated(
     beside = (cut.zero_left | cut.zero_right).nonzero()[0]
     _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.size else 2)
     velocity = d1.reshape(*t.shape, 2) * half[..., None]
-    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
+    stretch = norm(velocity)
     kappa = curvature(d1, d2).reshape(t.shape) - excess.rest_at(t)
     if beside.size:
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
@@ -324,7 +324,7 @@ def _evaluated(
         functions[1, flat] = 1.0
         tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
     nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, flat, t, velocity, stretch, kappa)
-    return nodes, np.asarray(tails.max(axis=0))
+    return nodes, tails.max(axis=0)
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
@@ -397,22 +397,19 @@ class CutCurve:
         hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks]
         hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
-        cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
+        cuts = (*(t for t, _, _ in bend), *check.curve.parameter(places).tolist())
         return cls(check, natural_curvature, law, cuts, (*((s, c) for _, s, c in bend), *hung))
 
     @cached_property
     def panels(self) -> Panels:
         """Panels between the cuts."""
-        check = self.check
+        curve, zeros = self.check.curve, self.check.zeros
+        low, high = curve.domain
+        tails = [(zero.t, high) if zero.before else (low, zero.t) for zero in zeros if zero.kind == "flat"]
         return cut_into_panels(
-            check.curve, [z.t for z in check.zeros], cuts=list(self.cuts),
-            natural_curvature=self.natural_curvature, law=self.law, flats=self._tails,
+            curve, [zero.t for zero in zeros], cuts=self.cuts, natural_curvature=self.natural_curvature,
+            law=self.law, flats=tails,
         )  # fmt: skip
-
-    @property
-    def _tails(self) -> list[tuple[float, float]]:
-        (low, high), joints = self.check.curve.domain, [z for z in self.check.zeros if z.kind == "flat"]
-        return [(zero.t, high) if zero.before else (low, zero.t) for zero in joints]
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
         """Return the curve with more cuts for a strip with weight, whose stiffness varies within long panels.

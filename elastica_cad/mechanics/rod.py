@@ -14,7 +14,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
@@ -24,7 +24,7 @@ from elastica_cad.mechanics.discrete_rod import (
     DiscreteRod,
     edge_forces,
     edge_positions,
-    tangents,
+    node_weights,
 )
 from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, at_ends, lumped
 from elastica_cad.mechanics.loads import (
@@ -99,8 +99,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
     if not steps.size:
         return K
-    middles = (s[1:] + s[:-1]) / 2
-    edges = np.concatenate([s[:1], middles, s[-1:]])
+    edges = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
     for i in np.unique(np.clip(np.searchsorted(edges, steps) - 1, 0, s.size - 1)):
         cuts = np.unique(
             np.concatenate([edges[i : i + 2], steps[(steps > edges[i]) & (steps < edges[i + 1])]])
@@ -191,14 +190,13 @@ class CurlingLaw(MaterialLaw):
 
     def share(self, curvature: ArrayLike) -> FloatArray:
         """Return the ratio of stiffness to design stiffness for changes of curvature (..., n), 1/mm."""
-        kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
-        return np.asarray(self.factor(kappa) / self.designed)
+        return self.factor(np.asarray(curvature, dtype=float) + self.natural_curvature) / self.designed
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """Return moment / design stiffness (..., n), 1/mm, for changes of curvature (..., n), 1/mm."""
         change = np.asarray(curvature, dtype=float)
         m = change if self.below is None else self.below.effective_curvature(change)
-        return np.asarray(m * self.share(change))
+        return m * self.share(change)
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """Return the derivative (n,) of moment / design stiffness by the change of curvature."""
@@ -210,14 +208,14 @@ class CurlingLaw(MaterialLaw):
         step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))
         m, slope = (change, 1.0) if self.below is None else self.below.with_slope(change)
-        return m * here, np.asarray(slope * here + m * (beyond - here) / step)
+        return m * here, (slope * here + m * (beyond - here) / step)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """Return the elastic energy (n,) per length, divided by the stiffness K, 1/mm2."""
         change = np.asarray(curvature, dtype=float)
         x, weight = gauss_rule(CURL_POINTS)
         root = (x + 1) / 2  # points are denser near 0, where the stiffness changes most
-        return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
+        return change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change))
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
         """Return the changes of curvature (n,), 1/mm, for values (n,) of moment / design stiffness, 1/mm."""
@@ -256,7 +254,7 @@ TANGENT_RAD = 1e-8
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
     """Return True if all edges of the polygon are as long as the arc length between their nodes."""
     h = np.diff(s)
-    return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
+    return bool(np.all(np.abs(norm(np.diff(position, axis=0)) - h) <= EVEN_EDGES * h))
 
 
 def integrate_edges(
@@ -300,8 +298,7 @@ def integrate_edges(
     """
     edge = _edge_angles(position, angle)
     if edge.size == 1:
-        knots = np.repeat(s, DEGREE + 1)
-        return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
+        return PlaneCurve(np.repeat(s, DEGREE + 1), np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
     length, ends, middles = float(s[-1]), s[[0, -1]], (s[:-1] + s[1:]) / 2
     low, high = (0.0, length) if bent is None else bent
     held = np.array([low <= 0.0, high >= length])
@@ -324,7 +321,7 @@ def integrate_edges(
     places = places.clip(low, high)
     c, gap = np.zeros(turns.shape[1]), np.zeros(2)
     for _ in range(NEWTON_STEPS):
-        T = tangents(through(places) + turns @ c)
+        T = unit_vectors(through(places) + turns @ c)
         gap = position[-1] - position[0] - weight @ T
         rows, missed = [end_turns], [angle[[0, -1]][held] - through(ends[held]) - end_turns @ c]
         if held.all():
@@ -332,7 +329,7 @@ def integrate_edges(
             missed.append(gap / length)
         c += np.linalg.lstsq(np.concatenate(rows), np.concatenate(missed), rcond=1e-9)[0]
     return integrate_tangents(
-        lambda at: tangents(
+        lambda at: unit_vectors(
             through(at.clip(low, high)) + _angle_corrections(at.clip(low, high) / length) @ c
         ),
         length,
@@ -531,10 +528,9 @@ class Rod:
         profile, n = _stiffness_profile_of(stiffness, length, samples)
         s = np.linspace(0.0, length, n)
         profile, K = scaled_to_least(profile, s)
-        tangent = np.array([np.cos(angle), np.sin(angle)])
+        tangent = unit_vectors(angle)
         rest = nodal_curvature(natural_curvature, s)
-        bent = bool(np.any(numbers(rest, "natural curvature")))
-        loaded = gravity is not None or weight is not None or bent
+        loaded = gravity is not None or weight is not None or bool(np.any(numbers(rest, "natural curvature")))
         return cls(
             s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K,
@@ -553,7 +549,7 @@ class Rod:
         return f"<Rod of {self.length:.4g} mm, ratio {self.ratio:.4g}, {self.s.size} nodes{carries}>"
 
     def _repr_svg_(self) -> str:
-        across = np.column_stack([-np.sin(self.angle), np.cos(self.angle)])
+        across = left_of(unit_vectors(self.angle))
         half = BAND_SHARE * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
         band = np.concatenate([self.position + half, (self.position - half)[::-1]])
         return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
@@ -587,7 +583,7 @@ class Rod:
         For a linear material, the value is the change of curvature; for a `law`, the effective curvature.
         """
         change = self.curvature - self.natural_curvature
-        return np.asarray(change if self.law is None else self.law.effective_curvature(change))
+        return change if self.law is None else self.law.effective_curvature(change)
 
     @property
     def follows_bend(self) -> bool:
@@ -605,8 +601,7 @@ class Rod:
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
             return law
         here = section.bent(self.curvature - rest, rest)
-        heavy = self.gravity is not None
-        B = scale_within(here, self.stiffness, solved=self.bending_stiffness, heavy=heavy)
+        B = scale_within(here, self.stiffness, solved=self.bending_stiffness, heavy=self.gravity is not None)
         factor = here.curl(here.parameter(B * self.stiffness))
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
@@ -716,17 +711,14 @@ class Rod:
     @property
     def node_lengths(self) -> FloatArray:
         """Voronoi lengths (n,) of the nodes, mm (paper, section 7.1): half the sum of the incident edge lengths."""
-        h = self.length / (self.s.size - 1)
-        w = np.full(self.s.size, h)
-        w[[0, -1]] = h / 2
-        return w
+        return node_weights(self.length / (self.s.size - 1), self.s.size - 1)
 
     @property
     def nodal_load(self) -> FloatArray:
         """Weight of each node (n, 2) divided by the least bending stiffness, 1/mm2; zero without gravity."""
         if self.gravity is None:
             return np.zeros_like(self.position)
-        down = np.asarray(self.gravity.direction)
+        down = self.gravity.direction
         if self.weight is None:
             amount = self.node_lengths * self.flat_stiffness / self.gravity.length**3
         else:
@@ -736,7 +728,7 @@ class Rod:
                     "bending_stiffness"
                 )
             amount = self.weight.lumped(self.s, self.stiffness, self.node_lengths) / self.bending_stiffness
-        return np.asarray(amount[:, None] * down)
+        return amount[:, None] * down
 
     @cached_property
     def discrete(self) -> DiscreteRod:
@@ -801,16 +793,15 @@ class Rod:
     def _bent_part(self) -> tuple[float, float] | None:
         """Arc lengths, mm, at the ends of the bent part between straight free ends, or None."""
         places = [float(s) for action in self.acting for s in action.s]
-        free = [not (end.x or end.y or end.angle) for end in self.supports.ends]
+        free = [end.is_free for end in self.supports.ends]
         if self.gravity is not None or np.any(self.natural_curvature) or not places or not any(free):
             return None
         low, high = min(places) * free[0], max(places) if free[1] else self.length
-        edge = self.length / (self.s.size - 1)
-        return (low, high) if high - low > _SHORTEST_BENT * edge else None
+        return (low, high) if high - low > _SHORTEST_BENT * (self.length / (self.s.size - 1)) else None
 
     def _stretched_curve(self) -> PlaneCurve:
         start = self.position[0]
-        stretch = np.hypot(*np.diff(self.position, axis=0).T).sum() / self.length
+        stretch = norm(np.diff(self.position, axis=0)).sum() / self.length
         even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle, self._bent_part)
         return replace(even, control_points=start + (even.control_points - start) * stretch)
 
@@ -851,19 +842,18 @@ def resample(rod: Rod, samples: int) -> Rod:
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = _nodal_stiffness(rod.profile, s)
-
-    def at(values: FloatArray) -> FloatArray:
-        return np.asarray(np.interp(s, rod.s, values))
-
+    angle, curvature, moment, *force = (
+        np.interp(s, rod.s, row) for row in (rod.angle, rod.curvature, rod.moment, *rod.force.T)
+    )
     middles = (s[:-1] + s[1:]) / 2
     before = (rod.s[:-1] + rod.s[1:]) / 2
-    T = tangents(np.interp(middles, before, rod.discrete.angles))
+    T = unit_vectors(np.interp(middles, before, rod.discrete.angles))
     if rod.compression is not None:
-        T *= np.interp(middles, before, np.hypot(*rod.discrete.tangents.T))[:, None]
+        T *= np.interp(middles, before, norm(rod.discrete.tangents))[:, None]
     return replace(
-        rod, s=s, position=edge_positions(rod.position[0], T, s[1]), angle=at(rod.angle),
-        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
-        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
+        rod, s=s, position=edge_positions(rod.position[0], T, s[1]), angle=angle,
+        curvature=curvature, stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
+        moment=moment, force=np.column_stack(force),
         natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
         law=None if rod.law is None else rod.law.resampled(rod.s, s),
         compression=None if rod.compression is None else rod.compression.resampled(samples - 1),

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.geometry.plane_points import dot, unit_vectors
 from elastica_cad.mechanics.bracing import bracing_of
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
@@ -15,7 +16,6 @@ from elastica_cad.mechanics.discrete_rod import (
     bending_moments,
     edge_forces,
     node_weights,
-    tangents,
 )
 from elastica_cad.mechanics.elements import ElementForce, at_ends, lumped
 from elastica_cad.mechanics.loads import Supports
@@ -160,7 +160,7 @@ class RodSystem:
         if reactions is None:
             reactions = np.zeros(len(self.held))
         if self.elements is not None and reactions.size == len(self.held):
-            reactions = np.concatenate([reactions, self.elements.first(tangents(angles))])
+            reactions = np.concatenate([reactions, self.elements.first(unit_vectors(angles))])
         return RodState(self, angles, reactions)
 
     def loaded(self, factor: float) -> "RodSystem":
@@ -253,8 +253,7 @@ class RodState:
         pulls = rod.directions.T[held]
         if self._equations is None:
             return pulls
-        lengths = np.einsum("nk,nk->n", rod.tangents, rod.directions)
-        return np.concatenate([pulls, self._equations.pulls / lengths])
+        return np.concatenate([pulls, self._equations.pulls / dot(rod.tangents, rod.directions)])
 
     @cached_property
     def corner(self) -> FloatArray | float:
@@ -335,7 +334,7 @@ class RodState:
         work = 0.0
         rod, compression = self.discrete, system.compression
         if compression is not None:
-            more = np.einsum("nk,nk->n", rod.force, rod.directions) - compression.pull
+            more = dot(rod.force, rod.directions) - compression.pull
             work -= float(rod.shortening @ (more**2 / 2 + compression.pull * more))
         for node, held, moment in zip((0, -1), system.held_angles, system.moments, strict=True):
             if held is None:

@@ -9,7 +9,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import cross, dot, left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.discrete_rod import (
@@ -17,12 +17,12 @@ from elastica_cad.mechanics.discrete_rod import (
     largest_of_inverse,
     node_weights,
     orthonormal_rows,
-    tangents,
 )
 from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
+from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
@@ -147,25 +147,20 @@ class SidewaysSection:
         modulus G1 and thickness h1 of the base. On the backing it is 4 (D66 - B66^2/A66), with the stiffnesses A,
         B, D of laminate theory. The result is at least the torsional stiffness of both sheets without glue.
         """
-        sheets, widths = (section.base, section.backing), (base_width, backing_width)
+        sheets = section.base, section.backing
         h1, h2 = (sheet.thickness for sheet in sheets)
-        G1, G2 = (sheet.youngs_modulus * sheet.shear_ratio for sheet in sheets)
-        both = G1 * h1**3 / 3 + G2 * h2**3 / 3 + G1 * h1 * G2 * h2 / (G1 * h1 + G2 * h2) * (h1 + h2) ** 2
-        apart = G1 * h1**3 / 3 * base_width * _torsion_factor(h1, base_width) + np.where(
-            backing_width > 0, G2 * h2**3 / 3 * backing_width * _torsion_factor(h2, backing_width), 0.0
-        )
-        beside = G1 * h1**3 / 3 * (base_width - backing_width)
-        together = beside * _torsion_factor(h1, base_width) + both * backing_width * _torsion_factor(
-            h1 + h2, backing_width
-        )
+        # shear and torsional stiffness of each sheet per width
+        A1, A2 = (sheet.youngs_modulus * sheet.shear_ratio * sheet.thickness for sheet in sheets)
+        D1, D2 = A1 * h1**2 / 3, A2 * h2**2 / 3
+        both = D1 + D2 + A1 * A2 / (A1 + A2) * (h1 + h2) ** 2
+        base, backing = D1 * _torsion_factor(h1, base_width), D2 * _torsion_factor(h2, backing_width)
+        apart = base * base_width + backing * backing_width
+        together = base * (base_width - backing_width)
+        together += both * backing_width * _torsion_factor(h1 + h2, backing_width)
+        E1, E2 = (sheet.youngs_modulus * sheet.thickness for sheet in sheets)
         edgewise, axial = (
-            np.asarray(
-                sum(
-                    sheet.youngs_modulus * sheet.thickness * w**power / over
-                    for sheet, w in zip(sheets, widths, strict=True)
-                )
-            )
-            for power, over in ((3, 12.0), (1, 1.0))
+            (E1 * base_width**3 + E2 * backing_width**3) / 12,
+            E1 * base_width + E2 * backing_width,
         )
         return cls(
             base_width,
@@ -198,7 +193,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
 
 def _torsion_factor(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
     """Return the torsional stiffness (n,) of rectangles, divided by G w h^3/3 (shear modulus, width, thickness)."""
-    return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
+    return np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION)
 
 
 EDGES = 200
@@ -433,37 +428,23 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     s = np.linspace(0.0, rod.length, n + 1)
     middle = (s[1:] + s[:-1]) / 2
     angle = np.interp(middle, rod.s, rod.angle)
-    force = np.column_stack([np.interp(middle, rod.s, rod.force[:, k]) for k in (0, 1)])
+    force = at_stations(rod.force.T, rod.s, middle).T
     if rod.acting:  # use means over the edges, because the force jumps
-        whole = np.cumsum(rod.discrete.force, axis=0, dtype=float) * rod.discrete.edge_length
-        whole = np.concatenate([np.zeros((1, 2)), whole])
-        force = np.column_stack([np.diff(np.interp(s, rod.s, whole[:, k])) for k in (0, 1)]) / edge
-    free = [not (end.x or end.y or end.angle) for end in rod.supports.ends]
+        whole = np.zeros_like(rod.force)
+        np.cumsum(rod.discrete.force * rod.discrete.edge_length, axis=0, out=whole[1:])
+        force = np.diff(at_stations(whole.T, rod.s, s)).T / edge
+    free = [end.is_free for end in rod.supports.ends]
     lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
                   edgewise, torsion, free)  # fmt: skip
-    return _lowest(lower, _braces(rod, tangents(angle), free)) / edge * rod.length**2
+    return _lowest(lower, *_braces(rod, unit_vectors(angle), free)) / edge * rod.length**2
 
 
-@dataclass(frozen=True, eq=False)
-class _Braces:
-    """Contribution of rails, pins and ties to the second variation for rotations out of the plane.
+def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> tuple[FloatArray, FloatArray]:
+    """Return the contribution of taut rails, pins and ties to the second variation for rotations out of the plane.
 
-    The vector phi (2 n,) contains the rotations about x and y of every edge.
-
-    Attributes
-    ----------
-    rows : (k, 2 n) array
-        Constraints rows @ phi = 0.
-    terms : (r, 2 n) array
-        Rows of a matrix; terms^t terms is added to the second variation.
-    """
-
-    rows: FloatArray
-    terms: FloatArray
-
-
-def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
-    """Return the constraints that taut rails, pins and ties impose on a rod of edges with unit tangents T (n, 2).
+    The vector phi (2 n,) contains the rotations about x and y of every edge; T (n, 2) are the unit tangents. The
+    arrays are the rows (k, 2 n) of constraints rows @ phi = 0, and a matrix (r, 2 n) whose product
+    terms^t terms is added to the second variation.
 
     Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. Held ends
     (not `free`) and pins have w = 0, rails phi_T = 0. A cord with pull P and length l between p and q adds
@@ -478,8 +459,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 
     def rise(start: float, end: float) -> FloatArray:
         """Return the weights (2 n,) of the rotations in the sideways displacement of `end` relative to `start`."""
-        cover = edge_weights(end, edge, n) - edge_weights(start, edge, n)
-        return np.asarray((edge * cover[:, None] * N).ravel())
+        return (edge * (edge_weights(end, edge, n) - edge_weights(start, edge, n))[:, None] * N).ravel()
 
     for action in taut:
         if isinstance(action.element, Pin):
@@ -493,12 +473,11 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
     if rod.between and not places and len(terms) == len(taut):
         # if only cords hold the strip, it can turn as a whole without a change of energy
         rows += list(np.tile(np.eye(2), n))
-    none = np.zeros((0, 2 * n))
-    return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
+    return np.array(rows).reshape(-1, 2 * n), np.array(terms).reshape(-1, 2 * n)
 
 
-def _lowest(lower: FloatArray, braces: _Braces) -> float:
-    """Return the lowest eigenvalue of the matrix with the lower band `lower` (4, n), on what the braces allow."""
+def _lowest(lower: FloatArray, rows: FloatArray, terms: FloatArray) -> float:
+    """Return the lowest eigenvalue of the matrix with the lower band `lower` (4, n) under `rows` and `terms`."""
     largest, n = float(np.abs(lower).max()), lower.shape[1]
     if not np.isfinite(largest):
         raise NotConvergedError(
@@ -512,8 +491,8 @@ def _lowest(lower: FloatArray, braces: _Braces) -> float:
     shift *= 2
     factor = lapack().dpbtrf(lower + shift * on_diagonal, lower=1)[0]
     theta, _ = largest_of_inverse(
-        lambda x: lapack().dpbtrs(factor, x, lower=1)[0], n, orthonormal_rows(braces.rows),
-        terms=Terms.of(braces.terms, np.eye(len(braces.terms))),
+        lambda x: lapack().dpbtrs(factor, x, lower=1)[0], n, orthonormal_rows(rows),
+        terms=Terms.of(terms, np.eye(len(terms))),
     )  # fmt: skip
     return float(1 / theta[0] - shift)
 
@@ -544,7 +523,7 @@ def _band(
     """Return the lower band (4, 2 n) of the second variation for rotations about x and y of each edge."""
     n = angle.size
     weight = node_weights(edge, n)
-    T = tangents(nodal_angle)
+    T = unit_vectors(nodal_angle)
     N = left_of(T)
     spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
         "i,ij,ik->ijk", torsion / weight, T, T
@@ -552,9 +531,9 @@ def _band(
     for node, is_free in zip((0, -1), free, strict=True):
         if is_free:
             spring[node] = 0.0
-    t = tangents(angle)
+    t = unit_vectors(angle)
     m = left_of(t)
-    along, across = (force * t).sum(axis=1), (force * m).sum(axis=1)
+    along, across = dot(force, t), cross(t, force)
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))

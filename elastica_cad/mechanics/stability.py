@@ -56,7 +56,7 @@ class Determinant:
         first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
         at, z = self.s[first:], self.value[first:]
         k = np.flatnonzero(z[:-1] * z[1:] < 0)
-        return np.asarray(at[k] + (at[k + 1] - at[k]) * z[k] / (z[k] - z[k + 1]))
+        return at[k] + (at[k + 1] - at[k]) * z[k] / (z[k] - z[k + 1])
 
 
 def stability_determinant(rod: DiscreteRod) -> Determinant:
@@ -85,8 +85,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
     Z = _stability_matrices(fields, integrals)
     ends = np.cumsum(lengths)
-    s = np.append(ends - lengths / 2, ends[-1])
-    return Determinant(s, _determinants(Z), fields, integrals)
+    return Determinant(np.append(ends - lengths / 2, ends[-1]), np.linalg.det(Z), fields, integrals)
 
 
 def determinant_gradient(
@@ -239,19 +238,14 @@ def _cofactors(Z: FloatArray) -> FloatArray:
         flipped = Z[:, ::-1, ::-1].copy()
         flipped[:, 0, 1] *= -1
         flipped[:, 1, 0] *= -1
-        return np.asarray(flipped)
+        return flipped
     return np.stack([_cross(Z[:, i - 2], Z[:, i - 1]) for i in range(3)], axis=1)
-
-
-def _determinants(Z: FloatArray) -> FloatArray:
-    first = _cross(Z[:, 1], Z[:, 2]) if Z.shape[1] == 3 else _cofactors(Z)[:, 0]
-    return np.asarray(np.einsum("km,km->k", Z[:, 0], first))
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
     """Return cross products (k, 3), faster than `numpy.cross`."""
     i, j = [1, 2, 0], [2, 0, 1]
-    return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
+    return u[:, i] * v[:, j] - u[:, j] * v[:, i]
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:

@@ -144,10 +144,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
         t, state, margin = t_next, following, after
         visited.append((t, margin.value))
         step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
-    history = np.array(visited)
-    return StabilityLimit(
-        None, course.entry(t), None, state.rod(course.loaded(t)), None, history[:, 0], history[:, 1]
-    )
+    before = state.rod(course.loaded(t))
+    return StabilityLimit(None, course.entry(t), None, before, None, *np.array(visited).T)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,8 +164,7 @@ class Course:
             function = path
             return cls(rod, lambda t: _entry_as_keywords(function(t)), 1, 1.0)
         entries = _entries(path)
-        names = {name for entry in entries for name in entry}
-        present = _present_values(rod, names)
+        present = _present_values(rod, {name for entry in entries for name in entry})
         stops = [present]
         for entry in entries:
             stops.append({**stops[-1], **entry})
@@ -259,9 +256,8 @@ def _limit_at(
     mode = state.discrete.margin.mode
     push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
     rest = relax(state.moved(push).under(course.system(beyond)))
-    history = np.array(visited)
     before, after = state.rod(course.loaded(t)), None if rest is None else rest.rod(course.loaded(beyond))
-    return StabilityLimit(t, course.entry(t), kind, before, after, history[:, 0], history[:, 1])
+    return StabilityLimit(t, course.entry(t), kind, before, after, *np.array(visited).T)
 
 
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:

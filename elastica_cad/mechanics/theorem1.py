@@ -56,14 +56,14 @@ class InflectionLine:
     @property
     def a(self) -> float:
         """Constant a, mm, of the equation a + <b, x> = 0 of the line."""
-        return -float(self.b @ np.asarray(self.point))
+        return -float(self.b @ self.point)
 
     def distance(self, position: FloatArray) -> FloatArray:
         """Return the signed distances (n,), mm, of points (n, 2) from the line."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
             raise InputError(f"positions have the shape {points.shape}: give points (n, 2), in mm")
-        return np.asarray((points - np.asarray(self.point)) @ self.b)
+        return np.asarray((points - self.point) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the line as numbers and lists for a report."""
@@ -245,42 +245,33 @@ class EquilibriumCheck:
         """Result in a sentence, without reasons."""
         if self.undecided is not None:
             return str(self.undecided)
-        return self._prebent_verdict() if self.bent_beforehand else self._flat_verdict()
-
-    def _flat_verdict(self) -> str:
-        if not self.realizable:
-            template = "A flat strip cannot take this curve of {length}."
-        elif self.any_stiffness:
-            template = "A strip of any width takes this curve of {length}, because the curve is straight."
-        elif not self.inflections:
-            template = "A flat strip can take this curve of {length}; it has no inflections."
-        elif len(self.inflections) == 1:
+        places = lengths(self.inflections)
+        if self.bent_beforehand:
             template = (
-                "A flat strip can take this curve of {length}; it has 1 inflection, {places} from its start."
-            )
+                "The pre-bent strip cannot take this curve of {length}."
+                if not self.realizable else
+                "The pre-bent strip already has the shape of this curve of {length}."
+                if self.any_stiffness else
+                "The pre-bent strip can take this curve of {length}. The side to which it is bent from its "
+                "pre-bent shape changes at {places}."
+                if places else
+                "The pre-bent strip can take this curve of {length}. It is bent from its pre-bent shape to "
+                "one side only."
+            )  # fmt: skip
         else:
             template = (
+                "A flat strip cannot take this curve of {length}."
+                if not self.realizable else
+                "A strip of any width takes this curve of {length}, because the curve is straight."
+                if self.any_stiffness else
+                "A flat strip can take this curve of {length}; it has no inflections."
+                if not places else
+                "A flat strip can take this curve of {length}; it has 1 inflection, {places} from its start."
+                if len(places) == 1 else
                 "A flat strip can take this curve of {length}; it has {count} inflections, {places} from its "
                 "start."
-            )
-        return self._with_numbers(template)
-
-    def _prebent_verdict(self) -> str:
-        if not self.realizable:
-            return self._with_numbers("The pre-bent strip cannot take this curve of {length}.")
-        if self.any_stiffness:
-            return self._with_numbers("The pre-bent strip already has the shape of this curve of {length}.")
-        return self._with_numbers(
-            "The pre-bent strip can take this curve of {length}. The side to which it is bent from its "
-            "pre-bent shape changes at {places}."
-            if self.inflections
-            else "The pre-bent strip can take this curve of {length}. It is bent from its pre-bent shape to "
-            "one side only."
-        )
-
-    def _with_numbers(self, text: str) -> str:
-        places = lengths(self.inflections)
-        return note(text, length=Length(self.length), count=len(places), places=places)
+            )  # fmt: skip
+        return note(template, length=Length(self.length), count=len(places), places=places)
 
     def _repr_html_(self) -> str:
         verdict = "undecided" if self.undecided else "yes" if self.realizable else "no"
@@ -496,7 +487,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
         return _undecided_message(provenance, turn, [c.s for c in corners])
     if provenance is not None and provenance.measured is not None:
         for corner in corners:
-            place = np.asarray(curve.evaluate(np.array(corner.t)))
+            place = curve.evaluate(corner.t)
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < SMOOTH_TURN for turn in beside):
                 return note(
@@ -507,7 +498,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     sharpest = max(corners, key=lambda corner: abs(corner.angle))
     values = {
         "places": lengths(c.s for c in corners), "angle": np.degrees(abs(sharpest.angle)),
-        "shown": _shown_on(curve, curve.evaluate(np.array(sharpest.t))), "smooth": _smoothing_advice(curve),
+        "shown": _shown_on(curve, curve.evaluate(sharpest.t)), "smooth": _smoothing_advice(curve),
     }  # fmt: skip
     if len(corners) > 1:
         return note(
@@ -524,7 +515,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 def _seam_message(curve: PlaneCurve) -> str:
     provenance = curve.provenance
-    start = curve.evaluate(np.array(curve.domain[0]))
+    start = curve.evaluate(curve.domain[0])
     if provenance is not None:
         for turn in provenance.undecided:
             if turn.t == curve.domain[0]:
@@ -604,7 +595,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
             length=Length(curve.length),
         )
     low, high = curve.domain
-    t = float(curve.parameter(np.array(s)))
+    t = float(curve.parameter(s))
     provenance, curve = curve.provenance, _closed_exactly(curve)
     knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
     t = knot if abs(knot - t) <= NEAR_KNOT_SHARE * (high - low) else t
@@ -741,15 +732,28 @@ def examine_curvature(
         *_pinned_end_reasons(excess, supports, zeros),
         *_straight_part_reasons(excess, supports, loaded, largest),
         *bent_joints,
-        *_jump_reasons(jumps),
-        *_touch_reasons(sorted([*touches, *gentle])),
     ]
+    if jumps:
+        reasons.append(note(
+            "The curvature jumps from one sign to the other {places} from the start, where the stiffness "
+            "would have to be 0. Support the strip there, or set {field} to about {within:g} to let the "
+            "curvature pass smoothly through 0.",
+            places=lengths(jumps), field=SMOOTH, within=SMOOTH_WITHIN,
+        ))  # fmt: skip
+    curvature_touches = tuple(sorted([*touches, *gentle]))
+    if curvature_touches:
+        reasons.append(note(
+            "The curvature becomes 0 at {places} from the start, but the curve does not clearly bend to the "
+            "other side there. The stiffness would have to be infinite or 0, even with a support. Bend the "
+            "curve a little more there, or clearly to the other side.",
+            places=lengths(curvature_touches),
+        ))  # fmt: skip
     return replace(
         check,
         realizable=not reasons,
         reasons=tuple(reasons),
         warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *crossing_notes(curve)),
-        curvature_touches=tuple(sorted([*touches, *gentle])),
+        curvature_touches=curvature_touches,
     )
 
 
@@ -759,13 +763,13 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
     # keep the start of a `RestCurvature`, whose arc length is measured from there
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
-    if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
+    if np.abs(excess.at(curve.domain)).min() > SEAM_SHARE * largest:
         return excess, ()
     place = flattest_place(curve)
     message = note(
         "The ends of a closed strip can meet only where the curve is bent. The drawn start is not bent, so the "
         "strip starts {s} farther along the curve, at {shown}; positions are measured from there.",
-        shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
+        shown=_shown_on(curve, curve.at(place).position[0]), s=Length(place), severity="warning",
     )  # fmt: skip
     return replace(excess, curve=begin_at(curve, place)), (message,)
 
@@ -817,7 +821,7 @@ def faint_places(
         sign = np.sign(change[i])
 
         def depth(s: float, sign: float = sign) -> float:
-            return float(sign * excess.at(curve.parameter(np.array(s))))
+            return float(sign * excess.at(curve.parameter(s)))
 
         from scipy.optimize import minimize_scalar
 
@@ -852,8 +856,8 @@ def _pinned_end_reasons(
     ):
         if support.angle or any(z.kind in ("end", "flat") and z.t <= t <= z.t_end for z in zeros):
             continue
-        kappa = float(curve.curvature_at(np.array(t)))
-        natural = float(excess.rest_at(np.array(t)))
+        kappa = float(curve.curvature_at(t))
+        natural = float(excess.rest_at(t))
         yield note(
             "The {end} (at {s}) is free to turn, so its curvature must be that of the pre-bent strip, "
             "{natural:.3g} 1/mm, but it is {curvature:.3g} 1/mm. Let the curvature change to {natural:.3g} 1/mm "
@@ -898,11 +902,10 @@ def _straight_part_reasons(
                 "{why}. A support at the joint does not help. Draw the piece with a slight bend.", why=opening
             )
         else:
-            at = lengths(s for s, _, _ in joints)
             yield note(
                 "{why}. Support the strip at {places}, or draw the piece with a slight bend.",
                 why=opening,
-                places=at,
+                places=lengths(s for s, _, _ in joints),
             )
 
 
@@ -921,7 +924,7 @@ def _faulty_joints(
     """
     bent, gentle = list[str](), []
     for joint in joints:
-        t, left = np.array(joint.t), joint.after == 0
+        t, left = joint.t, joint.after == 0
         kappa, slope = float(excess.at(t, left=left)), float(excess.slope_at(t, left=left))
         if abs(kappa) > PINNED_SHARE * largest:
             bent.append(
@@ -938,32 +941,8 @@ def _faulty_joints(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    at = np.array(t)
-    kappa = abs(float(excess.at(at, left=left)))
-    slope = abs(float(excess.slope_at(at, left=left)))
+    kappa, slope = (abs(float(at(t, left=left))) for at in (excess.at, excess.slope_at))
     return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / excess.curve.length
-
-
-def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
-    if jumps:
-        yield note(
-            "The curvature jumps from one sign to the other {places} from the start, where the stiffness "
-            "would have to be 0. Support the strip there, or set {field} to about {within:g} to let the "
-            "curvature pass smoothly through 0.",
-            places=lengths(jumps),
-            field=SMOOTH,
-            within=SMOOTH_WITHIN,
-        )
-
-
-def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
-    if touches:
-        yield note(
-            "The curvature becomes 0 at {places} from the start, but the curve does not clearly bend to the "
-            "other side there. The stiffness would have to be infinite or 0, even with a support. Bend the "
-            "curve a little more there, or clearly to the other side.",
-            places=lengths(touches),
-        )
 
 
 def is_about_kinks(warning: str) -> TypeGuard[Refusal]:
@@ -979,13 +958,15 @@ def _warn_of_widths(
     breaks = [knot for knot in knots if knot.continuity < 3]
     if not breaks:
         return
-    sizes = zip(breaks, *curvature_jumps(curve, breaks), strict=True)
-    visible = [(b, jump, kink) for b, jump, kink in sizes if jump > STEP_SHARE or kink > KINK_SHARE]
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
     if curve.seam is not None:  # on a closed curve, start and end are the same point
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
-    visible = [bend for bend in visible if not any(abs(bend[0].s - end) <= near for end in straight)]
+    visible = [
+        (b, jump, kink)
+        for b, jump, kink in zip(breaks, *curvature_jumps(curve, breaks), strict=True)
+        if (jump > STEP_SHARE or kink > KINK_SHARE) and all(abs(b.s - end) > near for end in straight)
+    ]
     kinks = [b.s for b, _, _ in visible if b.continuity == 2]
     sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in visible if b.continuity == 2)
     steps = [b.s for b, _, _ in visible if b.continuity == 1 and b.s not in jumps]
@@ -1030,11 +1011,10 @@ def crossing_notes(curve: PlaneCurve) -> tuple[str, ...]:
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()
-    both = Listed(Listed(map(Length, pair)) for pair in pairs)
     return (
         note(
             "The curve crosses itself ({places} from its start): two parts of the strip must pass side by "
             "side there.",
-            places=both, severity="warning",
+            places=Listed(Listed(map(Length, pair)) for pair in pairs), severity="warning",
         ),
     )  # fmt: skip

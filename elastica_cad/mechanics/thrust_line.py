@@ -1,5 +1,7 @@
 """Thrust line of a rod with rails, pins, ties or point forces, as drawn in pictures."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from elastica_cad._types import FloatArray
@@ -32,38 +34,37 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)
-    turns = inflections_of(rod)
-    lines = [
-        None if side is None else (np.array(side.point), np.array(side.direction)) for side in rod.thrust_line
-    ]
+    turns, lines = inflections_of(rod), rod.thrust_line
     if not rod.acting or not lines:
         return []
     reached: list[list[FloatArray]] = [[] for _ in lines]
     reached[0].append(rod.position[0])
     reached[-1].append(rod.position[-1])
-    for k in range(len(lines) - 1):
-        first, second = lines[k], lines[k + 1]
+    for k, (first, second) in enumerate(pairwise(lines)):
         if first is None or second is None:
             continue
-        ways = np.column_stack([first[1], -second[1]])
-        if abs(np.linalg.det(ways)) > PARALLEL:
-            corner = first[0] + first[1] * np.linalg.solve(ways, second[0] - first[0])[0]
+        point, direction = np.array(first.point), np.array(first.direction)
+        sine = float(second.b @ direction)
+        if abs(sine) > PARALLEL:
+            corner = point - float(second.distance(point)) / sine * direction
             reached[k].append(corner)
             reached[k + 1].append(corner)
     none = np.full(len(turns), np.inf)
-    distances = np.array([none if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line])
+    distances = np.array([none if line is None else np.abs(line.distance(turns)) for line in lines])
     for turn, row in zip(turns, distances.T, strict=True):
         reached[int(row.argmin())].append(turn)
     sides = []
     for line, points in zip(lines, reached, strict=True):
-        clipped_side = None if line is None else clipped(*line, low, high)
-        if line is None or clipped_side is None or len(points) < 2:
+        if line is None or len(points) < 2:
             continue
-        t = (np.array(points) - line[0]) @ line[1]
-        inside = (clipped_side - line[0]) @ line[1]
+        point, direction = np.array(line.point), np.array(line.direction)
+        ends = clipped(point, direction, low, high)
+        if ends is None:
+            continue
+        t, inside = (np.array(points) - point) @ direction, (ends - point) @ direction
         least, most = max(t.min(), inside[0]), min(t.max(), inside[1])
         if least < most:
-            sides.append(line[0] + line[1] * np.array([[least], [most]]))
+            sides.append(point + direction * np.array([[least], [most]]))
     return sides
 
 
@@ -86,5 +87,4 @@ def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArra
     joined = inside[1:] & inside[:-1] & (along[1:] * along[:-1] > 0)
     stations = np.concatenate([action.s for action in rod.acting])
     joined[np.searchsorted(rod.s, stations).clip(1, rod.s.size - 1) - 1] = False
-    parts = np.split(points, np.flatnonzero(~joined) + 1)
-    return [part for part in parts if len(part) > 1]
+    return [part for part in np.split(points, np.flatnonzero(~joined) + 1) if len(part) > 1]

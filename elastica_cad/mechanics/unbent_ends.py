@@ -21,6 +21,7 @@ from elastica_cad.geometry.control_point_constraints import (
     least_norm_newton,
 )
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.splines import elevate_degree
 from elastica_cad.mechanics.elements import AT_JOINT_SHARE
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
@@ -108,63 +109,49 @@ def find_free_tails(
                 joints.append((flat.s, flat.t) if end else (flat.s_end, flat.t_end))
                 straight = joints[-1][0]
         near_joints = [joint for joint in joints if abs(joint[0] - station) <= AT_JOINT_SHARE * curve.length]
-        drawn_at = (station, float(curve.parameter(np.array(station))))
+        drawn_at = (station, float(curve.parameter(station)))
         _, t = min(near_joints, key=lambda joint: abs(joint[0] - station), default=drawn_at)
-        length = abs(float(curve.arc_length(np.array(t))) - free_end)
+        length = abs(float(curve.arc_length(t)) - free_end)
         tails.append(FreeTail(end, station, straight, t, length))
     return tails if sum(tail.length for tail in tails) < curve.length - near else []
 
 
-@dataclass(frozen=True, eq=False)
-class StraightenedTails:
-    """Curve with exactly straight tails, and its distance from the drawn curve.
+def straightened(
+    drawn: PlaneCurve, tails: Sequence[FreeTail], allowed: float
+) -> tuple[PlaneCurve, float, tuple[Refusal, ...]]:
+    """Return the curve with exactly straight tails along its tangents.
 
-    Attributes
-    ----------
-    curve : PlaneCurve
-    moved : float
-        Largest distance, mm, by which the curve was moved.
-    reasons : tuple of Refusal
-        Reasons why the drawn tails are impossible.
+    Also return the largest distance, mm, by which the curve was moved, and the reasons why the drawn tails are
+    impossible. The largest allowed move is `allowed`, mm.
     """
-
-    curve: PlaneCurve
-    moved: float
-    reasons: tuple[Refusal, ...]
-
-    @classmethod
-    def of(cls, drawn: PlaneCurve, tails: Sequence[FreeTail], allowed: float) -> "StraightenedTails":
-        """Return the curve with straight tails along its tangents. The largest allowed move is `allowed`, mm."""
-        low, high = drawn.domain
-        for tail in tails:
-            low, high = (low, tail.t) if tail.end else (tail.t, high)
-        bent = drawn.trimmed(low, high)
-        excess, joints = ExcessCurvature(bent, 0.0), np.array([bent.domain[tail.end] for tail in tails])
-        reach = MEANT_SHARE * drawn.length
-        noise = MEANT_SHARE * float(np.abs(bent.survey.curvature).max())
-        almost = joints[
-            np.abs(excess.at(joints)) <= np.maximum(reach * np.abs(excess.slope_at(joints)), noise)
-        ]
-        t = np.linspace(low, high, 1001)
-        moved = 0.0
-        for start in (bent, _with_knots_near(bent, almost)) if almost.size else ():
-            with suppress(NotConvergedError):
-                unbent = without_bend_at(ExcessCurvature(start, 0.0), almost)
-                moved = float(np.hypot(*(np.asarray(unbent.evaluate(t)) - drawn.evaluate(t)).T).max())
-                bent = unbent
-                if moved <= allowed:
-                    break
-        curve, reasons = bent, list[Refusal]()
-        for tail in tails:
-            curve = _with_tail(curve, tail)
-            along = np.linspace(0.0, tail.length, 201)
-            before, after = (line.length - along if tail.end else along for line in (drawn, curve))
-            off = float(np.hypot(*(drawn.at(before).position - curve.at(after).position).T).max())
-            moved = max(moved, off)
-            reasons += _reasons(tail, off, allowed, AT_JOINT_SHARE * drawn.length)
-        if moved > allowed and not reasons:
-            return cls(drawn, 0.0, ())
-        return cls(curve.drawn_as(drawn.provenance), moved, tuple(reasons))
+    low, high = drawn.domain
+    for tail in tails:
+        low, high = (low, tail.t) if tail.end else (tail.t, high)
+    bent = drawn.trimmed(low, high)
+    excess, joints = ExcessCurvature(bent, 0.0), np.array([bent.domain[tail.end] for tail in tails])
+    reach = MEANT_SHARE * drawn.length
+    noise = MEANT_SHARE * float(np.abs(bent.survey.curvature).max())
+    almost = joints[np.abs(excess.at(joints)) <= np.maximum(reach * np.abs(excess.slope_at(joints)), noise)]
+    t = np.linspace(low, high, 1001)
+    moved = 0.0
+    for start in (bent, _with_knots_near(bent, almost)) if almost.size else ():
+        with suppress(NotConvergedError):
+            unbent = without_bend_at(ExcessCurvature(start, 0.0), almost)
+            moved = float(norm(unbent.evaluate(t) - drawn.evaluate(t)).max())
+            bent = unbent
+            if moved <= allowed:
+                break
+    curve, reasons = bent, list[Refusal]()
+    for tail in tails:
+        curve = _with_tail(curve, tail)
+        along = np.linspace(0.0, tail.length, 201)
+        before, after = (line.length - along if tail.end else along for line in (drawn, curve))
+        off = float(norm(drawn.at(before).position - curve.at(after).position).max())
+        moved = max(moved, off)
+        reasons += _reasons(tail, off, allowed, AT_JOINT_SHARE * drawn.length)
+    if moved > allowed and not reasons:
+        return drawn, 0.0, ()
+    return curve.drawn_as(drawn.provenance), moved, tuple(reasons)
 
 
 def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
@@ -189,7 +176,7 @@ def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
 def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
     curve = clamp_ends(curve)
     p, t = curve.degree, curve.domain[tail.end]
-    velocity = np.asarray(curve.evaluate(np.array(t), 1))
+    velocity = curve.evaluate(t, 1)
     sign, size = (1 if tail.end else -1), float(np.hypot(*velocity))
     steps = np.linspace(0.0, sign * tail.length / size, p + 1)[1:, None]
     line, knots = curve.control_points[-tail.end] + steps * velocity, np.full(p + 1, t + steps[-1, 0])
