@@ -285,8 +285,9 @@ class Slider:
 
         An existing file is overwritten only with `force`.
         """
-        color = self._rib._changed_color
-        self.travel.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
+        self.travel.write_glb(
+            path, frames=frames, seconds=seconds, color=self._rib._changed_color, force=force
+        )
 
 
 class StripFace(_StripShape, cq.Face):

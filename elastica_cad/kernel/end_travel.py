@@ -15,6 +15,7 @@ from elastica_cad.formats.animated_glb import MovingMesh, encode_animation
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.kernel.mesh_files import face_triangles
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
@@ -62,12 +63,9 @@ class SkinMesh:
 
         x, y, up = self.places.T
         s = np.clip(x, 0.0, rod.length)
-        angle = np.interp(s, rod.s, rod.angle)
-        along = np.column_stack([np.cos(angle), np.sin(angle)])
-        right = np.column_stack([along[:, 1], -along[:, 0]])
-        course = CubicHermiteSpline(
-            rod.s, rod.position, np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])
-        )
+        along = unit_vectors(np.interp(s, rod.s, rod.angle))
+        right = -left_of(along)
+        course = CubicHermiteSpline(rod.s, rod.position, unit_vectors(rod.angle))
         plane = course(s) + (x - s)[:, None] * along + up[:, None] * right
         facing = self.normals[:, :1] * along + self.normals[:, 2:] * right
         turned = np.column_stack([facing, self.normals[:, 1]])
@@ -114,7 +112,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
         turn[on_tab] = np.nan
     bent = np.isfinite(turn)
     flat[bent, 0] = turn[bent] * radius
-    flat[bent, 2] = np.hypot(*points[bent, :2].T) - radius
+    flat[bent, 2] = norm(points[bent, :2]) - radius
     return flat
 
 
@@ -209,8 +207,7 @@ class Travel:
 
         The x axis is along the translation or, for a rotation about z, along the strip.
         """
-        angle = self._rod.angle[-1]
-        along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
+        along = self._way / self.length if self.angle is None else unit_vectors(self._rod.angle[-1])
         x, z = self.frame.direction(along), self.frame.z_axis * (-1.0 if self._turn < 0 else 1.0)
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 

@@ -33,6 +33,7 @@ from elastica_cad.errors import (
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import dot, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
@@ -40,6 +41,7 @@ from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.mechanics.sideways import SidewaysStability
+from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
 from elastica_cad.refusals import FieldName, Length, Refusal, note
@@ -376,16 +378,14 @@ class Flexure:
             bending, axial = root_factors(max(self.fillet, SHARP_MM) / float(h[root]))
             worst = bending * bent[..., root] + axial * np.abs(stretch[..., root])
             strains[..., inside] = worst[..., None]
-        return np.asarray(strains)
+        return strains
 
     def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
         """Return the axial strains (k, n) of k shapes, divided by the square of the least thickness, 1/mm2."""
-        along = [
-            (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
-        ]
+        along = [dot(rod.force, unit_vectors(rod.angle)) for rod in rods]
         return np.asarray(along / self.pair.first.stiffness ** (1 / 3) / 12)
 
     @cached_property
@@ -397,8 +397,9 @@ class Flexure:
     @property
     def stretch(self) -> float:
         """Largest change of length due to the forces in the drawn states, mm."""
-        strain = self.scale**2 * self._pull_of(self.pair.states)
-        return float(np.abs(strain @ self.pair.first.node_lengths).max())
+        return float(
+            np.abs((self.scale**2 * self._pull_of(self.pair.states)) @ self.pair.first.node_lengths).max()
+        )
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
@@ -410,7 +411,7 @@ class Flexure:
     def rest_deviations(self) -> tuple[float, float]:
         """Largest distance of each rest shape from the drawn state, mm."""
         first, second = (
-            _distance(rest.position, np.column_stack([np.interp(rest.s, rod.s, x) for x in rod.position.T]))
+            _distance(rest.position, at_stations(rod.position.T, rod.s, rest.s).T)
             for rest, rod in zip(self.rests, self.rods, strict=True)
         )
         return first, second
@@ -435,7 +436,7 @@ class Flexure:
         """Unloaded centre line, starting at the origin along x."""
         rod = self.pair.first
         turn = spline_through(rod.s, self.pair.natural_curvature, 3).integral()
-        return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
+        return CentreLine(rod.s, turn(rod.s), np.zeros(2))
 
     @property
     def second_moved(self) -> tuple[float, float]:
@@ -448,14 +449,13 @@ class Flexure:
     def rods(self) -> tuple[Rod, Rod]:
         """Rods of both states, starting in the same clamp."""
         first, second = self.pair.states
-        turn = float(first.angle[0] - second.angle[0])
-        c, s = np.cos(turn), np.sin(turn)
-        matrix = np.eye(3)
-        matrix[:2, :2] = [[c, -s], [s, c]]
-        matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
+        turn, matrix = float(first.angle[0] - second.angle[0]), np.eye(3)
+        along = unit_vectors(turn)
+        rotation = np.column_stack([along, left_of(along)])
+        matrix[:2, :2], matrix[:2, 2] = rotation, first.position[0] - rotation @ second.position[0]
         moved = replace(
-            second, position=second.position @ matrix[:2, :2].T + matrix[:2, 2], angle=second.angle + turn,
-            force=second.force @ matrix[:2, :2].T, shape=second.curve.transformed(matrix),
+            second, position=second.position @ rotation.T + matrix[:2, 2], angle=second.angle + turn,
+            force=second.force @ rotation.T, shape=second.curve.transformed(matrix),
         )  # fmt: skip
         return first, moved
 
@@ -468,19 +468,22 @@ class Flexure:
     @cached_property
     def outline(self) -> Path:
         """Outline of the unloaded part, anticlockwise: sides as splines, pads, fillets."""
-        corners = self.outline_along(self.centre)
+        return self._rounded_outline(self.centre)
+
+    def _rounded_outline(self, line: "CentreLine") -> Path:
+        corners = self.outline_along(line)
         return round_corners(corners, self.fillet) if self.fillet else corners
 
     def outline_along(self, line: "CentreLine") -> Path:
         """Return the outline of the part bent to a centre line, without fillets."""
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
+        low, high = self._pad_edges
 
         def side(side_sign: int) -> PlaneCurve:
             def points(s: FloatArray) -> FloatArray:
                 position, angle = line.at(s)
-                normal = np.column_stack([-np.sin(angle), np.cos(angle)])
-                return np.asarray(position + side_sign * self.thickness_at(s)[:, None] / 2 * normal)
+                half = side_sign * self.thickness_at(s)[:, None] / 2
+                return position + half * left_of(unit_vectors(angle))
 
             breaks = [(place, 1) for place in (0.0, self.pair.length) if low < place < high]
             knots, rows = adaptive_spline(points, (low, high), degree=3, tolerance=SIDE_MM, breaks=breaks)
@@ -515,26 +518,21 @@ class Flexure:
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
         """Return the corners of the start and end pads of the part bent to a centre line, anticlockwise."""
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        length = self.pair.length
-        return (
-            self._pad_corners(line, -self.overhang(0.0), -1),
-            self._pad_corners(line, length + self.overhang(length), 1),
-        )
+        corners = []
+        for position, along in self._roots(line):
+            half, outer = self.pad_width / 2 * left_of(along), position + self.pad.length * along
+            corners.append([position - half, outer - half, outer + half, position + half])
+        return corners[0], corners[1]
 
-    def _pad_corners(self, line: "CentreLine", s: float, sign: int) -> list[FloatArray]:
-        position, along, across = self._root(line, s, sign)
-        half = self.pad_width / 2 * across
-        outer = position + self.pad.length * along
-        return [position - half, outer - half, outer + half, position + half]
+    @property
+    def _pad_edges(self) -> tuple[float, float]:
+        """Arc lengths of the inner edges of the start pad and the end pad, mm."""
+        return -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
-    def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the middle of a pad's inner edge, the outward unit vector, and the unit vector to its left.
-
-        The edge is at the arc length `s`. `sign` is -1 for the start pad and 1 for the end pad.
-        """
-        position, angle = (value[0] for value in line.at(np.array([s])))
-        along = sign * np.array([np.cos(angle), np.sin(angle)])
-        return position, along, np.array([-along[1], along[0]])
+    def _roots(self, line: "CentreLine") -> Iterable[tuple[FloatArray, FloatArray]]:
+        """Return the middle of the inner edge, and the outward unit vector, of the start pad and the end pad."""
+        position, angle = line.at(np.array(self._pad_edges))
+        return zip(position, unit_vectors(angle) * ((-1.0,), (1.0,)), strict=True)
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
         """Return the centres of the holes as an array (pad, hole, coordinate).
@@ -542,11 +540,8 @@ class Flexure:
         The start pad is first, and in each pad, the hole nearest to the strip is first.
         """
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        places = []
-        for s, sign in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
-            position, along, _ = self._root(line, s, sign)
-            places.append([position + d * along for d in (self.pad.inset, self.pad.length - self.pad.inset)])
-        return np.array(places)
+        insets = self.pad.inset, self.pad.length - self.pad.inset
+        return np.array([[position + d * along for d in insets] for position, along in self._roots(line)])
 
     @cached_property
     def holes(self) -> tuple[Path, ...]:
@@ -642,19 +637,19 @@ class Flexure:
         if not is_one_of(state, (None, *STATES)):
             raise InputError(f'The state is {state!r}. Use "first", "second", or None for the unloaded part.')
         line = self.centre if state is None else CentreLine.of(self.pair.states[STATES.index(state)])
-        corners = self.outline_along(line)
-        middle, ends = Frame((0.0, 0.0, self.sheet.thickness / 2)), (0.0, self.pair.length)
+        middle = Frame((0.0, 0.0, self.sheet.thickness / 2))
         joints, holes, places = {}, [], self.hole_places(line)
-        for name, s, sign, near in zip(ENDS, ends, (-1, 1), places, strict=True):
-            position, outward, _ = self._root(line, s + sign * self.overhang(s), sign)
-            place = Frame(middle.point(position), (*outward, 0.0), (-outward[1], outward[0], 0.0))
+        for name, (position, outward), sign, near in zip(
+            ENDS, self._roots(line), (-1, 1), places, strict=True
+        ):
+            place = Frame(middle.point(position), (*outward, 0.0), (*left_of(outward), 0.0))
             joints[str(name)] = place
             holes += [
                 turned(Frame(middle.point(at), place.x_axis, place.y_axis), sign) for at in near[::sign]
             ]
         joints |= {f"hole{number}": hole for number, hole in enumerate(holes, start=1)}
         return FlatSolid(
-            in_short_pieces(round_corners(corners, self.fillet) if self.fillet else corners),
+            in_short_pieces(self._rounded_outline(line)),
             tuple(Path.circle(place, self.pad.hole / 2) for place in places.reshape(-1, 2)),
             self.sheet.thickness,
             joints=joints,
@@ -665,11 +660,11 @@ class Flexure:
         """Arc length of the pushed point of a bistable part, and its displacement (2,) between the states, mm."""
         first, second = self.rods
         distances = second.position - first.position
-        sizes = np.hypot(*distances.T)
+        sizes = norm(distances)
         i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
         if self.push_at is None and sizes[i] < FAR_SHARE * sizes.max():
             i = int(sizes.argmax())
-        return float(first.s[i]), np.asarray(distances[i])
+        return float(first.s[i]), distances[i]
 
     @cached_property
     def force_direction(self) -> float:
@@ -754,7 +749,7 @@ class Flexure:
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
         path, B = self._push_finely(start, self.scale), self.bending_stiffness
         rest = rest_shape(goal, thickness=self.scale)
-        place = np.column_stack([np.interp(path.s, rest.s, column) for column in rest.position.T])
+        place = at_stations(rest.position.T, rest.s, path.s).T
         reached = _distance(path.released, place) <= REST_SHARE * start.length
         return FlexureTravel(
             path.travel, B * path.force, B * path.energy, path.position,
@@ -778,11 +773,7 @@ class Flexure:
     def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
         """Return the changes of curvature, 1/mm, and the axial strains (..., n) at the n nodes of the rod."""
         s = self.pair.first.s
-        bend, stretch = (
-            np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
-            for values in (shape.bend, shape.stretch)
-        )
-        return bend, stretch
+        return at_stations(shape.bend, shape.s, s), at_stations(shape.stretch, shape.s, s)
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:
@@ -797,16 +788,10 @@ class Flexure:
 
     def _moved_end(self, shares: FloatArray) -> Sequence[Rod]:
         first, second = self.rods
-        end, angle = second.position[-1], float(second.angle[-1])
+        ends = first.position[-1] + shares[:, None] * (second.position[-1] - first.position[-1])
+        angles = first.angle[-1] + shares * (second.angle[-1] - first.angle[-1])
         steps = [
-            {
-                "end": first.position[-1] + share * (end - first.position[-1]),
-                "angles": (
-                    float(first.angle[0]),
-                    float(first.angle[-1] + share * (angle - first.angle[-1])),
-                ),
-            }
-            for share in shares
+            {"end": end, "angles": (first.angle[0], angle)} for end, angle in zip(ends, angles, strict=True)
         ]
         return bend_path(first, steps)
 
@@ -815,7 +800,7 @@ class Flexure:
         rods, B = self._rods_with_moved_end, self.bending_stiffness
         energy = B * np.array([rod.bending_energy for rod in rods])
         pulls = -B * np.array([rod.force[-1] for rod in rods])
-        force, direction = np.hypot(*pulls.T), np.degrees(np.arctan2(pulls[:, 1], pulls[:, 0]))
+        force, direction = norm(pulls), np.degrees(np.arctan2(pulls[:, 1], pulls[:, 0]))
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
         movement = Movement.of(rods)
         travel = np.degrees(movement.turn) if movement.is_turn else movement.travel
@@ -834,36 +819,29 @@ class Flexure:
     @cached_property
     def contacts(self) -> dict[str, float]:
         """Gaps below `LEAST_GAP_MM`, mm, by the name of the shape: unloaded, or a state."""
-        lines = {
-            note("unloaded"): self.centre,
-            self.state_labels[0]: self.states[0],
-            self.state_labels[1]: self.states[1],
-        }
-        gaps = {name: self._gap(line) for name, line in lines.items()}
+        lines = zip((note("unloaded"), *self.state_labels), (self.centre, *self.states), strict=True)
+        gaps = {name: self._gap(line) for name, line in lines}
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        length = self.pair.length
+        length, (low, high) = self.pair.length, self._pad_edges
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
-        outer = [self.overhang(0.0), self.overhang(length)]
-        s = np.concatenate([-(outer[0] + beyond)[::-1], s, length + outer[1] + beyond])
+        s = np.concatenate([(low - beyond)[::-1], s, high + beyond])
         half = np.where((s < 0) | (s > length), self.pad_width / 2, self.thickness_at(s) / 2)
         position = line.at(s)[0]
-        apart = (
-            np.hypot(*(position[:, None] - position[None]).transpose(2, 0, 1)) - half[:, None] - half[None]
-        )
-        near = np.abs(s[:, None] - s[None]) <= APART * (half[:, None] + half[None]) + s[1] - s[0]
+        reach = half[:, None] + half
+        apart = norm(position[:, None] - position) - reach
+        near = np.abs(s[:, None] - s) <= APART * reach + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
 
     def _least_gap_on_path(self, travel: FlexureTravel) -> float:
         shapes = travel.position[:: max(1, len(travel.position) // SHAPES)]
-        gaps = [self._gap(self.line_through(shape)) for shape in shapes]
-        return min(gaps)
+        return min(self._gap(self.line_through(shape)) for shape in shapes)
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
         """Return the centre line through the nodes (n, 2), mm, of a bent shape from `travel` or `rests`."""
-        steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
+        steps = np.append(0.0, np.cumsum(norm(np.diff(positions, axis=0))))
         s = steps * self.pair.length / steps[-1]
         along = np.gradient(positions, s, axis=0, edge_order=2)
         return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
@@ -1039,7 +1017,7 @@ def _overhang(h: float, r: float) -> float:
 
 
 def _distance(positions: FloatArray, others: FloatArray) -> float:
-    return float(np.hypot(*(positions - others).T).max())
+    return float(norm(positions - others).max())
 
 
 HALF_PLANE = 0.44
@@ -1113,17 +1091,15 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
-        place = spline_through(self.s, tangent, 5).integral()
-        return place, np.asarray(place(self.s[:1])[0])
+        place = spline_through(self.s, unit_vectors(self.angle), 5).integral()
+        return place, place(self.s[:1])[0]
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return positions (n, 2), mm, and angles (n,), rad, at arc lengths s, mm; straight beyond the ends."""
         inside = np.clip(s, self.s[0], self.s[-1])
         place, zero = self._place
-        angle = np.asarray(self._turn(inside))
-        tangent = np.column_stack([np.cos(angle), np.sin(angle)])
-        return self.start + place(inside) - zero + (s - inside)[:, None] * tangent, angle
+        angle = self._turn(inside)
+        return self.start + place(inside) - zero + (s - inside)[:, None] * unit_vectors(angle), angle
 
 
 def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
@@ -1135,9 +1111,9 @@ def _free_place(
 ) -> FloatArray:
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
-    centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]
+    centres = middle + steps[norm(steps).argsort(kind="stable")]
     apart = np.maximum(np.abs(centres[:, None] - holes) - half, 0.0)
-    clear = np.all(np.hypot(apart[..., 0], apart[..., 1]) > radius, axis=1)
+    clear = np.all(norm(apart) > radius, axis=1)
     for low, high in boxes:
         clear &= np.any((centres + half < low) | (centres - half > high), axis=1)
     return np.asarray(centres[clear][0])

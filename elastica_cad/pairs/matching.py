@@ -12,6 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve, integrate_tangents
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import FieldName, Length, note
@@ -118,37 +119,37 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     curves = _Drawn.of(first), _Drawn.of(second)
     alike = _are_alike(*curves)
     if alike:
-        chord = sum((drawn_curve.chord for drawn_curve in curves), np.zeros(2)) / 2
-        angles = sum((drawn_curve.clamps[2] for drawn_curve in curves), np.zeros(2)) / 2
-        first_start, second_start = (drawn_curve.clamps[0] for drawn_curve in curves)
+        chord = (curves[0].chord + curves[1].chord) / 2
+        angles = (curves[0].clamps[2] + curves[1].clamps[2]) / 2
+        start, other_start = (drawn_curve.clamps[0] for drawn_curve in curves)
         curves = (
-            replace(curves[0], clamps=(first_start, first_start + chord, angles)),
-            replace(curves[1], clamps=(second_start, second_start + chord, angles)),
+            replace(curves[0], clamps=(start, start + chord, angles)),
+            replace(curves[1], clamps=(other_start, other_start + chord, angles)),
         )
-    lengths = [curve.length for curve in (first, second)]
-    length = _least_change(curves, lengths)
-    changed = [drawn_curve.of_length(length) for drawn_curve in curves]
-    moved = [_largest_displacement(*both) for both in zip((first, second), changed, strict=True)]
-    return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
+    length = _least_change(curves)
+    changed, other = (drawn_curve.of_length(length) for drawn_curve in curves)
+    moved = _largest_displacement(first, changed), _largest_displacement(second, other)
+    return MatchedPair(changed, other, moved, alike)
 
 
 def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
     length = sqrt(first.length * second.length)
-    changed = []
-    for curve in (first, second):
-        start = curve.evaluate(np.array(curve.domain[0]))
-        points = start + (curve.control_points - start) * (length / curve.length)
-        changed.append(curve.with_control_points(points))
-    moved = [_largest_displacement(*both) for both in zip((first, second), changed, strict=True)]
-    alike = _are_alike(_Drawn.of(changed[0]), _Drawn.of(changed[1]), EQUAL)
-    return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
+    changed, other = (scaled_to_length(curve, length) for curve in (first, second))
+    moved = _largest_displacement(first, changed), _largest_displacement(second, other)
+    return MatchedPair(changed, other, moved, _are_alike(_Drawn.of(changed), _Drawn.of(other), EQUAL))
+
+
+def scaled_to_length(curve: PlaneCurve, length: float) -> PlaneCurve:
+    """Return the curve scaled about its start to the given length, mm."""
+    start = curve.evaluate(curve.domain[0])
+    return curve.with_control_points(start + (curve.control_points - start) * (length / curve.length))
 
 
 def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
     if after is before:
         return 0.0
     apart = after.sample(before.survey.s.size).position - before.survey.position
-    return float(np.hypot(*apart.T).max())
+    return float(norm(apart).max())
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
@@ -163,10 +164,11 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
     )
 
 
-def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
+def _least_change(drawn: "tuple[_Drawn, _Drawn]") -> float:
     from scipy.optimize import minimize_scalar
 
-    low, high = sorted(lengths)
+    first, second = (drawn_curve.curve.length for drawn_curve in drawn)
+    low, high = sorted((first, second))
     if high - low <= EQUAL * high:
         return low
 
@@ -182,8 +184,8 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
             "the curves are {first:.5g} and {second:.5g} long, and no small change of the curves "
             "between their fixed ends makes these lengths equal. Draw curves of more similar length, "
             'or scale the curves (set {field} to "shape").',
-            first=Length(lengths[0]),
-            second=Length(lengths[1]),
+            first=Length(first),
+            second=Length(second),
             field=FieldName("match"),
         )
     return length
@@ -225,8 +227,9 @@ class _Drawn:
         half = np.diff(edges)[:, None] / 2
         u = edges[:-1, None] + half * (1 + NODES)
         at = curve.at((u * curve.length).ravel())
-        middle = at.position.mean(axis=0)
-        functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
+        functions = np.concatenate(
+            [np.ones((at.s.size, 1)), (at.position - at.position.mean(axis=0)) / curve.length], axis=1
+        )
         functions = functions.reshape(*u.shape, 3)
         inside = in_panels(LEFT, functions * half[..., None])
         reached = np.cumsum(np.einsum("np,npk->nk", WEIGHTS * half, functions), axis=0)
@@ -237,27 +240,23 @@ class _Drawn:
     def numbers(self, length: float) -> FloatArray | None:
         """Return alpha and beta (3,) for a given length, or None if no small change reaches the clamps."""
         _, weight, angle, _, turns = self._nodes
-        start, end, angles = self.clamps
-        clamped = self.curve.at(np.array([0.0, self.curve.length]))
-        numbers = np.zeros(3)
+        drawn, (_, _, angles) = _Drawn.of(self.curve), self.clamps
+        drawn_angles, numbers = drawn.clamps[2], np.zeros(3)
         steps = max(1, ceil(abs(log(length / self.curve.length)) / LONGEST_STEP))
         for k in range(1, steps + 1):
             share = k / steps
             size = self.curve.length * (length / self.curve.length) ** share
-            held = clamped.angle + share * (angles - clamped.angle)
-            chord = clamped.position[1] - clamped.position[0]
-            chord = chord + share * (end - start - chord)
+            held = drawn_angles + share * (angles - drawn_angles)
+            chord = drawn.chord + share * (self.chord - drawn.chord)
             for _ in range(NEWTON_STEPS):
-                theta = angle + (held[0] - clamped.angle[0]) + turns[:-1] @ numbers
-                tangent = np.array([np.cos(theta), np.sin(theta)])
-                normal = np.array([-tangent[1], tangent[0]])
+                tangent = unit_vectors(angle + (held[0] - drawn_angles[0]) + turns[:-1] @ numbers)
                 missed = np.append(
-                    tangent @ weight - chord / size,
-                    turns[-1] @ numbers - (held[1] - held[0] - clamped.angle[1] + clamped.angle[0]),
+                    weight @ tangent - chord / size,
+                    turns[-1] @ numbers - (held[1] - held[0] - drawn_angles[1] + drawn_angles[0]),
                 )
                 if np.abs(missed).max() <= MET:
                     break
-                slope = np.concatenate([(normal * weight) @ turns[:-1], turns[-1:]])
+                slope = np.concatenate([(weight[:, None] * left_of(tangent)).T @ turns[:-1], turns[-1:]])
                 try:
                     numbers = numbers - np.linalg.solve(slope, missed)
                 except np.linalg.LinAlgError:
@@ -288,21 +287,17 @@ class _Drawn:
             )
         start, _, angles = self.clamps
         curve = self.curve
-        start_pose = curve.at(np.array([0.0]))
-        if (
-            not numbers.any()
-            and np.array_equal(start, start_pose.position[0])
-            and angles[0] == start_pose.angle[0]
-        ):
+        drawn_start, _, drawn_angles = _Drawn.of(curve).clamps
+        if not numbers.any() and np.array_equal(start, drawn_start) and angles[0] == drawn_angles[0]:
             return curve
         scale = curve.length / length
         edges, *_, turns = self._nodes
         turn = PanelFunction.through(turns[:-1].reshape(-1, NODES.size, 3) @ numbers)
 
         def tangent(s: FloatArray) -> FloatArray:
-            theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - start_pose.angle[0])
+            theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - drawn_angles[0])
             theta = theta + turn.at(*locate_in_panels(edges, s / length))
-            return np.column_stack([np.cos(theta), np.sin(theta)])
+            return unit_vectors(theta)
 
         breaks = [(jump.s / scale, jump.continuity - 1) for jump in curve.breaks]
         return integrate_tangents(tangent, length, start, tolerance=TANGENT_ERROR, breaks=breaks)

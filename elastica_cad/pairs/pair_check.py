@@ -20,6 +20,7 @@ from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, InputError
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
 from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature
 from elastica_cad.mechanics.moment_conditions import (
@@ -40,6 +41,7 @@ from elastica_cad.mechanics.theorem1 import (
     lengths,
     require_bendable,
 )
+from elastica_cad.pairs.matching import scaled_to_length
 from elastica_cad.refusals import FieldName, Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
@@ -160,10 +162,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
             field=FieldName("match"),
             changes=[Change("match", "ends")],
         )
-    start = second.evaluate(np.array(second.domain[0]))
-    return second.with_control_points(
-        start + (second.control_points - start) * (first.length / second.length)
-    )
+    return scaled_to_length(second, first.length)
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
@@ -176,9 +175,9 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
     """Return the end (2,), mm, relative to the start and its tangent, and the total turning of the tangent, rad."""
     ends = curve.at(np.array([0.0, curve.length]))
-    x, y = ends.position[1] - ends.position[0]
-    c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
-    return np.array([c * x + s * y, c * y - s * x]), float(ends.angle[1] - ends.angle[0])
+    along = unit_vectors(ends.angle[0])
+    chord = np.array([along, left_of(along)]) @ (ends.position[1] - ends.position[0])
+    return chord, float(ends.angle[1] - ends.angle[0])
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
@@ -206,14 +205,14 @@ def _with_orders(
         before = zeros[-1] if zeros else None
         if before and order == before.order == 1 and before.before:
             middle = (before.s + z.s) / 2
-            t = float(curve.parameter(np.array(middle)))
+            t = float(curve.parameter(middle))
             if abs(float(difference.at(t))) <= FAINT_SHARE * largest:
                 zeros[-1] = PairZero(middle, t, 2, before.before, z.after)
                 continue
         s = (z.s + z.s_end) / 2
-        zeros.append(PairZero(s, float(curve.parameter(np.array(s))), order, z.before, z.after))
+        zeros.append(PairZero(s, float(curve.parameter(s)), order, z.before, z.after))
     for s in faint_places(difference, largest, crossings, FAINT_SHARE):
-        t = float(curve.parameter(np.array(s)))
+        t = float(curve.parameter(s))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
     for end in (0.0, curve.length):  # a zero computed near an end may be slightly beyond the end
@@ -229,7 +228,7 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
     curve = difference.curve
     t = curve.domain[int(s > 0)]
     slope = float(difference.slope_at(t, left=s > 0))
-    beside = float(difference.at(curve.parameter(np.array(abs(s - BESIDE_SHARE * curve.length)))))
+    beside = float(difference.at(curve.parameter(abs(s - BESIDE_SHARE * curve.length))))
     sign = int(np.sign(beside))
     order = 2 if abs(slope) * curve.length <= GENTLE_SHARE * largest else 1
     return PairZero(s, t, order, sign if s > 0 else 0, 0 if s > 0 else sign)
@@ -243,7 +242,7 @@ def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
     is zero too, the order of N is too large by two.
     """
     if zero.order == 2:
-        bent = float(first.curvature_at(np.array(zero.t)))
+        bent = float(first.curvature_at(zero.t))
         return abs(bent) > CONGRUENT_SHARE * float(np.abs(first.survey.curvature).max())
     return zero.order == 1
 
@@ -328,7 +327,7 @@ class PairedPanels:
         )  # fmt: skip
         stretch = panels.stretch[..., None]
         s = np.clip(panels.s, 0.0, second.length)
-        tangent = second.derivatives(second.parameter(s).ravel(), 1)[1].reshape(*s.shape, 2)
+        tangent = second.evaluate(second.parameter(s), 1)
         along = tangent / np.hypot(tangent[..., :1], tangent[..., 1:]) * stretch
         edge = second.evaluate(second.parameter(np.clip(panels.edge_s, 0.0, second.length)))
         from_left = (panels.from_left, in_panels(LEFT, along))
@@ -337,7 +336,8 @@ class PairedPanels:
         rows = _rows(np.ones(edges[0].shape[:1]), *edges)
         at = np.array([np.abs(panels.edges - z.t).argmin() for z in zeros], dtype=int)
         double = np.array([z.order == 2 for z in zeros], dtype=bool)
-        turns = [_tangents_at(curve, panels.edge_s[at]) for curve in (first, second)]
+        places = [np.clip(panels.edge_s[at], 0.0, curve.length) for curve in (first, second)]
+        turns = [unit_vectors(curve.at(s).angle) for curve, s in zip((first, second), places, strict=True)]
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
@@ -345,9 +345,8 @@ class PairedPanels:
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
-        step = [
-            np.where(left[:, None, None], a, b) / size for a, b in zip(from_left, from_right, strict=True)
-        ]
+        steps = zip(from_left, from_right, strict=True)
+        step = [np.where(left[:, None, None], a, b) / size for a, b in steps]
         far = np.where(left[:, None], panels.stretch @ LEFT.T, -(panels.stretch @ RIGHT.T)) / size
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
@@ -355,13 +354,15 @@ class PairedPanels:
             for row, tangent_there in zip(step, turn, strict=True):  # N' is also 0 at a double zero of N
                 row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
-        nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
-        zero, ones = np.zeros((*far.shape, 2)), np.ones((*far.shape, 1))
-        moments = (
-            np.concatenate([0 * ones, nodes[0], zero, ones], axis=-1),
-            np.concatenate([-ones, zero, nodes[1], ones], axis=-1),
-        )
-        return cls(check, panels, moments, difference_rows / panels.curvature[..., None], conditions)
+        moments = np.zeros((2, *far.shape, NUMBERS))
+        moments[..., -1], moments[1, ..., 0] = 1.0, -1.0
+        for moment, columns, end, a in zip(
+            moments, (slice(1, 3), slice(3, 5)), edges, from_left, strict=True
+        ):
+            moment[..., columns] = end[:-1, None] + a / size
+        first_moment, second_moment = moments
+        stiffness = difference_rows / panels.curvature[..., None]
+        return cls(check, panels, (first_moment, second_moment), stiffness, conditions)
 
     @cached_property
     def basis(self) -> FloatArray:
@@ -371,18 +372,21 @@ class PairedPanels:
     @cached_property
     def idle(self) -> FloatArray:
         """Columns (6, r), each with six numbers that satisfy `conditions` and do not change the stiffness."""
-        none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
+        none = np.pad(self._split[1], ((0, 1), (1, 0)))
         none[-1, 0] = 1.0
-        none[:-1, 1:] = self._split[1]
         return none
+
+    @cached_property
+    def solutions(self) -> FloatArray:
+        """Columns (6, q + r), each with six numbers that satisfy `conditions`: `basis` and `idle`."""
+        return np.concatenate([np.pad(self.basis, ((0, 1), (0, 0))), self.idle], axis=1)
 
     @cached_property
     def _split(self) -> tuple[FloatArray, FloatArray]:
         free = null_space(self.conditions)
         if not free.shape[1]:
             return free, free
-        rows = PanelFunction.through(self.stiffness @ free).dense
-        _, sigma, vt = svd(rows, full_matrices=False)
+        _, sigma, vt = svd(PanelFunction.through(self.stiffness @ free).dense, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
         # without a stiffness that satisfies the conditions, the product consists of rounding errors
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
@@ -431,8 +435,3 @@ class PairedPanels:
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
     return np.concatenate([number[..., None], first, -second], axis=-1)
-
-
-def _tangents_at(curve: PlaneCurve, s: FloatArray) -> FloatArray:
-    d1 = curve.derivatives(curve.parameter(np.clip(s, 0.0, curve.length)), 1)[1]
-    return np.asarray(d1 / np.hypot(d1[:, :1], d1[:, 1:]))

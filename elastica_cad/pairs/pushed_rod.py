@@ -7,8 +7,10 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import left_of, norm, turn_between, unit_vectors
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.refusals import Length
 
 EDGES = 480
@@ -176,8 +178,7 @@ def push_path(
     if not away.any():
         raise InputError(f"the direction of the push is {direction!r}: give two numbers, not both 0")
     away = away / np.hypot(*away)
-    frame = np.array([away, [-away[1], away[0]]])
-    chain = _Chain.of(rod, at, frame, thickness)
+    chain = _Chain.of(rod, at, np.array([away, left_of(away)]), thickness)
     x = chain.settled(chain.start)
     free = x[chain.pushed, 0]
     steps = numbers(travel, "travel")
@@ -252,29 +253,28 @@ class _Chain:
             np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
         )
         edge, h = np.diff(s), max(thickness or rod.length / STIFF, rod.length / STIFFEST)
-        ends = np.column_stack([np.cos(rod.angle[[0, -1]]), np.sin(rod.angle[[0, -1]])])
-        start = np.column_stack([np.interp(s, rod.s, x) for x in (rod.position - rod.position[0]).T])
+        ends = unit_vectors(rod.angle[[0, -1]])
+        start = at_stations((rod.position - rod.position[0]).T, rod.s, s).T
         return cls(
-            s=s, edge=edge, stiffness=np.asarray(rod.profile(s)), natural=rod.rest_at(s),
+            s=s, edge=edge, stiffness=rod.profile(s), natural=rod.rest_at(s),
             weight=(np.append(edge, 0.0) + np.append(0.0, edge)) / 2,
-            axial=12 / h**2 * np.asarray(rod.profile(s[:-1] + edge / 2)) ** (1 / 3), clamps=ends @ frame.T,
+            axial=12 / h**2 * rod.profile(s[:-1] + edge / 2) ** (1 / 3), clamps=ends @ frame.T,
             start=start @ frame.T, pushed=pushed, frame=frame, origin=rod.position[0],
         )  # fmt: skip
 
     def placed(self, x: FloatArray) -> FloatArray:
-        return np.asarray(self.origin + x @ self.frame)
+        return self.origin + x @ self.frame
 
     def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return lengths (n,) and directions (n, 2) of the edges, and turning angles (n + 1,) at the nodes."""
         e = np.diff(x, axis=0)
-        r = np.hypot(*e.T)
+        r = norm(e)
         t = e / r[:, None]
         around = np.concatenate([self.clamps[:1], t, self.clamps[1:]])
-        a, b = around[:-1], around[1:]
-        return r, t, np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
+        return r, t, turn_between(around[:-1], around[1:])
 
     def bends(self, x: FloatArray) -> FloatArray:
-        return np.asarray(self._edges(x)[2] / self.weight - self.natural)
+        return self._edges(x)[2] / self.weight - self.natural
 
     def stretch(self, x: FloatArray) -> FloatArray:
         strain = self._edges(x)[0] / self.edge - 1
@@ -288,14 +288,14 @@ class _Chain:
     def gradient(self, x: FloatArray) -> FloatArray:
         """Return the forces (n + 1, 2) that hold the nodes, which are the derivatives of the energy."""
         force = self._edge_forces(x)
-        return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
+        return np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0)))
 
     def _edge_forces(self, x: FloatArray) -> FloatArray:
         r, t, turn = self._edges(x)
         moment = self.stiffness * (turn / self.weight - self.natural)
-        normal = np.column_stack([-t[:, 1], t[:, 0]])
+        normal = left_of(t)
         pull = self.axial * (r / self.edge - 1)
-        return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
+        return ((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t
 
     def _band(self, x: FloatArray) -> FloatArray:
         """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2) for SciPy.
@@ -305,13 +305,13 @@ class _Chain:
         differences of blocks.
         """
         r, t, turn = self._edges(x)
-        n = np.column_stack([-t[:, 1], t[:, 0]])
+        n = left_of(t)
         moment = self.stiffness * (turn / self.weight - self.natural)
         shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
         K, a = self.stiffness / self.weight, n / r[:, None]
 
         def outer(scale: FloatArray, factor: FloatArray, other: FloatArray) -> FloatArray:
-            return np.asarray(scale[:, None, None] * factor[:, :, None] * other[:, None, :])
+            return scale[:, None, None] * factor[:, :, None] * other[:, None, :]
 
         A = outer(self.axial / self.edge, t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
         A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)
@@ -327,16 +327,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        band = self._band(x)
-        row = 2 * (self.pushed - 1)
-        right = np.zeros(band.shape[1])
-        for k in range(1, 6):
-            if row + k < right.size:
-                right[row + k] = -band[5 - k, row + k] * by
-            if row - k >= 0:
-                right[row - k] = -band[5 - k, row] * by
-        right[row] = by
-        step = _solved(self._holding(band), right)
+        step = _solved(*self._holding(self._band(x), by))
         moved = x.copy()
         if step is None:
             moved[self.pushed, 0] += by
@@ -344,14 +335,17 @@ class _Chain:
             moved[1:-1] += step.reshape(-1, 2)
         return moved
 
-    def _holding(self, band: FloatArray) -> FloatArray:
-        row, held = 2 * (self.pushed - 1), band.copy()
+    def _holding(self, band: FloatArray, by: float) -> tuple[FloatArray, FloatArray]:
+        """Return the band and right-hand side of the equations in which the pushed node moves by `by`."""
+        row, held, right = 2 * (self.pushed - 1), band.copy(), np.zeros(band.shape[1])
         for k in range(1, 6):
             held[5 - k, row] = 0.0
-            if row + k < held.shape[1]:
-                held[5 - k, row + k] = 0.0
-        held[5, row] = 1.0
-        return held
+            if row - k >= 0:
+                right[row - k] = -band[5 - k, row] * by
+            if row + k < right.size:
+                right[row + k], held[5 - k, row + k] = -band[5 - k, row + k] * by, 0.0
+        held[5, row], right[row] = 1.0, by
+        return held, right
 
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
         """Return the nodes at a minimum of the energy near given nodes.
@@ -364,7 +358,7 @@ class _Chain:
         for _ in range(MOST_ITERATIONS):
             band, slope = self._band(x), self.gradient(x)[1:-1]
             if held:
-                band = self._holding(band)
+                band, _ = self._holding(band, 0.0)
                 slope[self.pushed - 1, 0] = 0.0
             pulls = max(float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2)
             if np.abs(slope).max() <= max(CALM * pulls, noise):

@@ -234,7 +234,7 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
     """
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
-        basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
+        basis = paired.solutions
         sides = tuple(PanelFunction.through(rows @ basis) for rows in _limit_rows(paired, limits))
         K = PanelFunction.through(_stiffness_rows(paired) @ basis)
         ratio_numbers = paired.least_ratio(StiffnessFamily(paired.panels, K, sides=sides))
@@ -250,11 +250,6 @@ def _stiffness_rows(paired: PairedPanels) -> FloatArray:
     return np.pad(paired.stiffness, ((0, 0), (0, 0), (0, 1)))
 
 
-def _first_curvature(paired: PairedPanels) -> FloatArray:
-    t = paired.panels.t
-    return paired.check.first.curvature_at(t.ravel()).reshape(t.shape)
-
-
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     """Return arrays of rows (N, p, 6) that express the limits as rows @ numbers >= 0, at p nodes of N panels.
 
@@ -264,7 +259,7 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
     if (most := limits.natural_curvature) is not None:
-        natural = _first_curvature(paired)[..., None] * K - paired.moments[0]
+        natural = paired.check.first.curvature_at(paired.panels.t)[..., None] * K - paired.moments[0]
         rows += [K + natural / most, K - natural / most]
     if (most := limits.bend) is not None:
         for moment in paired.moments:
@@ -287,7 +282,7 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     d = size * panels.curvature
     # changes of curvature in the first state, times the length
     excess = size * (paired.moments[0] @ numbers) / K
-    kappa = size * _first_curvature(paired)
+    kappa = size * paired.check.first.curvature_at(panels.t)
     functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
     bounds = [] if most_natural is None else [
         (sign * step, size * most_natural + sign * (excess - kappa)) for sign in (1.0, -1.0)
@@ -310,34 +305,35 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
     Each function or bound is a pair (rows, offset) with the value rows @ z + offset. The values of bounds
     must be at least 0.
     """
-    along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
-    held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
-    program = MinimaxProgram(along[0][0].dense)
-    none = np.zeros((0, along[0][0].coefficients.shape[2]))
-    for rows, offset in along:
-        program.demand(none, np.zeros(0), rows.dense, offset.dense)
-    for rows, offset in held:
-        program.hold(rows.dense, offset.dense)
+    conditions = [
+        (PanelFunction.through(rows), PanelFunction.through(offset), k >= len(functions))
+        for k, (rows, offset) in enumerate([*functions, *bounds])
+    ]
+    program = MinimaxProgram(conditions[0][0].dense)
+    none = np.zeros((0, functions[0][0].shape[2]))
+
+    def require(rows: FloatArray, offset: FloatArray, *, is_bound: bool) -> None:
+        if is_bound:
+            program.hold(rows, offset)
+        else:
+            program.demand(none, np.zeros(0), rows, offset)
+
+    for rows, offset, is_bound in conditions:
+        require(rows.dense, offset.dense, is_bound=is_bound)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
         if answer is None:  # only z = 0 satisfies the bounds, except for rounding errors
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
-        for (rows, offset), is_bound in [
-            *((condition, False) for condition in along),
-            *((condition, True) for condition in held),
-        ]:
+        for rows, offset, is_bound in conditions:
             place = PanelFunction(rows.coefficients @ z + offset.coefficients).extreme_places
             more, beside = rows.at(*place), offset.at(*place)
             values = more @ z + beside
             wrong = values < -BOUNDED * most if is_bound else values > most * (1 + BOUNDED)
             if wrong.any():
                 settled = False
-                if is_bound:
-                    program.hold(more[wrong], beside[wrong])
-                else:
-                    program.demand(none, np.zeros(0), more[wrong], beside[wrong])
+                require(more[wrong], beside[wrong], is_bound=is_bound)
         if settled:
             return z
     raise unsettled(most)
@@ -355,7 +351,7 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
     for left, change in reserves:
         rising = change > 0
         share = min(share, float((left[rising] / change[rising]).min(initial=1.0)))
-    return np.asarray(start + share * (goal - start))
+    return start + share * (goal - start)
 
 
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
@@ -367,8 +363,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     """
     from scipy.optimize import linprog
 
-    panels, size = paired.panels, paired.check.length
-    basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
+    panels, size, basis = paired.panels, paired.check.length, paired.solutions
     s = np.linspace(0.0, size, THICKNESS_SAMPLES)
     place = panels.locate(paired.check.first.parameter(s))
 
@@ -383,36 +378,28 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     K, M, stiff = K / scale, M / scale, stiff / scale
     count = K.shape[1]
 
-    def with_least(rows: FloatArray, share: float = 0.0) -> FloatArray:
-        return np.column_stack([rows, np.full(len(rows), share)])
+    def conditions(rows: FloatArray, share: float = 0.0, right: FloatArray | float = 0.0) -> FloatArray:
+        """Return the conditions rows @ numbers + share k <= right, with the right-hand sides in the last column."""
+        return np.column_stack([rows, np.full(len(rows), share), np.full(len(rows), right)])
 
-    fixed = [with_least(-K, 1.0)]
-    fixed += [with_least(-rows_of(rows) / scale) for rows in _limit_rows(paired, limits)]
-    if limits.ratio is not None:
-        fixed.append(with_least(K, -limits.ratio))
-
-    def tangents(at: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows and right-hand sides that limit |M| by the tangents of K^(2/3) at the stiffnesses `at`."""
-        slope = (2 / 3 * at ** (-1 / 3))[:, None] * stiff
-        offset = at ** (2 / 3) / 3
-        return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
+    def tangents(at: FloatArray) -> FloatArray:
+        """Return conditions that limit |M| by the tangents of K^(2/3) at the stiffnesses `at`."""
+        slope, offset = (2 / 3 * at ** (-1 / 3))[:, None] * stiff, at ** (2 / 3) / 3
+        return np.concatenate([conditions(M - slope, 0.0, offset), conditions(-M - slope, 0.0, offset)])
 
     # k <= K and |M_1 - M_2| = K d <= 2 K^(2/3), so k <= (2 / d)^3 at the largest curvature difference d
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
-    rows = [np.concatenate(fixed)]
-    right = [np.zeros(len(rows[0]))]
-    for k in np.geomspace(most / WIDEST_TANGENTS, most * WIDEST_TANGENTS, TANGENTS):
-        more, offset = tangents(np.full(len(stiff), k))
-        rows.append(more)
-        right.append(offset)
+    table = [conditions(-K, 1.0)]
+    table += [conditions(-rows_of(rows) / scale) for rows in _limit_rows(paired, limits)]
+    if limits.ratio is not None:
+        table.append(conditions(K, -limits.ratio))
+    first = np.geomspace(most / WIDEST_TANGENTS, most * WIDEST_TANGENTS, TANGENTS)
+    table += [tangents(np.full(len(stiff), k)) for k in first]
     before = np.inf
     for _ in range(TANGENT_ROUNDS):
+        rows = np.concatenate(table)
         result = linprog(
-            -np.eye(count + 1)[-1],
-            np.concatenate(rows),
-            np.concatenate(right),
-            bounds=(None, None),
-            method="highs",
+            -np.eye(count + 1)[-1], rows[:, :-1], rows[:, -1], bounds=(None, None), method="highs"
         )
         if result.status != 0 or not result.x[-1] > 0:
             _refuse(paired.check, limits, None)
@@ -420,9 +407,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         if abs(before / least - 1) < SETTLED:
             break
         before = least
-        more, offset = tangents(np.maximum(stiff @ numbers, least))
-        rows.append(more)
-        right.append(offset)
+        table.append(tangents(np.maximum(stiff @ numbers, least)))
     return np.asarray(basis @ (numbers / scale))
 
 
@@ -480,15 +465,10 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
 
 
 def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
-    values = {
-        "ratio": pair.ratio,
-        "natural_curvature": float(np.abs(pair.natural_curvature).max()),
-        "bend": pair.bend,
-    }
-    for name, value in values.items():
-        most = getattr(limits, name)
-        if most is not None and value > most * (1 + MET_SHARE):
-            _refuse(pair.check, limits, pair)
+    natural = float(np.abs(pair.natural_curvature).max())
+    reached = (pair.ratio, limits.ratio), (natural, limits.natural_curvature), (pair.bend, limits.bend)
+    if any(most is not None and value > most * (1 + MET_SHARE) for value, most in reached):
+        _refuse(pair.check, limits, pair)
     return pair
 
 

@@ -99,8 +99,7 @@ class CurveChanges:
         a, b = self.state.line
         count = curve.control_points.size
         zeros = np.array([z.t for z in self.state.check.zeros])
-        constraint_rows = [c.equations(curve)[1] for c in self.constraints]
-        rows = [np.pad(row, ((0, 0), (0, 3))) for row in constraint_rows]
+        rows = [np.pad(row, ((0, 0), (0, 3))) for row in [c.equations(curve)[1] for c in self.constraints]]
         if zeros.size:
             _, moved = InflectionsOnLine(a, b, zeros).equations(curve)
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
@@ -117,8 +116,7 @@ class CurveChanges:
         bends = curvature_rows(curve, self._t) * (self._root_weights * _BEND * length**2)
         d1, slope = curve.evaluate(self._t, 1), curve.basis(self._t, 1)
         stretch_weights = self._root_weights * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
-        normals = left_of(d1)
-        stretches = np.concatenate([directed_rows(slope, d * stretch_weights) for d in (d1, normals)])
+        stretches = np.concatenate([directed_rows(slope, d * stretch_weights) for d in (d1, left_of(d1))])
         metric = np.concatenate([self.distance_rows, bends, stretches])
         gram = metric.T @ metric
         gram.flat[:: count + 1] += 1e-12 * np.trace(gram)
@@ -138,7 +136,7 @@ class CurveChanges:
     @cached_property
     def _moment(self) -> FloatArray:
         a, b = self.state.line
-        return np.asarray(a + self.state.curve.evaluate(self._t) @ b)
+        return a + self.state.curve.evaluate(self._t) @ b
 
     @cached_property
     def compliance(self) -> PanelFunction:
@@ -333,12 +331,12 @@ def move_within(
     while iterations < max_steps and not settled:
         iterations += 1
         aim = bounds.inside().from_here(state)
-        step = _step(changes, changes.offsets(curve) / state.curve.length, aim, radius)
-        gain = distance + _PENALTY * aim.broken(state) - step.promised
+        points, size, promised = _step(changes, changes.offsets(curve) / state.curve.length, aim, radius)
+        gain = distance + _PENALTY * aim.broken(state) - promised
         settled = gain <= _RESOLUTION + (_SETTLED * distance if bounds.broken(state) == 0 else 0.0)
         if settled:
             break
-        moved = _state_after(state.curve, step, constraints)
+        moved = _state_after(state.curve, points, constraints)
         if moved is not None:
             further = CurveChanges(moved, constraints)
             new_distance = _half_square(further, curve)
@@ -349,7 +347,7 @@ def move_within(
                 history.append(_route_step(state, distance, bounds))
                 radius = min(2 * radius, _LARGEST_RADIUS) if achieved > 0.7 * gain else radius
                 continue
-        radius = min(radius, step.size) / 3
+        radius = min(radius, size) / 3
         if radius < _SMALLEST_RADIUS:
             settled = True
     return Route(state, bounds.broken(state) == 0, settled, tuple(history), iterations)
@@ -364,15 +362,6 @@ def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
     return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
 
 
-@dataclass(frozen=True, eq=False)
-class _Step:
-    """Displacements (m, 2) of control points, mm, their size relative to the length, and predicted objective."""
-
-    points: FloatArray
-    size: float
-    promised: float
-
-
 def _initial_state(curve: PlaneCurve, constraints: Sequence[Constraint]) -> EquilibriumCurve:
     try:
         enforced, _ = least_norm_newton(curve, [*constraints, *collinear(curve)], tolerance=_ENFORCED)
@@ -382,18 +371,23 @@ def _initial_state(curve: PlaneCurve, constraints: Sequence[Constraint]) -> Equi
 
 
 def _state_after(
-    curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]
+    curve: PlaneCurve, points: FloatArray, constraints: Sequence[Constraint]
 ) -> EquilibriumCurve | None:
     try:
-        moved = curve.with_control_points(curve.control_points + step.points)
+        moved = curve.with_control_points(curve.control_points + points)
         moved, _ = least_norm_newton(moved, [*constraints, *collinear(moved)], tolerance=_ENFORCED)
         return EquilibriumCurve.of(moved)
     except (NotRealizable, NotConvergedError, InputError):
         return None
 
 
-def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
+def _step(
+    changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
+) -> tuple[FloatArray, float, float]:
     """Return the step within `radius` that has the least objective to first order.
+
+    The results are the displacements (m, 2) of the control points, mm, their size relative to the length, and the
+    predicted objective.
 
     The objective is half the mean square distance from the drawn curve, divided by the squared length, plus
     penalties for violations of the bounds `aim`. `offsets` (2 g,) are `CurveChanges.offsets` divided by the length.
@@ -413,61 +407,37 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     lower = np.concatenate([np.full(r, -radius), [0.1, 0.0, 0.0]])
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
-    def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows that keep the compliance at least c / R - s: R (C + dC u) - c + R s >= 0.
-
-        C + dC u is the compliance after the move u, R the largest ratio, c the largest compliance and s the
-        slack.
-        """
-        ones = np.ones((places.size, 1))
-        rows = np.hstack([aim.ratio * dC[places], -ones, aim.ratio * ones, 0 * ones])
-        return rows, -aim.ratio * C[places]
-
-    def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows that keep the compliance C + dC u after the move u at most c: c - (C + dC u) >= 0."""
-        ones = np.ones((places.size, 1))
-        return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
-
-    rows = [soft(_peaks(-C)), stiff(_peaks(C))]
+    ones, zeros = np.ones(C.size), np.zeros(C.size)
+    # the compliance C + dC u after the move u is at least c / R - s for the largest ratio R, the largest compliance
+    # c and the slack s, and at most c; the right-hand sides are in the last columns
+    soft = np.column_stack([aim.ratio * dC, -ones, aim.ratio * ones, zeros, -aim.ratio * C])
+    stiff = np.column_stack([-dC, ones, zeros, zeros, C])
+    conditions = np.concatenate([soft[_peaks(-C)], stiff[_peaks(C)]])
     if aim.margin is not None:
         m, dm = changes.state.margin, changes.margin * length
-        row = np.concatenate([dm, [m, 0.0, _MARGIN_UNIT]]) / _MARGIN_UNIT
-        rows.append((row[None], np.array([aim.margin / _MARGIN_UNIT])))
-    A, right = np.concatenate([a for a, _ in rows]), np.concatenate([b for _, b in rows])
+        row = np.concatenate([dm, [m, 0.0, _MARGIN_UNIT, aim.margin]]) / _MARGIN_UNIT
+        conditions = np.concatenate([conditions, row[None]])
     for _ in range(_ROUNDS):
-        solution = solve_quadratic(
-            QuadraticProgram(
-                H,
-                g,
-                lower,
-                upper,
-                A,
-                right,
-                np.full(right.size, _ROW_PENALTY),
-                np.ones(right.size, dtype=bool),
-            ),
-            accuracy=_ACCURACY,
-        )
+        rows, right = conditions[:, :-1], conditions[:, -1]
+        penalty, one_sided = np.full(right.size, _ROW_PENALTY), np.ones(right.size, dtype=bool)
+        program = QuadraticProgram(H, g, lower, upper, rows, right, penalty, one_sided)
+        solution = solve_quadratic(program, accuracy=_ACCURACY)
         u, c, s = solution.x[:r], solution.x[r], solution.x[r + 1]
         compliances = C + dC @ u
-        short = [
-            (_peaks(c - aim.ratio * (compliances + s), above=1e-8), soft),
-            (_peaks(compliances - c, above=1e-8), stiff),
-        ]
-        new = [make(places) for places, make in short if places.size]
-        if not new:
+        low = _peaks(c - aim.ratio * (compliances + s), above=1e-8)
+        high = _peaks(compliances - c, above=1e-8)
+        if not (low.size or high.size):
             break
-        A = np.concatenate([A, *(a for a, _ in new)])
-        right = np.concatenate([right, *(b for _, b in new)])
+        conditions = np.concatenate([conditions, soft[low], stiff[high]])
     promised = 0.5 * float(((J @ u + offsets) ** 2).sum()) + _PENALTY * float(solution.x[r + 1 :].sum())
     points = (changes.basis[:-3] @ u).reshape(-1, 2) * length
-    return _Step(points, float(np.abs(u).max()), promised)
+    return points, float(np.abs(u).max()), promised
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
-    return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])
+    return peaks[np.argsort(-values[peaks], kind="stable")[:8]]
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.minimax_lp import minimax_ratio
 
@@ -130,7 +131,7 @@ def sampled_rows(
     from scipy.linalg import solve_banded
 
     n = curvature.size
-    g = (position @ np.array([e[1], -e[0]]))[::-1]
+    g = (position @ -left_of(e))[::-1]
     w, kappa = weights[::-1], curvature[::-1]
     # unknowns K_n, F_n, G_n, K_{n-1}, ...; band[d, j] is the entry of column j, d rows below the diagonal
     band = np.zeros((4, 3 * n))
