@@ -21,7 +21,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import is_smooth_around, left_of
+from elastica_cad.geometry.plane_points import is_smooth_around, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
@@ -218,7 +218,7 @@ class _Problem:
         s = edges[:-1, None] + self.width * local
         samples = curve.at(s.ravel())
         self.data = samples.position.reshape(*s.shape, 2)
-        along = np.column_stack([np.cos(samples.angle), np.sin(samples.angle)]).reshape(*s.shape, 2)
+        along = unit_vectors(samples.angle).reshape(*s.shape, 2)
         self.across = left_of(along)
         basis = bezier_spans(self.knots, DEGREE)
         self.basis = [basis.local_basis(s.ravel(), k)[0].reshape(*s.shape, -1) for k in range(4)]
@@ -244,7 +244,7 @@ class _Problem:
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
         """Fix the end control points. Return the index of each control point among the unknowns, -1 if fixed."""
-        step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
+        step = self.width / DEGREE * unit_vectors(ends.angle)
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
         # on a straight line with constant speed, the first control points are 0, 1 and 3 times `step` from the end
         reach = np.array([0.0, 1.0, 3.0])[:, None]
@@ -289,7 +289,7 @@ class _Problem:
         d' - 2 kappa^2 n . d', with unit tangent t, unit normal n and curvature kappa. The speed is near 1.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
-        speed = np.hypot(d1[..., 0], d1[..., 1])
+        speed = norm(d1)
         t = d1 / speed[..., None]
         n = left_of(t)
         kappa = (d2 * n).sum(axis=2) / speed**2

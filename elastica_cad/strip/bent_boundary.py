@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_points import numbers_in_groups, turns_along
+from elastica_cad.geometry.plane_points import norm, numbers_in_groups, turns_along
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
@@ -380,7 +380,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
     def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
         position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
-        return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
+        return position, velocity / norm(velocity)[:, None]
 
     breaks = [(b.s / scale, b.continuity) for b in curve.breaks]
     return drawn, [(s, c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]

@@ -12,7 +12,13 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
-from elastica_cad.geometry.plane_points import blocks_of_near_pairs, near_pairs, numbers_in_groups
+from elastica_cad.geometry.plane_points import (
+    blocks_of_near_pairs,
+    left_of,
+    near_pairs,
+    norm,
+    numbers_in_groups,
+)
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
@@ -237,7 +243,7 @@ def _widths_across(
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     for i, j in blocks_of_near_pairs(here, there, radius):
         across = points[j] - points[i]
-        width = np.hypot(across[:, 0], across[:, 1])
+        width = norm(across)
         with np.errstate(invalid="ignore", divide="ignore"):
             across = across / width[:, None]
         facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
@@ -295,11 +301,11 @@ class _Chords:
 
     @property
     def length(self) -> FloatArray:
-        return np.hypot(self.vector[:, 0], self.vector[:, 1])
+        return norm(self.vector)
 
     @property
     def inward(self) -> FloatArray:
-        return np.column_stack([-self.vector[:, 1], self.vector[:, 0]]) / self.length[:, None]
+        return left_of(self.vector) / self.length[:, None]
 
     def divided(self, longest: float) -> "_Chords":
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
