@@ -198,7 +198,7 @@ def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature
 def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
     """Return the largest distance between points of two curves at the same parameter, mm."""
     t = np.linspace(*before.domain, 1001)
-    return float(np.hypot(*np.moveaxis(after.evaluate(t) - before.evaluate(t), -1, 0)).max())
+    return float(norm(after.evaluate(t) - before.evaluate(t)).max())
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:

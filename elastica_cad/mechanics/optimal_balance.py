@@ -189,9 +189,8 @@ class WeightedPanels:
         """Raise `NotRealizable` for a moment beyond the range of floating-point numbers."""
         check = self.request.check
         assert self.gravity is not None  # only weight makes moments that large
-        raise NotRealizable(
-            replace(check, realizable=False, reasons=(far_too_heavy(self.gravity, check.length),))
-        )
+        reason = far_too_heavy(self.gravity, check.length)
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:

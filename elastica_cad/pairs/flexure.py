@@ -397,9 +397,8 @@ class Flexure:
     @property
     def stretch(self) -> float:
         """Largest change of length due to the forces in the drawn states, mm."""
-        return float(
-            np.abs((self.scale**2 * self._pull_of(self.pair.states)) @ self.pair.first.node_lengths).max()
-        )
+        strain = self.scale**2 * self._pull_of(self.pair.states)
+        return float(np.abs(strain @ self.pair.first.node_lengths).max())
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:

@@ -227,9 +227,8 @@ class _Drawn:
         half = np.diff(edges)[:, None] / 2
         u = edges[:-1, None] + half * (1 + NODES)
         at = curve.at((u * curve.length).ravel())
-        functions = np.concatenate(
-            [np.ones((at.s.size, 1)), (at.position - at.position.mean(axis=0)) / curve.length], axis=1
-        )
+        middle = at.position.mean(axis=0)
+        functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
         functions = functions.reshape(*u.shape, 3)
         inside = in_panels(LEFT, functions * half[..., None])
         reached = np.cumsum(np.einsum("np,npk->nk", WEIGHTS * half, functions), axis=0)

@@ -356,10 +356,9 @@ class PairedPanels:
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         moments = np.zeros((2, *far.shape, NUMBERS))
         moments[..., -1], moments[1, ..., 0] = 1.0, -1.0
-        for moment, columns, end, a in zip(
-            moments, (slice(1, 3), slice(3, 5)), edges, from_left, strict=True
-        ):
-            moment[..., columns] = end[:-1, None] + a / size
+        moments[0, ..., 1:3], moments[1, ..., 3:5] = (
+            end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)
+        )
         first_moment, second_moment = moments
         stiffness = difference_rows / panels.curvature[..., None]
         return cls(check, panels, (first_moment, second_moment), stiffness, conditions)
