@@ -95,7 +95,7 @@ def numbers(values: object, what: str) -> FloatArray:
 
 def pair(value: object, what: str) -> FloatArray:
     """Return two finite numbers (2,), such as a point. Raise InputError for other values."""
-    point = None if value is None else as_floats(value)
+    point = as_floats(value)
     if point is None or point.shape != (2,) or not np.isfinite(point).all():
         raise InputError(f"{what} cannot be {quoted(value)}: give two finite numbers")
     return point
@@ -103,7 +103,7 @@ def pair(value: object, what: str) -> FloatArray:
 
 def three(values: object, what: str) -> FloatArray:
     """Return three finite numbers (3,). Raise InputError for other values."""
-    row = None if values is None else as_floats(values)
+    row = as_floats(values)
     if row is None or row.shape != (3,) or not np.isfinite(row).all():
         raise InputError("{what} is {given}: give three finite numbers", what=what, given=quoted(values))
     return row

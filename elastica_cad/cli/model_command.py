@@ -208,8 +208,10 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
             f"{model.name}: {count_strips(model)}{joints}; {pieces}{metres:.1f} m of cuts, {mass}",
         )
     )
-    if deviation_row := _row_of_largest_deviation(contents):
-        say_row(deviation_row)
+    if deviations := contents.deviations:
+        farthest = max(deviations, key=lambda name: deviations[name])
+        text = f"{farthest} is farthest from its drawn curve: {Length(deviations[farthest])}"
+        say_row(Row("Curves", text))
     if held:
         worst = max(held, key=lambda name: held[name].expected)
         row = accuracy_row(held[worst])
@@ -224,14 +226,6 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     say_row(Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]))
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
     say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
-
-
-def _row_of_largest_deviation(contents: KitContents) -> Row | None:
-    deviations = contents.deviations
-    if not deviations:
-        return None
-    name = max(deviations, key=lambda name: deviations[name])
-    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(deviations[name])}")
 
 
 def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
@@ -261,10 +255,10 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _unstable_requests(contents: KitContents) -> list[str]:
-    rods = ((part.strip, part.strip.rod) for part in contents.model.parts)
-    unstable = (strip for strip, rod in rods if not (stability(rod).stable or rod.acting))
+    strips = [part.strip for part in contents.model.parts]
+    unstable = [strip.label for strip in strips if not (strip.rod.acting or stability(strip.rod).stable)]
     requested = {entry.label for entry in contents.entries}
-    return [label for label in dict.fromkeys(strip.label for strip in unstable) if label in requested]
+    return [label for label in dict.fromkeys(unstable) if label in requested]
 
 
 def _warnings(contents: KitContents) -> Iterator[Refusal]:

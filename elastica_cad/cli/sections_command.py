@@ -274,7 +274,7 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
         along_x = not np.any(np.cross(axis, (1.0, 0.0, 0.0)))
         zero = chosen["zero"] or ((0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0))
         if family == "--angle":
-            angles = tuple(float(angle) for angle in np.radians(chosen["angles"]))
+            angles = tuple(np.radians(chosen["angles"]).tolist())
             return RadialCuts(angles=angles, point=point, axis=axis, zero=zero)
         return RadialCuts(chosen["radial"], point=point, axis=axis, zero=zero)
     x, y, z = np.eye(3)[int(np.argmax(np.ptp(surface.points, axis=0)))].tolist()
@@ -292,13 +292,14 @@ def _up(chosen: dict[str, Any], along: Any) -> Triple:
 
 
 def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
-    sheet, limits = chosen["sheet"], {"ratio": chosen["ratio"]}
-    limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
-    strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
-    strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}
-    strips |= {"max_width": chosen["max_width"], "limits": limits}
-    strips |= {"gravity": True} if chosen["gravity"] else {}
-    return strips if chosen["stand"] == "none" else strips | {"stand": {"sheet": chosen["stand"]}}
+    sheet = chosen["sheet"]
+    keys = {
+        "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],
+        "max_width": chosen["max_width"], "limits": given_of(chosen, ("ratio", "margin")),
+        "gravity": chosen["gravity"] or None,
+        "stand": None if chosen["stand"] == "none" else {"sheet": chosen["stand"]},
+    }  # fmt: skip
+    return given_of(keys, keys)
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:

@@ -320,7 +320,6 @@ def _report(
     rows = _rows(result)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     tabs = result.spec.tabs_message
-    more = [pre_bend_message(strip), tabs]
     joined = [
         f"It {end} at corner {joint} of the curve, where another strip has an end"
         f"{'.' if cutting.service else ' with the same number.'}"
@@ -328,7 +327,7 @@ def _report(
         if joint
     ]
     rows = (*rows, *_stable_rows(result, requested))
-    ends = [Row("Ends", text) for text in (*more, *joined) if text]
+    ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, *joined) if text]
     other = [row for row in rows if row.text != tabs]
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)

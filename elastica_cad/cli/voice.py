@@ -5,7 +5,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
 from pathlib import Path, PurePath
 from threading import Event, Thread
@@ -99,9 +99,7 @@ class Voice:
 
 def say_error(text: str, details: Iterable[str] = ()) -> None:
     """Print the row of an error and its details to stderr."""
-    _print_row(Row("Error", text, severity="error"), err=True)
-    for detail in details:
-        echo(f"{'':<{LABEL_WIDTH}} {detail}", err=True)
+    _print_row(Row("Error", text, tuple(details), "error"), err=True)
 
 
 NO_STRIP = NotRealizable, StrainError, FaultError, NotConvergedError
@@ -157,15 +155,15 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
     if speaker.quiet or (speaker.as_json and not warns):
         return
     _clear_step()
-    _print_row(row, err=warns)
-    for detail in row.details if speaker.verbose else ():
-        echo(f"{'':<{LABEL_WIDTH}} {detail}", err=warns)
+    _print_row(row if speaker.verbose else replace(row, details=()), err=warns)
 
 
 def _print_row(row: Row, *, err: bool) -> None:
-    label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
-    label = click.style(printable(label), fg="red") if row.stops else printable(label)
-    click.echo(label + printable(text), err=err)
+    line = printed_row(row)
+    label, text = printable(line[:LABEL_WIDTH]), printable(line[LABEL_WIDTH:])
+    click.echo((click.style(label, fg="red") if row.stops else label) + text, err=err)
+    for detail in row.details:
+        echo(f"{'':<{LABEL_WIDTH}} {detail}", err=err)
 
 
 def say_table(columns: Mapping[str, Sequence[str]]) -> None:

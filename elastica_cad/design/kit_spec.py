@@ -223,8 +223,8 @@ class HolderSpec:
         if self.sheet is None:
             return end_fixtures(placed, **self.options), ""
         if self.kind == "stand":
-            called = self.options.get("name")
-            chosen = stand(placed, self.sheet, name=called, shop=shop, ignore_limits=ignore_limits)
+            name = self.options.get("name")
+            chosen = stand(placed, self.sheet, name=name, shop=shop, ignore_limits=ignore_limits)
             return chosen.holders, f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
         feet, spacers = options.pop("feet", None), options.pop("spacers", None)

@@ -137,12 +137,10 @@ def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str
             "{path} cannot be read: {error}; name a readable file", path=path, error=error
         ) from error
     errors = {name: table.pop(name) for name in ERRORS if name in table}
-    strips = {name: values for name, values in table.items() if isinstance(values, dict)}
-    alone = {name: value for name, value in table.items() if name not in strips}
-    readings = {"": alone, **strips} if alone or not strips else strips
-    return {strip: _readings_of(values, path) for strip, values in readings.items()}, _readings_of(
-        errors, path
-    )
+    alone = {name: table.pop(name) for name in [*table] if not isinstance(table[name], dict)}
+    readings = {"": alone, **table} if alone or not table else table
+    strips_read = {strip: _readings_of(values, path) for strip, values in readings.items()}
+    return strips_read, _readings_of(errors, path)
 
 
 def _readings_of(values: Mapping[str, Any], path: FilePath) -> dict[str, float]:
@@ -187,7 +185,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     chord = Path([Line(points[0], points[-1])])
     drawn = Path([Line(a, b) for a, b in pairwise(points)])
     crosses = [Path([Line(at - reach, at + reach)]) for at in marks for reach in np.diag([2.0, 2.0])]
-    paths = [LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, path) for path in (chord, *crosses))]
+    paths = (LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, path) for path in (chord, *crosses)))
     texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
     places = ", ".join(f"{place:.1f}" for place in measuring.marks)
     rows = [
@@ -216,4 +214,4 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
             for x, text in zip((0.0, TEXT_MM), row, strict=True)
             if text
         ]
-    return Drawing(f"{name}-measure", tuple(paths), tuple(texts))
+    return Drawing(f"{name}-measure", paths, tuple(texts))

@@ -128,11 +128,11 @@ def report_model(
 
 
 def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
-    curve = strip.rod.curve
-    departure: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, curve))}
-    if entry.section:
-        departure |= {"section": entry.section, "curve_off_section": round_numbers(entry.off_section)}
-    return departure
+    deviation = round_numbers(largest_deviation(entry.curve, strip.rod.curve))
+    if not entry.section:
+        return {"deviation": deviation}
+    off_section = round_numbers(entry.off_section)
+    return {"deviation": deviation, "section": entry.section, "curve_off_section": off_section}
 
 
 def _strip(strip: Strip) -> dict[str, Any]:

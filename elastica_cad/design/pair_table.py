@@ -23,10 +23,8 @@ def read_pair(
     path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
 ) -> FlexureSpec:
     """Read the request for a two-state part from the table [pair]. `changes` has new values for keys."""
-    path = require_file(path)
-    table = parse_design(path)
-    changed = merged(table, {"pair": changes}) if changes else table
-    return pair_of(changed, path, read_curves)
+    table = parse_design(require_file(path))
+    return pair_of(merged(table, {"pair": changes}) if changes else table, path, read_curves)
 
 
 def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:

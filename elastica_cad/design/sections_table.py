@@ -129,18 +129,17 @@ def compose_section_design(
     radial = { point = [0.0, 0.0, 0.0], axis = [0.0, 0.0, 1.0], zero = [1.0, 0.0, 0.0], count = 8 }
     <BLANKLINE>
     """
-    head = {"schema": 1, "name": name, **strips}
-    sections_of = {**mesh, **_section_keys(sections)}
-    return toml_text({**head, "strips": [{"label": "S{i}", "sections": sections_of}]})
+    rows = [{"label": "S{i}", "sections": {**mesh, **_section_keys(sections)}}]
+    return toml_text({"schema": 1, "name": name, **strips, "strips": rows})
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
     """Return the keys of the table `sections`. Default values are omitted, except tolerance and planes."""
-    keys: dict[str, Any] = {"tolerance": spec.tolerance}
-    keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
-    keys |= {} if spec.half is None else {"half": spec.half}
-    keys |= {"longest": True} if spec.longest else {}
-    keys |= {"split": [_split_keys(split) for split in spec.splits]} if spec.splits else {}
+    given = {
+        "tolerance": spec.tolerance, "wavelength": spec.wavelength or None, "half": spec.half,
+        "longest": spec.longest or None, "split": [_split_keys(split) for split in spec.splits] or None,
+    }  # fmt: skip
+    keys = {key: value for key, value in given.items() if value is not None}
     match spec.cuts:
         case RadialCuts() as cuts:
             where: dict[str, Any] = {"point": cuts.point, "axis": cuts.axis, "zero": cuts.zero}

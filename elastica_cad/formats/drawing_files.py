@@ -52,7 +52,6 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     # omit a closing line, which the SVG command Z draws
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
-
     left, top = origin.tolist()
 
     def place(point: list[float]) -> str:

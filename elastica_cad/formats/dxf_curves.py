@@ -385,8 +385,7 @@ def _run(entity: Any) -> Run | None:
         places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
         if entity.is_3d_polyline:
             return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
-        height = entity.dxf.elevation.z
-        rows = [(p.x, p.y, height, bulge) for p, bulge in places]
+        rows = [(p.x, p.y, entity.dxf.elevation.z, bulge) for p, bulge in places]
         return _polyline(rows, closed=entity.is_closed, to_world=entity.ocs().to_wcs)
     return None
 
@@ -465,11 +464,11 @@ def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
     """Return the cubic spline through points (n, 3), with the end tangents of the entity or zero end
     curvature.
     """
-    ends: list[list[tuple[int, Any]]] = []
+    ends = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
         length = float(np.linalg.norm(along))
-        ends.append([(1, along / length)] if length > 0 else [(2, np.zeros(3))])
+        ends.append([(1, along / length) if length > 0 else (2, np.zeros(3))])
     return _cubic_spline(points, ends)
 
 
@@ -503,8 +502,7 @@ def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to
         if not np.any(p != q):
             continue
         edge = _arc_of_bulge(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
-        world = np.array([tuple(to_world(v)) for v in edge.points])
-        edges.append(Edge(edge.knots, world, edge.degree, edge.weights))
+        edges.append(replace(edge, points=np.array([tuple(to_world(v)) for v in edge.points])))
     return tuple(edges)
 
 
@@ -516,8 +514,7 @@ def _arc_of_bulge(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
     # the centre of a flat arc is too far away to be computed accurately
     if abs(sweep) <= np.pi / 2:
         middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
-        knots = np.repeat([0.0, 1.0], 3)
-        return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))
+        return replace(Edge.bezier([p, middle, q]), weights=np.array([1.0, np.cos(sweep / 2), 1.0]))
     center = (p + q) / 2 + left * (1 - bulge**2) / (4 * bulge)
     arm = p - center
     return Edge.arc(center, arm, np.array([-arm[1], arm[0], 0.0]), 0.0, sweep)

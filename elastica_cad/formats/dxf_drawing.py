@@ -179,8 +179,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
-    tags += [(0, "SECTION"), (2, "HEADER")]
-    tags += [(9, "$ACADVER"), (1, "AC1009")]
+    tags += [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
     for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
         tags += [(9, name), *_at(10, corner)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, len(styles))]

@@ -1,7 +1,7 @@
 """Edges of a drawing as stored in its file: NURBS of any degree from 1, in the plane or in space."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -184,13 +184,11 @@ class Edge:
 
     def reversed(self) -> "Edge":
         """Return the reversed edge."""
-        weights = None if self.weights is None else self.weights[::-1]
-        return Edge(
-            self.knots[0] + self.knots[-1] - self.knots[::-1],
-            self.points[::-1],
-            self.degree,
-            weights,
-            self.source,
+        return replace(
+            self,
+            knots=self.knots[0] + self.knots[-1] - self.knots[::-1],
+            points=self.points[::-1],
+            weights=None if self.weights is None else self.weights[::-1],
         )
 
     def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":

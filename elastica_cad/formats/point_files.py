@@ -539,8 +539,8 @@ def read_path_points(file: Path) -> FloatArray:
     with name_source(file):
         table = PointTable.read(file, unit=None)
         scale = look_up_unit(table.unit or "mm")
-        rows = [row for column in table.columns for row in column.rows if row[1]]
-        return np.array([_read_row(cells, n, 3, 3, scale) for n, cells in rows]).reshape(-1, 3)
+        rows = (row for column in table.columns for row in column.rows)
+        return np.array([_read_row(cells, n, 3, 3, scale) for n, cells in rows if cells]).reshape(-1, 3)
 
 
 def _raise(problem: InputError) -> PlaneCurve:
@@ -567,10 +567,10 @@ def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> 
             "the file has no numbers: write the degree and the number of control points in the first line"
         )
     number, head = rows[0]
-    if not re.fullmatch(r"[1-9]\d{0,8} \d{1,9}", " ".join(head)):  # measured points, or a heading
-        return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
-    degree, count = map(int, head)
-    if degree > MOST_DEGREE and len(rows) - 1 != count:
+    has_head = re.fullmatch(r"[1-9]\d{0,8} \d{1,9}", " ".join(head)) is not None
+    degree, count = map(int, head) if has_head else (0, 0)
+    # measured points, or a heading
+    if not has_head or (degree > MOST_DEGREE and len(rows) - 1 != count):
         return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
     check_degree(degree)
     check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
@@ -585,8 +585,7 @@ def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> 
     points = np.array([_read_row(row, n, 2, 2, scale) for n, row in rows[1:]]).reshape(-1, 2)
     check_size(points)
     digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
-    knots = np.arange(-degree, count + 1, dtype=float)
-    curve = PlaneCurve(knots, points, degree, provenance=digits)
+    curve = PlaneCurve(np.arange(-degree, count + 1, dtype=float), points, degree, provenance=digits)
     known = ReadUnit.requested(unit) if unit else ReadUnit("mm")
     return DrawnFile(file, [DrawnCurve(1, lambda: curve, kinds={"spline": 1})], unit=known)
 
@@ -598,8 +597,7 @@ def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
             if blocks[-1]:
                 blocks.append([])
             continue
-        values = _read_row(cells, n, 2, 3, scale)
-        blocks[-1].append(np.array([*values, 0.0][:3]))
+        blocks[-1].append(np.array([*_read_row(cells, n, 2, 3, scale), 0.0][:3]))
     filled = [np.array(block) for block in blocks if block]
     if not filled:
         raise InputError("the file has no points: write one 'x, y' per row")

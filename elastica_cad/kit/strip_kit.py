@@ -99,15 +99,16 @@ class StripResult:
             if number == 0:
                 files.append(File(f"{name}.json", lambda path: write_json(path, report), "json"))
         if not strip.is_closed:
-            files += self._drawn("holding", holding_template, request, pdf=bool(request.paper) or looked_at)
+            template = holding_template(strip)
+            files += self._drawn("holding", template, request, pdf=bool(request.paper) or looked_at)
         if strip.layout.size is not None:
             from elastica_cad.model.batten import bench_csv, bench_drawing
 
             files.append(text_file(f"{name}-bench.csv", bench_csv(strip), "bench csv"))
-            files += self._drawn("side", bench_drawing, request, pdf=pictures or looked_at)
+            files += self._drawn("side", bench_drawing(strip), request, pdf=pictures or looked_at)
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
-            "pdf": (request.paper, partial(self._write_drawing, self._template, "pdf", request)),
+            "pdf": (request.paper, partial(self._write_template, request)),
             "step": (request.step and not step_trouble(), self._write_step),
             "stl": (request.stl, self._write_stl),
             "glb": (request.glb, self._write_glb),
@@ -127,15 +128,13 @@ class StripResult:
         report |= {"joints": self.joints} if any(self.joints) else {}
         return Kit(tuple(files), report)
 
-    def _drawn(
-        self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
-    ) -> list[File]:
+    def _drawn(self, name: str, drawing: Drawing, request: StripFiles, *, pdf: bool) -> list[File]:
         cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
             File(
                 cutting.file_name(f"{self.name}-{name}", kind),
-                partial(self._write_drawing, draw, kind, request),
+                partial(_write_drawing, drawing, kind, request),
                 f"{name} {kind}",
             )
             for kind in kinds
@@ -157,20 +156,10 @@ class StripResult:
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
         """Drawing of each layer, with the file name as its name."""
-        named = zip(self.drawings, self.strip.layers, strict=True)
-        return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
-
-    def _write_drawing(
-        self, draw: Callable[[Strip], Drawing], kind: str, request: StripFiles, path: Path
-    ) -> None:
-        drawing = replace(draw(self.strip), name=path.stem)
-        if kind == "pdf":
-            from elastica_cad.plot.template_pages import save_template
-
-            save_template(drawing, path, paper=request.paper or "A4")
-        else:
-            version = {"version": request.cutting.version} if kind == "dxf" else {}
-            save(drawing, path, **version)
+        return tuple(
+            replace(drawing, name=layer.called(self.name))
+            for drawing, layer in zip(self.drawings, self.strip.layers, strict=True)
+        )
 
     def _picture(self) -> Callable[[Path], object]:
         """Return a function that draws the picture. Unpickling the function imports no kits and designs."""
@@ -180,13 +169,12 @@ class StripResult:
         target = None if self.near is None else self.near.target
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
-    def _template(self, strip: Strip) -> Drawing:
-        """Return the drawing to print on paper: the pattern of the base or, for a stack of plies, the side view."""
-        if not strip.layout.stack:
-            return self.patterns[0]
+    def _write_template(self, request: StripFiles, path: Path) -> None:
+        """Write the pattern of the base or, for a stack of plies, the side view as pages to print."""
         from elastica_cad.model.batten import bench_drawing
 
-        return bench_drawing(strip)
+        drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
+        _write_drawing(drawing, "pdf", request, path)
 
     def _write_stl(self, path: Path) -> None:
         from elastica_cad.strip.solids import BentSolid
@@ -207,3 +195,14 @@ class StripResult:
         frame = self.spec.frame or UPRIGHT
         placed = Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
         write_glb(model_shapes(Model((placed,), self.name)), path, name=self.name)
+
+
+def _write_drawing(drawing: Drawing, kind: str, request: StripFiles, path: Path) -> None:
+    drawing = replace(drawing, name=path.stem)
+    if kind == "pdf":
+        from elastica_cad.plot.template_pages import save_template
+
+        save_template(drawing, path, paper=request.paper or "A4")
+    else:
+        version = {"version": request.cutting.version} if kind == "dxf" else {}
+        save(drawing, path, **version)

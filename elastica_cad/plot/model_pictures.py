@@ -238,10 +238,10 @@ def model(
     plates = (holder for holder in single_holders(held_by) if isinstance(holder, BasePlate))
     faces = [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
-    rim = MODEL_RIM * float(np.ptp(bent, axis=0).max())
-    strips = [rule_strip(placed, rim, faces) for placed in model.placed]
-    size = HOLDER_PATCH * float(np.ptp(bent, axis=0).max())
-    painted = [*strips, *((part, lit(part) * color) for part, color in holder_patches(held_by, size))]
+    size = float(np.ptp(bent, axis=0).max())
+    strips = [rule_strip(placed, MODEL_RIM * size, faces) for placed in model.placed]
+    holding = holder_patches(held_by, HOLDER_PATCH * size)
+    painted = [*strips, *((part, lit(part) * color) for part, color in holding)]
     patches, colors = (np.concatenate(part) for part in zip(*painted, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)

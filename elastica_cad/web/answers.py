@@ -59,6 +59,7 @@ from elastica_cad.web.saved_design import (
     drawable,
     file_mark,
     open_design,
+    without_models,
 )
 from elastica_cad.words import Language
 
@@ -170,8 +171,8 @@ def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
     raise InputError("The page cannot open a file by its name. Drop {name} on the drawing.", name=path.name)
 
 
-def _design(request: Mapping[str, Any]) -> Design:
-    return design_of(request["design"], FilePath("design"), _no_file)
+def _design(tables: Mapping[str, Any]) -> Design:
+    return design_of(tables, FilePath("design"), _no_file)
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
@@ -179,9 +180,8 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("The design has no strip. Add a strip.")
-    alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
     try:
-        return design_of(alone, FilePath("design"), _no_file).entries[0].spec
+        return _design(without_models(design) | {"strips": [strips[k]]}).entries[0].spec
     except InputError as problem:
         # remove the name of the strip, which the page shows itself
         while {"place", "why"} == set(problem.refusal.values):
@@ -201,9 +201,9 @@ def _strip(request: Mapping[str, Any]) -> Record:
         return _bare_curve(request) | refused(problem)
     if "hold" in request:
         possible = _solve_if_possible(spec, request["hold"])
-        return (
-            _strip_of_drag(request) if possible is None else _strip_record(spec, scaled, *possible, live=True)
-        )
+        if possible is None:
+            return _strip_of_drag(request)
+        return _strip_record(spec, scaled, *possible, live=True)
     try:
         rod = solve_rod(spec.rod_spec)
         strip = spec.make(rod)
@@ -447,6 +447,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
         spec = _spec(request)
     except ElasticaError as problem:
         return {"cures": list(_removals(request, problem.refusal.changes))}
+    changes = []
     try:
         spec.make()
     except ElasticaError as problem:
@@ -458,8 +459,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
             }
             for suggestion in suggest(spec, problem, sheet_size=_sheet_size_of_model(request["design"]))
         ]
-        return {"cures": changes}
-    return {"cures": []}
+    return {"cures": changes}
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
@@ -485,8 +485,7 @@ def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
     if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
         return None
-    strips_and_nest = {key: value for key, value in design.items() if key not in OF_MODELS}
-    return design_of(strips_and_nest, FilePath("design"), _no_file).kit.nesting.sheet_size
+    return _design(without_models(design)).kit.nesting.sheet_size
 
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
@@ -541,8 +540,7 @@ def _sheet_rows(request: Mapping[str, Any]) -> Record:
 
 
 def _bending_frames(request: Mapping[str, Any]) -> Record:
-    spec = _spec(request)
-    strip = spec.make()
+    strip = _spec(request).make()
     if strip.rod.acting:
         raise InputError(
             "The slider cannot bend a strip with rails, pins, ties or point forces. Remove these elements "
@@ -558,22 +556,20 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def bend_keywords(part: float, there: FloatArray, turn: float) -> Record:
-        new_angles = (angles + turn * part * (level - angles)).tolist()
-        new_angles = [
-            angle if clamped else None for angle, clamped in zip(new_angles, clamped_ends, strict=True)
-        ]
+        turned = (angles + turn * part * (level - angles)).tolist()
+        new_angles = (angle if clamped else None for angle, clamped in zip(turned, clamped_ends, strict=True))
         return {"end": end + part * (there - end), "angles": tuple(new_angles)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [bend_keywords(part, flat, 1.0) for part in parts])
-    frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
+    frames = [_frame(strip, pulled, k, 1 - part) for k, part in enumerate(parts)][::-1]
     # if the strip cannot be pressed further, show only the shapes up to the design
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(
             strip, [bend_keywords(part, end - PRESSED_FRACTION * chord, 0.0) for part in more]
         )
-        frames += [_frame(strip, pressed, k, 1 + PRESSED_FRACTION * more[k]) for k in range(len(more))]
+        frames += [_frame(strip, pressed, k, 1 + PRESSED_FRACTION * part) for k, part in enumerate(more)]
     return {"frames": frames}
 
 
@@ -593,7 +589,7 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
 
 
 def _model(request: Mapping[str, Any]) -> Record:
-    design = _design(request)
+    design = _design(request["design"])
     model = design.model()
     try:
         kit = kit_contents(model, design.kit, entries=design.entries, effects=True)
@@ -646,11 +642,10 @@ def _placed_strips(placed: Iterable[Placed]) -> Record:
     shapes: list[Record] = []
     places = []
     for member in placed:
-        key = id(member.strip.rod)
-        if key not in strips:
-            strips[key] = len(shapes)
+        number = strips.setdefault(id(member.strip.rod), len(shapes))
+        if number == len(shapes):
             shapes.append(_stations(member.strip))
-        places.append([strips[key], _matrix(member.frame)])
+        places.append([number, _matrix(member.frame)])
     return {"shapes": shapes, "places": places, "plates": []}
 
 
@@ -862,7 +857,7 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
                 "A part with two states has no file {file} on this page. Choose another file.", file=kind
             )
         return Download(path.name, path.read_bytes())
-    design = _design(request)
+    design = _design(request["design"])
     if kind == "kit":
         language = design.kit.language or CATALOGUES.get(request.get("language", "en"), "en")
         kit_spec = replace(design.kit, language=language)

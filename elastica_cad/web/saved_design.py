@@ -46,6 +46,11 @@ def start_designs() -> dict[str, Tables]:
     return {name: parse_design(folder / f"{name}.toml") for name in STARTS}
 
 
+def without_models(tables: Mapping[str, Any]) -> Tables:
+    """Return the tables of a design without those that only models need."""
+    return {key: value for key, value in tables.items() if key not in OF_MODELS}
+
+
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     """Convert the curves in the tables of a design to splines.
 
@@ -66,8 +71,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
             )
         if "count" in strip or _has_movable_points(strip["curve"]):
             continue
-        alone = {key: value for key, value in tables.items() if key not in OF_MODELS}
-        (entry,) = design_of(alone | {"strips": [strip]}, path, read_curves).entries
+        (entry,) = design_of(without_models(tables) | {"strips": [strip]}, path, read_curves).entries
         tables["strips"][k] = strip | {"curve": curve_table(entry.curve)}
     return tables
 
