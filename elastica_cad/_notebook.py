@@ -37,9 +37,8 @@ def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> s
     size = span * scale + 2 * EDGE_PX
     paths = []
     for points, color, closed in polylines:
-        x = (points[:, 0] - low[0]) * scale + EDGE_PX
-        y = (high[1] - points[:, 1]) * scale + EDGE_PX
-        run = " ".join(f"{a:.{FIGURES}g},{b:.{FIGURES}g}" for a, b in zip(x, y, strict=True))
+        pixels = (points - (low[0], high[1])) * (scale, -scale) + EDGE_PX
+        run = " ".join(f"{x:.{FIGURES}g},{y:.{FIGURES}g}" for x, y in pixels)
         paths.append(
             f'<path d="M{run}{" Z" if closed else ""}" fill="none" stroke="{color}" stroke-width="{LINE_PX}"/>'
         )

@@ -176,8 +176,7 @@ CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "prin
 
 def _print_files(written: tuple[Path, ...]) -> None:
     wrote(written, {path.name: CONTENTS[path.suffix] for path in written if path.suffix in CONTENTS})
-    for missing in left_out(pictures=False, paper=True):
-        say(missing)
+    say(*left_out(pictures=False, paper=True))
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:

@@ -312,8 +312,7 @@ def _gravity(chosen: dict[str, Any]) -> Gravity | None:
 
 
 def _solve(spec: RodSpec) -> Rod | NearestRod:
-    for text in spec.smoothing.notes:
-        say(text)
+    say(*spec.smoothing.notes)
     result = solve_rod(spec)
     if isinstance(result, NearestRod):
         say(f"the strip is {number_text(result.deviation, '.2g')} mm off the drawn curve at most")

@@ -216,8 +216,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
             f"The largest strain, {100 * sheet.max_strain:.2g} %, is a guess. Measure how tightly the sheet bends, "
             "and add --least-radius MM.",
         )
-    say("")
-    say(measured_sheet.toml())
+    say("", measured_sheet.toml())
     wrote([written])
     known_as = name if output in library_folders() else written
     say_row(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))

@@ -134,8 +134,7 @@ def model(
     )
     _report(contents, kit, output)
     blocks, paper = contents.names_of_blocks, bool(requested.kit.pages)
-    for text in left_out(step=step, pictures=pictures, paper=paper, blocks=blocks):
-        say(text)
+    say(*left_out(step=step, pictures=pictures, paper=paper, blocks=blocks))
     if blocks and not step:
         say(f"not written: STL of {Listed(blocks)}; to get it: leave out --no-step")
 

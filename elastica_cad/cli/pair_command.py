@@ -115,8 +115,7 @@ def pair(**chosen: Any) -> None:
         written,
         {f"{name}.dxf": cut_as, f"{name}-holder.dxf": f"holder, {cut_as}", f"{name}-holder.stl": held},
     )
-    for missing in left_out(blocks=(name, f"{name}-holder")):
-        say(missing)
+    say(*left_out(blocks=(name, f"{name}-holder")))
 
 
 def _made(spec: FlexureSpec, option: str) -> Flexure:

@@ -91,9 +91,7 @@ def sheets(name: str | None) -> None:
         "length, held level at one end, sags by about 1/8 of it",
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")
-    for label, text in rows.items():
-        say(f"  {label:22} {text}")
-    for label, text in _sources(sheet.source):
+    for label, text in (*rows.items(), *_sources(sheet.source)):
         say(f"  {label:22} {text}".rstrip())
 
 

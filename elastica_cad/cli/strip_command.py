@@ -183,8 +183,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if solved[1:] and "origin" not in table:
             text = "The saved design has all strips in one plane, as drawn. Set `origin` of each strip to move it."
             say_row(Row("Note", text))
-    for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
-        say(missing)
+    if reports:
+        say(*left_out(step=files.step, pictures=files.pictures))
     if wrong:
         if len(curves) > 1:
             less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""

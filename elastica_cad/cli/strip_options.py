@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from elastica_cad.cli.element_options import ELEMENTS, LOADS, cut_options, element_options, element_table
-from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
+from elastica_cad.cli.options import (
+    IDLE_DOWN,
+    POINT,
+    given_of,
+    join_options,
+    option_name,
+    option_of,
+    output_options,
+)
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
     Blank,
@@ -220,9 +228,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError(IDLE_DOWN)
     if chosen["start"] or chosen["end"]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
-    if chosen["natural_curvature"] is not None:
-        table["natural_curvature"] = chosen["natural_curvature"]
-    table |= element_table(chosen)
+    table |= given_of(chosen, ["natural_curvature"]) | element_table(chosen)
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if chosen["point_mass"]:
         table.setdefault("gravity", gravity)

@@ -123,11 +123,11 @@ def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
     click.echo(printable(text), nl=nl, err=err)
 
 
-def say(text: str = "") -> None:
-    """Print a line of the answer, unless output is JSON or quiet."""
-    if not (voice().as_json or voice().quiet):
+def say(*lines: str) -> None:
+    """Print lines of the answer, unless output is JSON or quiet."""
+    for line in () if voice().as_json or voice().quiet else lines:
         _clear_step()
-        echo(text)
+        echo(line)
 
 
 def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:

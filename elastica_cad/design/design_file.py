@@ -228,8 +228,9 @@ def design_of(
         with slips.gathering():
             patterns.append(_pattern(table, reader))
     interlocked, kit = None, KitSpec()
-    with slips.gathering():
-        interlocked = reader.given(interlock, top.table("interlock")) if top.has("interlock") else None
+    if top.has("interlock"):
+        with slips.gathering():
+            interlocked = reader.given(interlock, top.table("interlock"))
     with slips.gathering():
         kit = read_kit(top, reader)
     slips.refuse()

@@ -205,30 +205,22 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
     """Read the request for holders, nesting, cutting files and coupons from a design."""
     known = {entry.name: entry for entry in fields_of(DesignKeys)}
 
-    def options_of(key: str) -> dict[str, Any]:
-        return {key: reader.value(known[key].kind, top, key)} if top.has(key) else {}
-
-    nesting = options_of("nest").get("nest", Nesting())
-    extras = options_of("extras").get("extras", Extras())
+    keys = ("nest", "cut", "extras", "shop", "ignore_limits", "language")
+    given = {key: reader.value(known[key].kind, top, key) for key in keys if top.has(key)}
+    nesting = given.pop("nest", Nesting())
     return KitSpec(
         nesting=nesting,
-        cutting=options_of("cut").get("cut", Cutting()),
+        cutting=given.pop("cut", Cutting()),
         holders=tuple(_read_holders(top, reader, nesting)),
-        coupon=extras.coupon,
-        reference_bar=extras.reference_bar,
-        pages=extras.pages,
-        **options_of("shop"),
-        **options_of("ignore_limits"),
-        **options_of("language"),
+        **vars(given.pop("extras", Extras())),
+        **given,
     )
 
 
 def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[HolderSpec]:
     for kind in HOLDERS:
-        if isinstance(top.raw(kind), list):
-            tables = top.tables(kind)
-        else:
-            tables = [top.table(kind)] if top.has(kind) else []
+        listed = isinstance(top.raw(kind), list)
+        tables = top.tables(kind) if listed else [top.table(kind)] if top.has(kind) else []
         for number, table in enumerate(tables, start=1):
             yield _read_holder(kind, table, number if len(tables) > 1 else 0, reader, nesting)
 

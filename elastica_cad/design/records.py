@@ -259,7 +259,7 @@ class Reader:
         if inner.name == "list" and inner.of[0].name == "number":
             return tuple(table.points(key, inner.size or 1, kind.size))
         if inner.name == "table" and not isinstance(rows, list):
-            table.tables(key)
+            table.tables(key)  # raises the error for a list of tables
         if not isinstance(rows, list) or kind.size not in (None, len(rows)):
             raise InputError(
                 "{place} is {given}, which is not a list. Write a list."
@@ -535,9 +535,9 @@ def meant_paths(typed: str, known: Mapping[str, Field]) -> list[str]:
     >>> [meant_paths(typed, paths_of(DesignKeys)) for typed in ("kerf", "limits.ration", "boarder")]
     [['cut.kerf'], ['limits.ratio'], ['revolution.border', 'base.border', 'rings.border', 'frame.border']]
     """
-    word = OTHER_WORDS.get(typed)
+    word = OTHER_WORDS.get(typed, "")
     if word or typed in known:
-        return [path for path in (word, typed) if path is not None and path in known][:1]
+        return [path for path in (word, typed) if path in known][:1]
     last = typed.rpartition(".")[2]
     names = dict.fromkeys(path.rpartition(".")[2] for path in known)
     near = [last] if last in names else near_names(last, names, cutoff=NEAR_KEY)

@@ -6,14 +6,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from math import radians
+from math import prod, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._units import MM_PER_INCH, look_up_unit
+from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, missing_library, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
@@ -97,9 +97,7 @@ def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) 
             block = document.blocks.get(name)
             known[name] = 0 if block is None else _count(document, block, known, depth + 1)
         try:
-            times = max(1, int(entity.dxf.get("row_count", 1))) * max(
-                1, int(entity.dxf.get("column_count", 1))
-            )
+            times = prod(max(1, int(entity.dxf.get(name, 1))) for name in ("row_count", "column_count"))
         except (*ODDITIES, DXFError):
             times = 1
         total = min(total + times * max(1, known[name]), _MOST_COUNTED)
@@ -266,22 +264,20 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
             return _INSUNITS[code], ReadUnit(name, "stated", "$INSUNITS")
         if _OWN_UNIT in opened.read(200):
             return 1.0, ReadUnit("mm", "stated", "a comment")
+    unit, other, reason = "mm", "in", note("the file has no unit ($INSUNITS)")
     if document.header.get("$MEASUREMENT") == 0:
         with np.errstate(over="ignore", invalid="ignore"), suppress(InputError):
             points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
+                unit, other = "in", "mm"
                 reason = note(
                     "the file has no unit, $MEASUREMENT = 0 means inches, and a size of {size:.3g} inches is "
                     "likely",
                     size=size,
                 )
-                assumed = note(_ASSUMED, field=UNIT, unit="in", reason=reason, other="mm")
-                return MM_PER_INCH, ReadUnit("in", note=assumed)
-    assumed = note(
-        _ASSUMED, field=UNIT, unit="mm", reason=note("the file has no unit ($INSUNITS)"), other="in"
-    )
-    return 1.0, ReadUnit("mm", note=assumed)
+    assumed = note(_ASSUMED, field=UNIT, unit=unit, reason=reason, other=other)
+    return look_up_unit(unit), ReadUnit(unit, note=assumed)
 
 
 def _unit_code(document: "Drawing") -> int:

@@ -282,10 +282,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     margin = MARGIN_FRACTION * length
     show_box(axes, (left - margin, bottom - 5.0 * unit), (right + margin, top + 5.2 * unit))
     axes.set_aspect("equal")
-    axes.set_xticks([])
-    axes.set_yticks([])
-    for side in axes.spines.values():
-        side.set_visible(False)
+    axes.set_axis_off()
     called = "widths" if called == "width" else called
     then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
     places = "; above, places of the cord and pin cuts from the left end" if cuts else ""
