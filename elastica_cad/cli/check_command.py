@@ -267,13 +267,11 @@ class _Check:
         from elastica_cad.strip.suggestions import try_change
 
         least = report["sheets"][0]
-        smoothed = self.spec.smoothing.fairing is not None
         if (
             least["scale"] <= 1
             or not_tried(self.requested.curve)
             or report["unit_question"]
-            or smoothed
-            or self.smooth
+            or self.smooth is not None
             or self.natural_curvature
             or self.between
         ):

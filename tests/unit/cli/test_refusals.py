@@ -604,7 +604,7 @@ def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp
     )
     checked = run("check u.svg", cwd=tmp_path).stdout
     command = re.search(r"Change +Enlarge the curve for petg-0.5: `\S*elastica (strip .*?)`", checked)[1]
-    assert " --set length=508.7" in command
+    assert " --set length=420.3" in command
     made = run(f"{command} --no-pictures", cwd=tmp_path)
     assert "Strain      1.54 %" in made.stdout
     assert "! Strain" not in made.output
