@@ -349,7 +349,7 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
     return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
 
 
-def curvature_bend(d1: FloatArray, d2: FloatArray, d3: FloatArray, d4: FloatArray) -> FloatArray:
+def _curvature_bend(d1: FloatArray, d2: FloatArray, d3: FloatArray, d4: FloatArray) -> FloatArray:
     """Return the second derivative of the curvature by arc length (n,), from derivatives (n, 2)."""
     speed2 = dot(d1, d1)
     growth = dot(d1, d2) / speed2
@@ -401,7 +401,7 @@ def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *
         turning.at(t, d1, left=left),
         curvature(d1, d2),
         curvature_slope(d1, d2, d3),
-        curvature_bend(d1, d2, d3, d4),
+        _curvature_bend(d1, d2, d3, d4),
     ])  # fmt: skip
 
 

@@ -539,7 +539,9 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
         "model", design, "-o", tmp_path / "kit", "--no-effects", "--no-pictures", "--no-step", "--no-parts"
     )
     (note,) = (line for line in told.stderr.splitlines() if "curvature jumped" in line)
-    assert note.startswith("! Note      R1: The curvature jumped or had a kink where pieces of the curve meet.")
+    assert note.startswith(
+        "! Note      R1: The curvature jumped or had a kink where pieces of the curve meet."
+    )
     assert note.endswith("(and 11 more like this)")
 
 

@@ -137,7 +137,7 @@ def test_a_closed_fit_is_smooth_all_round_and_as_near_as_told(degree):
     points[-1] = points[0]
     curve = PlaneCurve.fit(points + 0.0, degree, tolerance=0.01)
     assert curve.is_closed
-    assert curve.seam.continuity == min(degree - 1, 3)
+    assert curve.seam.continuity == degree - 1
     assert farthest(points, curve) <= 0.01
 
 

@@ -154,9 +154,10 @@ def test_a_spline_through_very_many_points_is_smoothed_as_its_note_says(drawing,
     points = np.round(radius * np.column_stack([np.cos(angles), np.sin(angles)]), decimals)
     (curve,) = drawing(lambda space: space.add_spline(fit_points=points.tolist()))
     assert optimal_rod(curve).ratio > 30
-    (told,) = smooth_curve(curve).notes
-    assert "set smooth to about 0.04 mm" in told
-    assert optimal_rod(smooth_curve(curve, 0.04).curve).ratio < 1.1
+    smoothing = smooth_curve(curve)
+    (told,) = smoothing.notes
+    assert "so the curve was smoothed" in told
+    assert optimal_rod(smoothing.curve).ratio < 1.1
 
 
 def test_a_smooth_dense_spline_has_no_noise(drawing):
