@@ -12,7 +12,8 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_points import norm, numbers_in_groups, turns_along
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of, norm, numbers_in_groups, turns_along
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
@@ -188,8 +189,6 @@ SAFETY_FACTOR = 1.1
 FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
-Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
-
 
 @dataclass(frozen=True, eq=False)
 class BentMap:
@@ -216,10 +215,8 @@ class BentMap:
     def frame_at(self, x: float) -> Frame:
         """Return the tangent plane at arc length x, as a frame whose x coordinate is the arc length."""
         row = self._spline(np.array(x))
-        normal = row[2:] / np.hypot(*row[2:])
-        origin = self.frame.point(row[:2])
-        tangent = self.frame.direction([normal[1], -normal[0]])
-        return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
+        tangent = self.frame.direction(-left_of(row[2:]))
+        return Frame(self.frame.point(row[:2]), tangent, self.frame.z_axis).shifted(x=-x)
 
     def points(self, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
         """Return points in space (k, levels, 3) for points (k, 2) of the flat strip.
@@ -228,8 +225,7 @@ class BentMap:
         """
         rows = self._spline(flat[:, 0])
         local = np.empty((len(flat), len(heights), 3))
-        for level, up in enumerate(heights):
-            local[:, level, :2] = rows[:, :2] - up * rows[:, 2:]
+        local[:, :, :2] = rows[:, None, :2] - np.reshape(heights, (-1, 1)) * rows[:, None, 2:]
         local[:, :, 2] = flat[:, 1:]
         return self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
 
@@ -338,17 +334,19 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     NotConvergedError
         The curve could not be approximated to 1e-6 mm.
     """
-    shape, breaks = _shape_of(rod)
+    curve, scale = rod.curve, rod.curve.length / rod.length
+    every = [(place.s / scale, place.continuity) for place in curve.breaks]
+    breaks = [(s, c) for s, c in every if 0 < s < rod.length and c < DEGREE - 1]
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
     tolerance = np.array([POSITION_TOLERANCE] * 2 + [SURFACE_TOLERANCE / reach] * 2)
 
     def values(s: FloatArray) -> FloatArray:
-        position, tangent = shape(s)
-        return np.column_stack([position, -tangent[:, 1], tangent[:, 0]])
+        position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
+        return np.hstack([position, left_of(velocity) / norm(velocity)[:, None]])
 
     maps = []
     for a, b in pairwise(cuts):
-        inner = {s: min(c, DEGREE) for s, c in breaks if a < s < b}
+        inner = {s: c for s, c in breaks if a < s < b}
         spans = _initial_spans(rod, np.array([a, *inner, b]))
         knots, rows = _fit_spline(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
@@ -370,29 +368,9 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
             )
 
 
-def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Return a function from arc length to position and unit tangent, and the breaks of the curve.
-
-    Each break is (arc length, number of continuous derivatives).
-    """
-    curve = rod.curve
-    scale = curve.length / rod.length
-
-    def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
-        return position, velocity / norm(velocity)[:, None]
-
-    breaks = [(b.s / scale, b.continuity) for b in curve.breaks]
-    return drawn, [(s, c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]
-
-
 def _initial_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    at = np.interp(edges, rod.s, turns_along(rod.angle))
-    rows = [
-        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / LARGEST_INITIAL_TURN))))[:-1]
-        for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
-    ]
-    return np.concatenate([*rows, edges[-1:]])
+    turns = np.diff(np.interp(edges, rod.s, turns_along(rod.angle)))
+    return _divide_spans(edges, np.maximum(np.ceil(turns / LARGEST_INITIAL_TURN), 2))
 
 
 def _fit_spline(
@@ -423,10 +401,11 @@ def _fit_spline(
         parts = np.where(
             bad, np.clip(np.ceil(SAFETY_FACTOR * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1
         )
-        edges = _divide_spans(edges, parts.astype(int))
+        edges = _divide_spans(edges, parts)
 
 
-def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
+def _divide_spans(edges: FloatArray, counts: FloatArray) -> FloatArray:
+    parts = counts.astype(int)
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
 
@@ -457,14 +436,12 @@ class BoundaryMaker:
     def sheet(self, regions: Sequence[Region]) -> Boundary:
         """Return a surface with one face for every region, at the first height."""
         for region in regions:
-            self._add_edges(region)
             self._add_faces(region)
         return self._boundary()
 
     def solid(self, regions: Sequence[Region]) -> Boundary:
         """Return the closed surface between the two heights."""
         for region in regions:
-            self._add_edges(region)
             self._add_faces(region)
             for loop in region.loops:
                 for piece in loop:
@@ -493,6 +470,8 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
+        """Add the faces of a region at every height, and the edges that they need."""
+        self._add_edges(region)
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -502,14 +481,15 @@ class BoundaryMaker:
                 *(_y_limits(piece.segment) for loop in region.loops for piece in loop), strict=True
             )
             surfaces = [shape.surface(min(low), max(high), up) for up in self.heights]
-        traces = [[_trace_on(shape, piece.segment) for piece in loop] for loop in region.loops]
         for level, surface in enumerate(surfaces):
             loops = tuple(
                 tuple(
-                    EdgeUse(self.at_piece[piece.number] + level, piece.forward, trace)
-                    for piece, trace in zip(loop, along, strict=True)
+                    EdgeUse(
+                        self.at_piece[piece.number] + level, piece.forward, _trace_on(shape, piece.segment)
+                    )
+                    for piece in loop
                 )
-                for loop, along in zip(region.loops, traces, strict=True)
+                for loop in region.loops
             )
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
@@ -517,11 +497,10 @@ class BoundaryMaker:
         """Add a side wall. Its parameters are u, the parameter of the piece, and v, the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
-        height = self.heights[1] - self.heights[0]
         start, end = (self._edge_through_thickness(i, shape) for i in _corners_at_ends(piece))
         traces: list[StraightTrace | Segment | None] = [None] * 4
         if not isinstance(surface, PlaneSurface):
-            below, above = _along(surface, (0.0, height))
+            below, above = _along(surface, (0.0, self.heights[1] - self.heights[0]))
             last, first = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
             traces = [below, last, above, first]
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
@@ -529,7 +508,6 @@ class BoundaryMaker:
 
     def _wall(self, piece: SegmentPart, shape: Map, low: Edge, high: Edge) -> Surface:
         segment, up = piece.segment, self.heights[0]
-        straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_perpendicular(segment):
             least, most = _y_limits(segment)
             # straight walls are planes, because CAD kernels can fuse coplanar walls of adjacent strips
@@ -537,34 +515,30 @@ class BoundaryMaker:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
-            if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
-                raise TypeError("an edge of a bent face is not a spline: use only splines")
-            return self._ruled_surface(low.curve, high.curve)
-        if straight:
+            assert isinstance(low.curve, SpaceCurve)
+            assert isinstance(high.curve, SpaceCurve)
+            return self._ruled_surface(low.curve, low.curve.control_points, high.curve.control_points)
+        if isinstance(segment, Line):
             a, b = self.vertices[low.start], self.vertices[low.end]
-            return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
-        if isinstance(shape, BentMap):
-            raise TypeError(
-                f"an edge across the bent strip has the type {type(segment).__name__}. Draw it as a Line, so that "
-                "its cut face is plane"
-            )
+            return PlaneSurface(Frame(a, b - a, self.vertices[high.start] - a))
+        assert isinstance(shape, Frame)  # edges across a bent part are lines
         if isinstance(segment, Arc):
             base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
             return CylinderSurface(base, segment.radius)
         placed = PlacedSegment(segment, shape.shifted(z=up))
         if not isinstance(segment, Spline) or segment.curve.is_rational:
             return ExtrudedSurface(placed)
-        curve, rise = segment.curve, (self.heights[1] - up) * shape.z_axis
-        points = placed.frame.point(curve.control_points)
-        low_side, high_side = (
-            SpaceCurve(curve.knots, rows, curve.degree) for rows in (points, points + rise)
-        )
-        return self._ruled_surface(low_side, high_side)
+        points = placed.frame.point(segment.curve.control_points)
+        rise = (self.heights[1] - up) * shape.z_axis
+        return self._ruled_surface(segment.curve, points, points + rise)
 
-    def _ruled_surface(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
+    def _ruled_surface(
+        self, curve: SpaceCurve | PlaneCurve, low: FloatArray, high: FloatArray
+    ) -> SpaceSurface:
+        """Return the surface between two curves with control points (m, 3) and the knots of `curve`."""
         h = self.heights[1] - self.heights[0]
-        points = np.stack([low.control_points, high.control_points], axis=1)
-        return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
+        knots = (curve.knots, np.array([0.0, 0.0, h, h]))
+        return SpaceSurface(knots, np.stack([low, high], axis=1), (curve.degree, 1))
 
     def _edge_through_thickness(self, corner: int, shape: Map) -> int:
         if corner not in self.posts:
@@ -572,7 +546,7 @@ class BoundaryMaker:
             rise = self.vertices[low + 1] - self.vertices[low]
             height = hypot(*rise.tolist())
             across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
-            upright = Frame(self.vertices[low], rise / height, across)
+            upright = Frame(self.vertices[low], rise, across)
             line = PlacedSegment(Line(np.zeros(2), np.array([height, 0.0])), upright)
             self.posts[corner] = len(self.edges)
             self.edges.append(Edge(line, 0.0, height, low, low + 1))
@@ -587,7 +561,7 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
     edges, _ = knot_runs(wall.knots[0])
-    knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
+    knots = np.pad(edges, 2, mode="edge")
     return graphs(knots, np.repeat(heights, edges.size + 1).reshape(len(heights), -1), degree=2)
 
 
@@ -602,10 +576,6 @@ def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
 
 def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
     return [frame.shifted(z=up) for up in heights]
-
-
-def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
-    return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
 
 
 def _y_limits(segment: Segment) -> tuple[float, float]:

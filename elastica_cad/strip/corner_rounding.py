@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -68,19 +69,17 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     if not segments:
         return []
     sizes, table = _lengths_at_most(segments), SegmentTable(segments)
-    ends = np.cumsum([len(path.segments) for path in paths])
-    rings = [
-        list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
-    ]
     rounded: list[Path | None] = [None] * len(paths)
+    numbers = iter(range(len(segments)))
+    rings = [list(islice(numbers, len(path.segments))) for path in paths]
     remaining = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
     while remaining:
         before = np.array([k for ring in remaining.values() for k in ring.sides])
         after = np.array([k for ring in remaining.values() for k in (*ring.sides[1:], ring.sides[0])])
-        gaps = [gap for ring in remaining.values() for gap in ring.gaps]
-        corners = _corners(table, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        gaps = np.array([bool(gap) for ring in remaining.values() for gap in ring.gaps])
+        before, after, places, corner_arcs = _corners(table, before, after, gaps, radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
-        last[corners.before], first[corners.after] = corners.leaving, corners.entering
+        last[before], first[after] = places.T
         beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
         short = set(np.flatnonzero((first > last) | beyond).tolist())
         last = np.where((last - first) * sizes > CLOSE_MM, last, first)
@@ -88,7 +87,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             trim_segment(segment, a, b) if a < b else None
             for segment, a, b in zip(segments, *np.clip([first, last], 0, 1).tolist(), strict=True)
         ]
-        arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
+        arcs = dict(zip(before.tolist(), corner_arcs, strict=True))
         following: dict[int, _Ring] = {}
         for i, ring in remaining.items():
             if not short.isdisjoint(ring.sides):
@@ -109,17 +108,17 @@ class _Ring:
     gaps: list[tuple[int, ...]]
 
     def without(self, short: set[int]) -> "_Ring | None":
-        long_sides = [j for j, k in enumerate(self.sides) if k not in short]
-        if len(long_sides) < 2:
-            return None
-        gaps = []
-        for j, following in zip(long_sides, [*long_sides[1:], long_sides[0] + len(self.sides)], strict=True):
-            gap = self.gaps[j]
-            for m in range(j + 1, following):
-                k = m % len(self.sides)
-                gap = (*gap, self.sides[k], *self.gaps[k])
-            gaps.append(gap)
-        return _Ring([self.sides[j] for j in long_sides], gaps)
+        around = list(zip(self.sides, self.gaps, strict=True))
+        first = next((j for j, k in enumerate(self.sides) if k not in short), 0)
+        sides: list[int] = []
+        gaps: list[tuple[int, ...]] = []
+        for k, gap in (*around[first:], *around[:first]):
+            if k not in short:
+                sides.append(k)
+                gaps.append(gap)
+            elif gaps:
+                gaps[-1] = (*gaps[-1], k, *gap)
+        return _Ring(sides, gaps) if len(sides) > 1 else None
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
@@ -133,40 +132,20 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
     if arc is None:
         return False
     points = np.concatenate([chord_points(segments[k], CLOSE_SHARE * arc.radius) for k in gap])
-    chord, bulge = arc.end - arc.start, arc.at(0.5) - arc.start
-    sense = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
-    x, y = (points - arc.start).T
+    chord = arc.end - arc.start
+    sense = np.sign(cross(chord, arc.at(0.5) - arc.start))
     clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
-    return bool(np.all(clear & (sense * (chord[0] * y - chord[1] * x) > 0)))
-
-
-@dataclass(frozen=True, eq=False)
-class _Corners:
-    """Corners of a loop with the arcs that round them.
-
-    Attributes
-    ----------
-    before, after : (k,) array
-        Indices of the sides before and after each corner.
-    leaving, entering : (k,) array
-        Parameters, from 0 to 1 along these sides, at which the arc begins and ends. If a side is too short,
-        its parameter is outside this range.
-    arcs : list of Arc or None
-    """
-
-    before: IntArray
-    after: IntArray
-    leaving: FloatArray
-    entering: FloatArray
-    arcs: list[Arc | None]
+    return bool(np.all(clear & (sense * cross(chord, points - arc.start) > 0)))
 
 
 def _corners(
     table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
-) -> _Corners:
-    """Return the corners between sides `before` (n,) and `after` (n,), with their arcs of `radius` mm.
+) -> tuple[IntArray, IntArray, FloatArray, list[Arc | None]]:
+    """Return the k corners between sides `before` (n,) and `after` (n,), with their arcs of `radius` mm.
 
-    `gaps` (n,) is True for corners at which sides were omitted.
+    The result is the indices (k,) of the sides before and after each corner, the parameters (k, 2), from 0 to 1
+    along these sides, at which the arc begins and ends, and the arcs. If a side is too short, its parameter is
+    outside this range. `gaps` (n,) is True for corners at which sides were omitted.
     """
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
@@ -175,8 +154,7 @@ def _corners(
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
-    x = np.column_stack([1 - reach / norm(s), reach / norm(t)])
-    x = np.minimum(np.maximum(x, 0.0), 1.0)
+    x = np.clip(np.column_stack([1 - reach / norm(s), reach / norm(t)]), 0.0, 1.0)
     open_ = np.arange(before.size)
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
@@ -211,12 +189,11 @@ def _corners(
         Arc.from_bulge(first, last, bulge) if fit else None
         for first, last, bulge, fit in zip(start, end, bulges.tolist(), fits.tolist(), strict=True)
     ]
-    return _Corners(before, after, x[:, 0], x[:, 1], arcs)
+    return before, after, x, arcs
 
 
 def _offset_points(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
-    left = left_of(velocities)
-    return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
+    return points + distance * left_of(velocities) / norm(velocities)[:, None]
 
 
 def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:

@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import cross, norm
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
@@ -73,7 +73,11 @@ def in_smooth_pieces(path: Path, pieces: int = SIDE_PIECES) -> Path:
     sides = [segment for segment in path.segments if isinstance(segment, Spline) and pace(segment)]
     bends = sum(_kinks(side, SMOOTH).size - _kinks(side, 1).size for side in sides)
     each = ceil(pieces / len(sides)) if bends >= pieces else 0
-    ramp = RAMP_FRACTION * _extent(path)
+    rows = [
+        segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+        for segment in path.segments
+    ]
+    ramp = RAMP_FRACTION * float(np.ptp(np.concatenate(rows)[:, 0]))
     divided = [_in_pieces(segment, ramp, each) for segment in path.segments]
     if sum(map(len, divided)) == len(path.segments) and not each:
         return path
@@ -107,20 +111,12 @@ def in_short_pieces(path: Path) -> Path:
     return Path(pieces, path.closed)
 
 
-def _extent(path: Path) -> float:
-    rows = [
-        segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
-        for segment in path.segments
-    ]
-    return float(np.ptp(np.concatenate(rows)[:, 0]))
-
-
 def _kinks(spline: Spline, smooth: int) -> FloatArray:
     """Return the inner knots at which fewer than `smooth` derivatives are continuous."""
     curve = spline.curve
     knots, counts = knot_runs(curve.knots)
     first, last = curve.domain
-    return np.asarray(knots[(counts > curve.degree - smooth) & (knots > first) & (knots < last)], dtype=float)
+    return knots[(counts > curve.degree - smooth) & (knots > first) & (knots < last)]
 
 
 def _in_pieces(segment: Segment, ramp: float, each: int) -> list[Segment]:
@@ -149,8 +145,7 @@ def _joined(pieces: Sequence[Segment], part: PlaneCurve) -> list[Segment]:
     if not pieces:
         return [Spline(part)]
     meeting = pieces[-1].end
-    step = float(np.hypot(*(part.control_points[0] - meeting)))
-    if step > NO_STEP:
+    if norm(part.control_points[0] - meeting) > NO_STEP:
         return [Line(meeting, part.control_points[0]), Spline(part)]
     met = np.vstack([meeting, part.control_points[1:]])
     return [Spline(PlaneCurve(part.knots, met, part.degree, part.weights))]
@@ -293,7 +288,7 @@ class _Cutter:
         first = len(self.points)
         corners = [*range(first, first + len(parts)), first]
         pieces: list[tuple[int, SegmentPart]] = []
-        for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
+        for (segment, a, b, forward), (i, j) in zip(parts, pairwise(corners), strict=True):
             self.points.append(on_segment(segment, np.array(a if forward else b)))
             piece = SegmentPart(segment, a, b, forward, i, j, self._next())
             pieces.append((self._interval(piece), piece))
@@ -337,7 +332,7 @@ class _Cutter:
         cuts = sorted({t for x in self.stations for t in _crossings(segment, x) if a < t < b})
         if alone and not cuts:
             cuts = [(a + b) / 2]
-        ranges = list(zip([a, *cuts], [*cuts, b], strict=True))
+        ranges = list(pairwise([a, *cuts, b]))
         for low, high in ranges if forward else reversed(ranges):
             yield segment, low, high, forward
 
@@ -355,8 +350,8 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
-        corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
-        return sorted(corners, key=lambda i: float(self.points[i][1]))
+        corners = [(float(p[1]), i) for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
+        return [i for _, i in sorted(corners)]
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
         chains = list(self.chains.get(interval, []))
@@ -409,7 +404,8 @@ class _Cutter:
         if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
             return [loops]
         polygons = [_polygon(loop) for loop in loops]
-        outer = [k for k, polygon in enumerate(polygons) if _area(polygon) > 0]
+        areas = [cross(polygon, np.roll(polygon, -1, axis=0)).sum() for polygon in polygons]
+        outer = [k for k, area in enumerate(areas) if area > 0]
         groups = {k: [loops[k]] for k in outer}
         for k, polygon in enumerate(polygons):
             if k not in groups:
@@ -456,13 +452,6 @@ def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:
     rows = []
     for piece in loop:
         count = 2 if isinstance(piece.segment, Line) else 33
-        t = np.linspace(piece.first, piece.last, count)[:-1] if piece.forward else np.linspace(
-            piece.last, piece.first, count
-        )[:-1]  # fmt: skip
-        rows.append(on_segment(piece.segment, t))
+        ends = (piece.first, piece.last) if piece.forward else (piece.last, piece.first)
+        rows.append(on_segment(piece.segment, np.linspace(*ends, count)[:-1]))
     return np.concatenate(rows)
-
-
-def _area(polygon: FloatArray) -> float:
-    x, y = polygon.T
-    return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))

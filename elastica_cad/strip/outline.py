@@ -326,10 +326,10 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     start, end = _end_widths(width)
-    near_tab, far_tab = (
-        _without_small_shoulders(tab, at) for tab, at in zip(ends, (start, end), strict=True)
-    )
-    far, near = _in_strip(far_tab.corners(end), width.length, 1), _in_strip(near_tab.corners(start), 0.0, -1)
+    near_tab, far_tab = _without_small_shoulders(ends[0], start), _without_small_shoulders(ends[1], end)
+    at_end, at_start = _tab_to_strip(width.length, 1), _tab_to_strip(0.0, -1)
+    far = [segment.transformed(at_end) for segment in far_tab.corners(end)]
+    near = [segment.transformed(at_start) for segment in near_tab.corners(start)]
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
@@ -438,17 +438,6 @@ def _without_small_shoulders(tab: Tab, width: float) -> Tab:
 
 def _end_widths(width: Profile) -> tuple[float, float]:
     return float(width.coefficients[0]), float(width.coefficients[-1])
-
-
-def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
-    placed: list[Line | Arc] = []
-    for segment in rim:
-        if isinstance(segment, Line):
-            ends = direction * np.array([segment.start, segment.end]) + (x, 0.0)
-            placed.append(Line(*ends))
-        else:
-            placed.append(segment.transformed(_tab_to_strip(x, direction)))
-    return placed
 
 
 def _tab_to_strip(x: float, direction: int) -> FloatArray:

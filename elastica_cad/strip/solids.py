@@ -24,7 +24,7 @@ from elastica_cad.strip.bent_boundary import BentMap, Boundary, BoundaryMaker, M
 from elastica_cad.strip.flat_pattern import SIDE_DEGREE, CutPattern, cut_across, in_smooth_pieces
 from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.tapered_solids import RoundSolid, side_view
+from elastica_cad.strip.tapered_solids import RoundSolid, places_of_ends, side_view
 
 COLLINEAR_TOLERANCE = 1e-14
 """Tolerance for collinear points in `convex_corners`: twice the area of their triangle, divided by the square of
@@ -207,23 +207,17 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
     assert size is not None
     view = side_view(strip, bent=bent)
     upright, across = frame, frame.z_axis
-    places = [np.array([0.0, 0.0]), np.array([strip.rod.length, 0.0])]
-    angles = [0.0, 0.0]
-    if bent:
-        nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
-        places, angles = list(nodes.position), nodes.angle.tolist()
-    else:
+    if not bent:
         lowest = float(view.bounds[0, 1])
         upright, across = Frame(frame.shifted(z=-lowest).origin, frame.x_axis, frame.z_axis), frame.y_axis
+    ends = zip(("start", "end"), *places_of_ends(strip, bent=bent), (-1, 1), strict=True)
     joints = {
-        name: turned(
-            Frame(upright.point(place), upright.direction((np.cos(angle), np.sin(angle))), across), sign
-        )
-        for name, place, angle, sign in zip(("start", "end"), places, angles, (-1, 1), strict=True)
+        name: turned(Frame(upright.point(place), upright.direction(direction), across), sign)
+        for name, place, direction, sign in ends
     }
     if isinstance(section, RoundLaw):
         return RoundSolid(strip, upright, bent, section.bore, joints)
-    wide = float(width.extremes[1])
+    wide = width.extremes[1]
     return FlatSolid(view, (), wide, upright.shifted(z=-wide / 2), joints)
 
 
@@ -295,7 +289,7 @@ class BentSolid:
             The curve could not be approximated to 1e-6 mm.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
-        return next(cls._layers(strip, frame_or_plain(frame)))
+        return next(cls._layers(strip, frame))
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:

@@ -57,25 +57,24 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
             "this strip has a constant thickness, so it has no side view: use a strip with a section law, "
             "such as ThicknessLaw"
         )
-    first, last = (tab.length for tab in strip.ends)
-    ends = size([0.0, strip.rod.length]) / 2
     right, left = (
-        (_flat_face(size, side) if not bent else _bent_face(strip, size, side)) for side in (-1, 1)
+        Spline(_bent_face(strip, size, side) if bent else _flat_face(size, side)) for side in (-1, 1)
     )
-    segments: list[Segment] = []
-    places, directions = _frames(strip, bent)
-    (start, end), (back, ahead) = places, (-directions[0] * first, directions[1] * last)
-    across = [left_of(d) for d in directions]
-    low_start, high_start = start - ends[0] * across[0], start + ends[0] * across[0]
-    low_end, high_end = end - ends[1] * across[1], end + ends[1] * across[1]
-    segments += lines_through([high_start, high_start + back, low_start + back, low_start])
-    segments.append(Spline(right))
-    segments += lines_through([low_end, low_end + ahead, high_end + ahead, high_end])
-    segments.append(Spline(left).reversed())
-    return Path(tuple(segments), closed=True)
+    places, directions = places_of_ends(strip, bent=bent)
+    half = size([0.0, strip.rod.length])[:, None] / 2 * left_of(directions)
+    (low_start, low_end), (high_start, high_end) = places - half, places + half
+    back, ahead = -strip.ends[0].length * directions[0], strip.ends[1].length * directions[1]
+    segments: list[Segment] = [
+        *lines_through([high_start, high_start + back, low_start + back, low_start]),
+        right,
+        *lines_through([low_end, low_end + ahead, high_end + ahead, high_end]),
+        left.reversed(),
+    ]
+    return Path(segments, closed=True)
 
 
-def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
+def places_of_ends(strip: Strip, *, bent: bool) -> tuple[FloatArray, FloatArray]:
+    """Return start and end (2, 2), mm, of the bent part in a `side_view`, and the directions (2, 2) there."""
     if not bent:
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
@@ -100,8 +99,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
 
     def face(s: FloatArray) -> FloatArray:
         nodes = curve.at(np.clip(s, 0.0, curve.length))
-        normal = np.column_stack([-np.sin(nodes.angle), np.cos(nodes.angle)])
-        return np.asarray(nodes.position + side * size(s)[:, None] / 2 * normal)
+        return nodes.position + side * size(s)[:, None] / 2 * left_of(unit_vectors(nodes.angle))
 
     breaks = [*size.breaks, *((place.s, max(place.continuity - 1, 0)) for place in curve.breaks)]
     knots, points = adaptive_spline(face, (0.0, length), degree=5, tolerance=FACE_MM, breaks=breaks)
@@ -143,7 +141,7 @@ class RoundSolid:
         """Closed boundary: half surfaces of the bent part, the tabs and a bore, and the two end faces."""
         first, last = (tab.length for tab in self.strip.ends)
         length = self.strip.rod.length
-        stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
+        stations = sorted({0.0, length, -first, length + last})
         pieces = [self._axis_spline(a, b) for a, b in pairwise(stations)]
         shares = (1.0, self.bore) if self.bore else (1.0,)
         skins = _RoundBoundary()
@@ -164,8 +162,7 @@ class RoundSolid:
         else:
             position, angle = np.column_stack([within, 0.0 * within]), 0.0 * within
         tangent = unit_vectors(angle)
-        axis = position + (s - within)[:, None] * tangent
-        return axis, left_of(tangent), size(within) / 2
+        return position + (s - within)[:, None] * tangent, left_of(tangent), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
         """Return knots and coefficients (m, 5) of a spline: axis point (2), unit normal * radius (2), and
@@ -208,7 +205,7 @@ class _RoundBoundary:
         def control_net(rows: FloatArray, sign: float) -> FloatArray:
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
-            return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))
+            return axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up)
 
         ends = [pieces[0][1][0], *(rows[-1] for _, rows in pieces)]
         rings, corners = [], []
