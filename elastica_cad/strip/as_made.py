@@ -1,6 +1,6 @@
 """Model of the finished strip: effects of slots, tabs and curling, and its shape in its holders."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.plane_points import cross, left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.laminated_section import LaminateCurl, LaminatedSection
 from elastica_cad.mechanics.loads import Weight
@@ -114,7 +115,7 @@ def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 def _cell_stations(rod: Rod) -> FloatArray:
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
-    return np.asarray((ends[1:] + ends[:-1]) / 2)
+    return (ends[1:] + ends[:-1]) / 2
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
@@ -172,7 +173,7 @@ def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> Floa
     after = node - before
     added = np.bincount(before, lengths * (1 - after), rod.s.size)
     added += np.bincount(before + 1, lengths * after, rod.s.size)
-    return np.asarray(1 / (1 + added / rod.discrete.node_lengths))
+    return 1 / (1 + added / rod.discrete.node_lengths)
 
 
 def stiffness_factors(
@@ -208,15 +209,15 @@ def stiffness_factors(
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     added_lengths = {
-        "slots": _lengths_added_by_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN),
-        "narrow tabs": _lengths_added_by_tabs(layout, tab_widths, grain, RESTRAINT * free),
-        "steps of width": _lengths_added_by_steps(layout, STEP * crack_energy(nu, grain)),
+        "slots": [*_lengths_added_by_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN)],
+        "narrow tabs": [*_lengths_added_by_tabs(layout, tab_widths, grain, RESTRAINT * free)],
+        "steps of width": [*_lengths_added_by_steps(layout, STEP * crack_energy(nu, grain))],
     }
     factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
-    s, n = _cell_stations(rod), rod.s.size
-    leaning = _leaning(layout, s)
-    if leaning is not None:  # mean compliance near each node, because deflections are proportional to it
-        factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
+    if isinstance(layout.pattern, DiamondPattern):
+        # mean compliance near each node, because deflections are proportional to it
+        compliance = np.hypot(1.0, layout.pattern.slopes(_cell_stations(rod)))
+        factors["leaning ligaments"] = 1 / _cell_means(compliance, rod.s.size)
     if curl is not None and layout.section is None:
         factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
     return factors
@@ -288,7 +289,7 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     if factor is None:
         return rod
     designed = factor(rod.curvature) if corrected else np.ones(rod.s.size)
-    return replace(rod, law=CurlingLaw(factor, designed, rod.natural_curvature, rod.law))
+    return Curl(designed, factor).on(rod)
 
 
 def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
@@ -307,15 +308,13 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
-) -> list[tuple[float, float]]:
-    places = []
+) -> Iterator[tuple[float, float]]:
     for slot in slots:
         points, widths = slot.center_line(width)
         at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
         wide = float(width(min(max(at, 0.0), width.length)))
         remaining = max(wide - depth, LEAST_SHARE * wide)
-        places.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining))
-    return places
+        yield at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
@@ -340,48 +339,34 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
 
 def _lengths_added_by_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
-) -> list[tuple[float, float]]:
-    """Return (position, added length), mm, for each end that is wider than its tab.
+) -> Iterator[tuple[float, float]]:
+    """Yield (position, added length), mm, for each end that is wider than its tab.
 
     A tab prevents curling near it. This reduces the added length by `restraint` (2,) times the width.
     """
-    places, h = [], layout.sheet.thickness
-    for end, inwards, tab, stiffer in zip(
-        (0.0, layout.width.length),
-        (TAB_REACH * grain, -TAB_REACH * grain),
-        tab_widths,
-        restraint,
-        strict=True,
-    ):
+    length = layout.width.length
+    for end, inwards, tab, stiffer in zip((0.0, length), (1, -1), tab_widths, restraint, strict=True):
         wide = float(layout.width(end))
         if tab and tab < wide:
-            added = TAB * crack_energy(0.0, grain) * idle_length(wide, tab, h)
+            added = TAB * crack_energy(0.0, grain) * idle_length(wide, tab, layout.sheet.thickness)
             added -= stiffer * wide * min(1.0, tab / WIDE_TAB / wide) ** 2
             if added > 0:
-                places.append((end + inwards * (wide - tab), added))
-    return places
+                yield end + inwards * TAB_REACH * grain * (wide - tab), added
 
 
-def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
+def _lengths_added_by_steps(layout: Layout, corner: float) -> Iterator[tuple[float, float]]:
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
-        return []
-    places = []
+        return
     for start, end in layout.width.steps:
         before, after = layout.width([start, end]).tolist()
         narrow, wide = sorted((before, after))
         at = start - (wide - narrow) / 4 if before > after else end + (wide - narrow) / 4
-        places.append((at, corner * idle_length(wide, narrow, layout.sheet.thickness)))
-    return places
-
-
-def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
-    pattern = layout.pattern
-    return 1 / np.hypot(1.0, pattern.slopes(s)) if isinstance(pattern, DiamondPattern) else None
+        yield at, corner * idle_length(wide, narrow, layout.sheet.thickness)
 
 
 def _curling_width(layout: Layout, s: FloatArray) -> FloatArray:
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
-    return np.asarray(layout.material(s) / pieces)
+    return layout.material(s) / pieces
 
 
 HELD_NODES = 241
@@ -531,11 +516,11 @@ class StripAsMade:
             crowded=bool(self.crowded),
         )
         sheet = sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance)
-        notes = self._notes(seats)
+        notes = [*self._notes(seats)]
         try:
             sheet |= self._loose_tabs(seats, rod, tolerance)
         except NotConvergedError:
-            notes = (*notes, note("The effect of wider slots is not computed"))
+            notes.append(note("The effect of wider slots is not computed"))
         # effects can cancel, so a single effect can be larger than the deviation of all effects
         together = deviation_from(self.design, self.loaded.position + self._leaf_ends)
         key = FieldName("compensate") if self.layout.stack is None else ""
@@ -561,7 +546,7 @@ class StripAsMade:
             made_up_for=made_up_for,
             open=uncertainty,
             sheet=sheet,
-            notes=notes,
+            notes=tuple(notes),
             contributions=tuple(sorted(contributions, key=lambda part: -part.mm)),
         )
 
@@ -588,36 +573,30 @@ class StripAsMade:
     def _cut_breadth(self) -> FloatArray | None:
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
-    def _notes(self, seats: Seats) -> tuple[str, ...]:
-        sheet, notes = self.layout.sheet, []
+    def _notes(self, seats: Seats) -> Iterator[str]:
+        sheet = self.layout.sheet
         if sheet.grain != "none" and sheet.shear_modulus is None and self.factors.keys() & SHEAR_CAUSES:
-            notes.append(
-                note(
-                    "The shear modulus of {sheet} is unknown, so the model assumes a sheet without grain. "
-                    "Beside slots, tabs and steps the strip is softer than computed",
-                    sheet=sheet.name,
-                )
+            yield note(
+                "The shear modulus of {sheet} is unknown, so the model assumes a sheet without grain. "
+                "Beside slots, tabs and steps the strip is softer than computed",
+                sheet=sheet.name,
             )
         if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
-            notes.append(
-                note(
-                    "The model of holes and layers assumes a sheet without grain. {sheet} shears more "
-                    "easily; that effect is not computed",
-                    sheet=sheet.name,
-                )
+            yield note(
+                "The model of holes and layers assumes a sheet without grain. {sheet} shears more "
+                "easily; that effect is not computed",
+                sheet=sheet.name,
             )
         if self.crowded:
-            notes.append(
-                note(
-                    "The slots {first} and {second} from the start are closer together than they are deep. Their "
-                    "combined effect is not computed",
-                    first=Length(self.crowded[0]),
-                    second=Length(self.crowded[1]),
-                )
+            first, second = map(Length, self.crowded)
+            yield note(
+                "The slots {first} and {second} from the start are closer together than they are deep. Their "
+                "combined effect is not computed",
+                first=first,
+                second=second,
             )
         if any(seat is not None for seat in seats):
-            notes.append(note("Friction in the pockets is neglected"))
-        return tuple(notes)
+            yield note("Friction in the pockets is neglected")
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
@@ -629,12 +608,12 @@ class StripAsMade:
         if stack is None:
             return np.zeros((design.s.size, 2))
         aside = (stack.counts(design.s) - 1) * stack.sheet.thickness / 2
-        normals = np.column_stack([-np.sin(design.angle), np.cos(design.angle)])
+        normals = left_of(unit_vectors(design.angle))
         between = (normals[1:] + normals[:-1]) / 2
         off = aside[:, None] * normals
         axis = off[0] + np.vstack([np.zeros(2), np.cumsum(np.diff(aside)[:, None] * between, axis=0)])
         force = design.force
-        moments = (force[:, 0] * axis[:, 1] - force[:, 1] * axis[:, 0])[:, None]
+        moments = cross(force, axis)[:, None]
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self) -> dict[str, float]:

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.geometry.plane_curve import CORNER_RAD
-from elastica_cad.geometry.plane_points import left_of, norm
+from elastica_cad.geometry.plane_points import cross, dot, left_of, norm
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
@@ -25,7 +25,7 @@ do not meet exactly."""
 
 def closes(rod: Rod) -> bool:
     """Return True if the ends of a rod meet and have the same direction."""
-    gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
+    gap = float(norm(rod.position[-1] - rod.position[0]))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_FRACTION * rod.length and abs(turn) <= CORNER_RAD
 
@@ -182,11 +182,11 @@ def deviation_from(design: Rod, place: FloatArray) -> float:
     A closed strip has no fixed position, so its shape is first moved and turned to fit the design.
     """
     if closes(design):
-        middle, target = place.mean(axis=0), design.position.mean(axis=0)
-        (x, y), (u, v) = (place - middle).T, (design.position - target).T
-        turn = np.arctan2(np.sum(x * v - y * u), np.sum(x * u + y * v))
+        target = design.position.mean(axis=0)
+        off, designed = place - place.mean(axis=0), design.position - target
+        turn = np.arctan2(cross(off, designed).sum(), dot(off, designed).sum())
         cos, sin = np.cos(turn), np.sin(turn)
-        place = target + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
+        place = target + off @ np.array([[cos, sin], [-sin, cos]])
     return float(norm(place - design.position).max())
 
 
@@ -221,17 +221,15 @@ def shape_responses(
     if loads is not None:
         pull = np.zeros((n - 1, m, 2))
         pull[1:] = np.cumsum(loads[1:-1], axis=0)
-        shear = pull[..., 1] * tangents[:, None, 0] - pull[..., 0] * tangents[:, None, 1]
-        imbalance = imbalance + lengths * shear
+        imbalance = imbalance + lengths * cross(tangents[:, None], pull)
     rows = discrete.constraint_rows
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
     # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
-    normals = left_of(tangents)
     moved = np.zeros((n, m, 2))
-    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * normals[:, None, :], axis=0)
+    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * left_of(tangents)[:, None], axis=0)
     return moved
 
 

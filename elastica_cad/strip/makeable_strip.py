@@ -4,7 +4,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across, trim_across
-from elastica_cad.geometry.plane_points import turns_along
+from elastica_cad.geometry.plane_points import left_of, turns_along
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
 from elastica_cad.mechanics.rod import Rod
@@ -46,12 +46,12 @@ def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     At the joint of a closed strip, the first and last B-splines are combined.
     """
     pieces = round(1 / SPACING_SHARE)
-    knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
+    knots = np.pad(np.linspace(0.0, s[-1], pieces + 1), 3, mode="edge")
     shared = np.eye(pieces + 3)
     if closed:
         shared[0, -1] = 1.0
         shared = shared[:, 1:]
-    return np.asarray(bezier_spans(knots, 3).basis(s) @ shared)
+    return bezier_spans(knots, 3).basis(s) @ shared
 
 
 def _correct_widths(
@@ -79,10 +79,7 @@ def _correct_widths(
     moved = shape_responses(rod, rod.moment[:, None] * basis, rod.nodal_load[:, None, :] * basis[:, :, None])
     A, residual = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
     if closes(rod):
-        A, residual = (
-            _without_rigid_motion(rod.position[1:], A),
-            _without_rigid_motion(rod.position[1:], residual),
-        )
+        A, residual = (_without_rigid_motion(rod.position[1:], moves) for moves in (A, residual))
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
     whole = scale * np.concatenate(
@@ -91,18 +88,16 @@ def _correct_widths(
     system, right_side = np.concatenate([A, whole]), np.concatenate([-residual, -whole @ correction])
     from scipy.optimize import lsq_linear
 
-    return np.asarray(
-        correction
-        + lsq_linear(system, right_side, (-largest - correction, largest - correction), method="bvls").x
-    )
+    room = -largest - correction, largest - correction
+    return np.asarray(correction + lsq_linear(system, right_side, room, method="bvls").x)
 
 
 def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
-    x, y = (position - position.mean(axis=0)).T
-    ones, none = np.ones(x.size), np.zeros(x.size)
-    rigid = np.array([np.column_stack(row).ravel() for row in ((ones, none), (none, ones), (-y, x))])
+    count = len(position)
+    turned = left_of(position - position.mean(axis=0))
+    rigid = np.array([np.tile([1.0, 0.0], count), np.tile([0.0, 1.0], count), turned.ravel()])
     rigid /= np.linalg.norm(rigid, axis=1)[:, None]
-    return np.asarray(moves - rigid.T @ (rigid @ moves))
+    return moves - rigid.T @ (rigid @ moves)
 
 
 ROUNDS = 8
@@ -296,8 +291,8 @@ class Splice:
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
-        (first, _), (last, _) = whole.layer.outline.bounds
-        ends, half = [float(first), *whole.joints, float(last)], self.plates.lap / 2
+        first, last = whole.layer.outline.bounds[:, 0].tolist()
+        ends, half = [first, *whole.joints, last], self.plates.lap / 2
         pieces = [
             self._piece(whole, f"{whole.name}-{k}", low, high)
             for k, (low, high) in enumerate(pairwise(ends), start=1)
@@ -322,11 +317,13 @@ class Splice:
             pairs = zip(whole.slots, layer.slots, strict=True)
             slots = [(slot, rim) for slot, rim in pairs if low < slot.at < high]
         span = max(low, 0.0), min(high, self.strip.rod.length)
-        if isinstance(self.strip.style, Perforated) and not plate:
-            span = self._clear_of_holes(whole, low, high)
+        if isinstance(self.strip.style, Perforated) and not plate:  # there are no holes under the plates
+            half = self.plates.lap / 2
+            span = (low, low + half) if low in whole.joints else (high - half, high)
         cuts = Cuts(holes, marks, rim=Cut(outline, "outside"))
         called = self.strip.label or "strip"
-        text = f"{self.strip.labelled(called).engraved}{name.removeprefix(called)}"
+        labelled = self.strip.labelled(called)
+        text = f"{labelled.engraved}{name.removeprefix(called)}"
         label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)
         ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), label)
@@ -337,12 +334,8 @@ class Splice:
             *(LayeredPath(CUT_INNER, hole) for hole in holes),
             LayeredPath(CUT_OUTER, outline),
         )
-        number = text if self.strip.labelled(called).number else ""
+        number = text if labelled.number else ""
         return Piece(name, Drawing(name, paths, (*label, *mates, *numbers)), layer.sheet, number=number)
-
-    def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        joint = next(at for at in whole.joints if at in (low, high))
-        return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
 
 @dataclass(frozen=True, eq=False)
@@ -406,7 +399,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     s = np.linspace(lap / 2, strip.rod.length - lap / 2, JOINT_STATIONS)
     clear = np.ones(JOINT_STATIONS, dtype=bool)
     for slot in strip.slots:
-        clear &= _is_clear_of_slot(slot, strip.width, s, lap)
+        low, high = slot_cut(slot, strip.width, beyond=slot.width).bounds[:, 0]
+        clear &= np.abs(s - (low + high) / 2) > (lap + high - low + slot.width) / 2
     rod = strip.rod
     turned = turns_along(rod.angle)
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
@@ -414,11 +408,9 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     for layer, most in zip(strip.layers, longest, strict=True):
         for taken in (at for joints in places for at in joints):
             clear &= np.abs(s - taken) >= lap
-        (first, _), (last, _) = layer.outline.bounds
-        count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
-        joints = _cheapest_joints(
-            s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap
-        )
+        first, last = layer.outline.bounds[:, 0].tolist()
+        count = int(np.ceil((last - first) / most * (1 - 1e-12))) - 1
+        joints = _cheapest_joints(s, np.where(clear, turn**2, np.inf), count, first, last, most, lap)
         if joints is None:
             raise InputError(
                 "{name}: the pieces of the strip need {count} joints, each {lap:g} long, which do not fit "
@@ -436,8 +428,8 @@ def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
     if shop.lap is None:
         return None
     stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
-    lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
-    if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
+    layers = zip(strip.layers, stocks, strict=True)
+    if all(np.ptp(layer.outline.bounds[:, 0]) <= stock for layer, stock in layers):
         return None
     return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
 
@@ -447,12 +439,6 @@ def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
     return strip if strip.plates == plates else replace(strip, plates=plates)
-
-
-def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
-    middle, reach = (high + low) / 2, (high - low) / 2
-    return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
 
 
 def _cheapest_joints(

@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_points import norm, turn_between
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, warning_row
@@ -165,46 +166,44 @@ class Measuring:
         design, loaded = as_made.design, as_made.loaded
         n, M, s = design.s.size, loaded.moment, design.s
         phases = 2 * np.pi * s / design.length
-        columns: dict[str, list[FloatArray]] = {
-            "thickness": [0.03 * M * np.cos(phases), 0.03 * M * np.sin(phases)]
-        }
+        moments = [("thickness", 0.03 * M * np.cos(phases)), ("thickness", 0.03 * M * np.sin(phases))]
         for k, name in enumerate(("start", "end")):
             turned = np.zeros(n)
             turned[-k] = np.radians(1.0) * loaded.stiffness[-k] / loaded.discrete.node_lengths[-k]
-            columns[f"clamp at the {name}"] = [turned]
+            moments.append((f"clamp at the {name}", turned))
         reversed_share = design.stiffness[::-1] / design.stiffness - 1
         if np.abs(reversed_share).max() > UNEVEN_SHARE:
-            columns["end for end"] = [M * reversed_share]
+            moments.append(("end for end", M * reversed_share))
         if as_made.curl is not None and strip.layout.backing is not None:
             over = as_made.curl.factor(-design.curvature) / as_made.curl.factor(design.curvature) - 1
-            columns["wrong side"] = [M * over]
-        columns["ends apart"] = [np.zeros(n)]
+            moments.append(("wrong side", M * over))
+        moments.append(("ends apart", np.zeros(n)))
         if loaded.gravity is not None:
-            columns["thinner sheet"] = [np.zeros(n)]
-        owners = [cause for cause, column_list in columns.items() for _ in column_list]
+            moments.append(("thinner sheet", np.zeros(n)))
+        owners, columns = zip(*moments, strict=True)
         chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
-        apart[owners.index("ends apart")] = chord / np.hypot(*chord)
-        if "thinner sheet" in owners:  # weight / E I is proportional to 1 / thickness^2
+        apart[owners.index("ends apart")] = chord / norm(chord)
+        if loaded.gravity is not None:  # weight / E I is proportional to 1 / thickness^2
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
-        moments = np.column_stack([column for column_list in columns.values() for column in column_list])
-        moved = shape_responses(loaded, moments, loads, apart)
+        moved = shape_responses(loaded, np.column_stack(columns), loads, apart)
         unmoved = _measured(design.position, design.position)
         expected = unmoved | dict(zip(ANGLES, rising_angles(strip), strict=True))
-        causes: dict[str, list[dict[str, float]]] = {}
+        causes: dict[str, tuple[dict[str, float], ...]] = {}
         for k, cause in enumerate(owners):
             lengths = _measured(design.position + moved[:, k], design.position)
-            causes.setdefault(cause, []).append({name: lengths[name] - unmoved[name] for name in unmoved})
+            change = {name: lengths[name] - unmoved[name] for name in unmoved}
+            causes[cause] = (*causes.get(cause, ()), change)
         sketched = np.linspace(0, n - 1, SKETCHED)
-        shape = [np.interp(sketched, np.arange(n), axis) for axis in design.position.T]
+        shape = [np.interp(sketched, np.arange(n), axis).tolist() for axis in design.position.T]
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
             tuple(share * design.length for share in MARKS),
             expected,
             uncertain,
-            {cause: tuple(change_list) for cause, change_list in causes.items()},
-            tuple(map(tuple, np.column_stack(shape).tolist())),
+            causes,
+            tuple(zip(*shape, strict=True)),
             distance_of_tips(held_ends(strip)),
             instability_in_plane(strip, stability(strip.rod)) is not None,
         )
@@ -267,6 +266,7 @@ class Measuring:
 
         off = np.array([(measured[name] - self.expected[name]) / errors[name] for name in errors])
         squares = float(off @ off)
+        improbable = squares > chdtri(len(errors), CHANCE)
         likely = []
         for cause, changes in self.causes.items():
             G = np.array([[change[name] / errors[name] for change in changes] for name in errors])
@@ -283,13 +283,13 @@ class Measuring:
             )
             if not far:
                 likely.append((rest, MEANINGS[cause].format(amount=size)))
-        if squares > chdtri(len(errors), CHANCE):
+        if improbable:
             likely += self._slips(measured, errors)
         likely.sort()
         if likely:
             texts = [text for rest, text in likely if rest < likely[0][0] + LIKELY]
             return [warning_row(text, "Or" if k else "Verdict") for k, text in enumerate(texts)]
-        if squares > chdtri(len(errors), CHANCE):
+        if improbable:
             return [warning_row(SNAPPED if self.can_snap else UNEXPLAINED, "Verdict")]
         return [
             Row(
@@ -349,12 +349,10 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     The design decides which side of the chord is positive, see `upward`. Small changes of an S-shaped strip
     therefore do not change the signs.
     """
-    chord = position[-1] - position[0]
-    length = float(np.hypot(*chord))
-    along, heights, side = chord / length, heights_of_marks(position), upward(heights_of_marks(design))
-    first, last = position[1] - position[0], position[-1] - position[-2]
-    angles = [np.degrees(np.arctan2(along[0] * d[1] - along[1] * d[0], along @ d)) for d in (first, last)]
-    values = (length, *(side * heights), side * angles[0], -side * angles[1])
+    chord, side = position[-1] - position[0], upward(heights_of_marks(design))
+    edges = np.array([position[1] - position[0], position[-1] - position[-2]])
+    first, last = np.degrees(turn_between(chord, edges))
+    values = (norm(chord), *(side * heights_of_marks(position)), side * first, -side * last)
     return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))
 
 

@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import chain, repeat
+from itertools import chain, pairwise, repeat
+from operator import itemgetter
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import FieldName, Length, note
@@ -236,7 +238,11 @@ class SeatedEnd:
 
         The variables are the angles of the pieces.
         """
-        return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
+        # the first joint represents half a piece at the start of the tab, so it is twice as stiff
+        springs = np.full(self.pieces, self.stiffness / self.piece)
+        springs[:1] *= 2.0
+        joints = np.eye(self.pieces) - np.eye(self.pieces, k=-1)
+        return joints.T @ (springs[:, None] * joints)
 
     @cached_property
     def sideways(self) -> FloatArray:
@@ -244,21 +250,20 @@ class SeatedEnd:
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
-        return np.asarray(-self.way * side[:, None] * covered)
+        return -self.way * side[:, None] * covered
 
     def left(self, design: Rod) -> FloatArray:
         """Return the unit vector (2,) to the left of the designed direction at this end."""
-        angle = float(design.angle[-self.index])
-        return np.array([-np.sin(angle), np.cos(angle)])
+        return left_of(unit_vectors(design.angle[-self.index]))
 
-    def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Return the derivatives of energy / B by the shift of this end and by its turn times `length`, 1/mm2.
+    def load(self, rod: Rod, design: Rod) -> tuple[float, float]:
+        """Return the derivatives of energy / B by the shift of this end and by its turn times the length, 1/mm2.
 
-        B is the bending stiffness of the rod. `left` is the unit vector that the method `left` returns. The
-        derivatives are the force and the moment / `length` of the holder on the rod, both divided by B.
+        B is the bending stiffness of the rod. The derivatives are the force and the moment / length of the holder
+        on the rod, both divided by B. The shift is measured from the end of `design`.
         """
-        k, sign = -self.index, -1.0 if self.index else 1.0
-        return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
+        force, moment = rod.force[-self.index], float(rod.moment[-self.index])
+        return -self.way * float(force @ self.left(design)), self.way * moment / design.length
 
     def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
         """Return the derivatives (k, 2 + m) of the gaps with respect to the unknowns, and the gaps (k,), mm.
@@ -274,14 +279,6 @@ class SeatedEnd:
             rows[:, 2:] = self.sideways / length
             gaps = gaps + rows[:, 2:] @ part[2:]
         return rows, gaps
-
-
-def _chain(pieces: int) -> FloatArray:
-    # the first joint represents half a piece at the start of the tab, so it is twice as stiff
-    springs = np.ones(pieces)
-    springs[:1] = 2.0
-    joints = np.eye(pieces) - np.eye(pieces, k=-1)
-    return np.asarray(joints.T @ (springs[:, None] * joints))
 
 
 def _constrained_step(
@@ -318,8 +315,9 @@ def _constrained_step(
     bound = np.full(gradient.size, STEP_RAD * length)
     bound[shifts] = STEP_FRACTION * length
     each = penalty * (np.abs(gradient).max() / scale + bound.max())
+    bound = np.minimum(bound, reach)
     program = QuadraticProgram(
-        hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
+        hessian / scale, gradient / scale, -bound, bound, rows, -gaps,
         np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
     )  # fmt: skip
     return solve_quadratic(program)
@@ -387,12 +385,8 @@ def rest_in_seats(
     for _ in range(SEATING_STEPS):
         q = q + problem.step(q, rod, SEATING_FACTOR * firm).x
     rod = problem.bent(q, rod)
-    step, pushes, penalty, reach = (
-        np.zeros(q.size),
-        np.zeros(len(problem.walls(q)[1])),
-        OVERLAP_PENALTY,
-        np.inf,
-    )
+    step, pushes = np.zeros(q.size), np.zeros(problem.walls(q)[1].size)
+    penalty, reach = OVERLAP_PENALTY, np.inf
     for _ in range(MOST_STEPS):
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
@@ -434,10 +428,8 @@ class _ContactProblem:
 
     @cached_property
     def slices(self) -> list[slice]:
-        ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
-        return [
-            slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
-        ]
+        stops = np.cumsum([0, *(2 + end.pieces for end in self.seated)]).tolist()
+        return [slice(*limits) for limits in pairwise(stops)]
 
     def parts(self, q: FloatArray) -> list[tuple[SeatedEnd, FloatArray]]:
         return [(end, q[columns]) for end, columns in zip(self.seated, self.slices, strict=True)]
@@ -461,21 +453,17 @@ class _ContactProblem:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
-        return np.array(loads).ravel()
+        return np.ravel([end.load(rod, self.design) for end in self.seated])
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
         reactions, difference = self.reactions(rod), DIFFERENCE_FRACTION * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
-        return np.asarray((ends + ends.T) / 2)
+        return (ends + ends.T) / 2
 
     def without_room(self, q: FloatArray) -> str:
-        each = [
-            (seated_end, float(seated_end.walls(part, self.design.length)[1].min()))
-            for seated_end, part in self.parts(q)
-        ]
-        seated_end, gap = min(each, key=lambda pair: pair[1])
+        gaps = [float(end.walls(part, self.design.length)[1].min()) for end, part in self.parts(q)]
+        gap, seated_end = min(zip(gaps, self.seated, strict=True), key=itemgetter(0))
         end = "end" if seated_end.index else "start"
         return note(
             "the tab at the {end} does not fit into its {seat}: in every position the tab overlaps the "
@@ -609,7 +597,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         E I of the tab divided by the bending stiffness B of the rod; by default the tab is rigid.
     """
     end, length = SeatedEnd(index, seat, tab_stiffness), design.length
-    load, piece, sign, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
+    load, piece, sign, n = end.load(design, design), end.piece, end.way, 2 + end.pieces
     shift = turn = 0.0
     pressed = max(map(abs, load))
     if pressed == 0:

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import dot, norm
 from elastica_cad.mechanics.bending import (
     Movement,
     as_steps,
@@ -146,18 +146,17 @@ class Travel:
     @property
     def displacement(self) -> FloatArray:
         """Largest displacement (k,) of a point of the strip from its design, mm."""
-        moves = [rod.position - self.strip.rod.position for rod in self.rods]
-        return np.array([norm(move).max() for move in moves])
+        return np.array([norm(rod.position - self.strip.rod.position).max() for rod in self.rods])
 
     @property
     def support_force(self) -> FloatArray:
         """Larger of the forces (k,) of the supports on start and end, N."""
-        return np.asarray(np.linalg.norm([self.start_force, self.end_force], axis=2).max(axis=0))
+        return np.maximum(norm(self.start_force), norm(self.end_force))
 
     @property
     def support_moment(self) -> FloatArray:
         """Larger of the moments (k,) of the supports on start and end, N mm, without sign."""
-        return np.asarray(np.abs([self.start_moment, self.end_moment]).max(axis=0))
+        return np.maximum(abs(self.start_moment), abs(self.end_moment))
 
     @property
     def turning_moment(self) -> FloatArray:
@@ -235,7 +234,9 @@ class Travel:
     @cached_property
     def crosses_at(self) -> float | None:
         """First value of `path_length` at which the strip crosses itself, or None."""
-        return self._first_failure(_crosses_itself)
+        return self._first_failure(
+            lambda rod: bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
+        )
 
     @cached_property
     def force_falls_at(self) -> float | None:
@@ -246,12 +247,8 @@ class Travel:
         if self.is_turn or self.is_still:
             return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
-        even = (
-            CONSTANT_FORCE_FRACTION
-            * np.linalg.norm(self.end_force, axis=1).max()
-            * np.linalg.norm(steps, axis=1)
-        )
-        falls = np.sum(gains * steps, axis=1) < -even
+        even = CONSTANT_FORCE_FRACTION * norm(self.end_force).max() * norm(steps)
+        falls = dot(gains, steps) < -even
         if self.snaps_at is not None:
             falls &= self.travel[1:] <= self.snaps_at
         return float(self.travel[int(np.argmax(falls))]) if falls.any() else None
@@ -373,7 +370,7 @@ def bend_strip(
         travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=np.sum(end_force * _path_directions(end, designed), axis=1),
+        force_along=dot(end_force, _path_directions(end, designed)),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=strain,
         stress=strain * [layer.sheet.youngs_modulus for layer in layers],
@@ -390,7 +387,3 @@ def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray
     steps = after - before
     size = norm(steps)[:, None]
     return np.asarray(np.divide(steps, size, out=np.zeros_like(steps), where=size > 0))
-
-
-def _crosses_itself(rod: Rod) -> bool:
-    return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
