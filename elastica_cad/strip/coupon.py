@@ -5,7 +5,6 @@ import numpy as np
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
@@ -149,14 +148,12 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
     short, long = 0.12 * width, 0.24 * width
     height = min(3.0, 0.2 * width)
     paths, texts = [], []
-    for left in _free_lengths(free):
+    below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
+    for left in [free, *below.tolist()]:
         x = free - left
         major = left == free or left % LONG_TICK_MM == 0
-        if x == 0.0:
-            tick = Line((x, edge), (x, -edge))
-        else:
-            tick = Line((x, edge), (x, edge + (long if major else short)))
-        paths.append(LayeredPath(ENGRAVE, Path((tick,), closed=False)))
+        top = -edge if x == 0.0 else edge + (long if major else short)
+        paths.append(LayeredPath(ENGRAVE, Path.polyline([(x, edge), (x, top)])))
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
@@ -164,8 +161,3 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)
-
-
-def _free_lengths(free: float) -> list[float]:
-    below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
-    return [free, *below.tolist()]

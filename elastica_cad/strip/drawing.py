@@ -19,6 +19,7 @@ from elastica_cad.geometry.plane_points import (
     box_around,
     is_similarity,
     near_pairs,
+    norm,
     place,
     require_affine,
     similarity_of,
@@ -93,7 +94,7 @@ class Drawing:
 
     def _repr_svg_(self) -> str:
         low, high = self.bounds
-        chord = float(np.hypot(*(high - low))) * CHORD_SHARE
+        chord = float(norm(high - low)) * CHORD_SHARE
         lines = [(item.path.points(chord), LAYER_INK[item.layer], item.path.closed) for item in self.strokes]
         return svg_of_lines(lines, repr(self))
 
@@ -263,8 +264,7 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
     def outline(i: int) -> np.ndarray:
         if i not in outlines:
-            points = loops[i].points(tolerance)
-            outlines[i] = np.concatenate([points, points[:1]])
+            outlines[i] = loops[i].closed_points(tolerance)
         return outlines[i]
 
     for k, i in enumerate(order):

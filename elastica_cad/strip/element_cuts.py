@@ -199,7 +199,7 @@ class _Bump:
 
     def __call__(self, s: FloatArray) -> FloatArray:
         v = 2 * np.abs(s - self.at) / self.reach
-        return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
+        return np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3)
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)

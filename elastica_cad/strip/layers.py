@@ -170,10 +170,9 @@ def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, 
     for leaf, name in zip(section.leaves, section.names, strict=True):
         start = leaf.start - (ends[0].length if leaf.start <= 0 else 0.0)
         end = leaf.end + (ends[1].length if leaf.end >= length else 0.0)
-        corners = [(start, -half), (end, -half), (end, half), (start, half)]
-        sides = tuple(Line(a, b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
+        rim = Path.polygon([(start, -half), (end, -half), (end, half), (start, half)])
         called = f"leaf {name}" if layers else ""
-        layers.append(Layer(section.sheet, Path(sides, closed=True), (), called, (leaf.number - 1) * h))
+        layers.append(Layer(section.sheet, rim, (), called, (leaf.number - 1) * h))
     return tuple(layers)
 
 
@@ -225,22 +224,17 @@ def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, .
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    (left, low), (right, high) = layer.outline.bounds
+    (left, low), (right, high) = layer.outline.bounds.tolist()
     above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
-    return tuple(Path((Line((x, float(low)), (x, float(high))),)) for x in places)
+    return tuple(Path.polyline([(x, low), (x, high)]) for x in places)
 
 
 def _leaf_text(name: str, layer: Layer) -> Text:
-    (left, low), (right, high) = layer.outline.bounds
+    (left, low), (right, high) = layer.outline.bounds.tolist()
     words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
-    return fit_label(
-        words,
-        ((left + right) / 2, (low + high) / 2),
-        angle=0.0,
-        room=float(right - left),
-        across=float(high - low),
-    )
+    center = ((left + right) / 2, (low + high) / 2)
+    return fit_label(words, center, angle=0.0, room=right - left, across=high - low)
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
@@ -256,8 +250,7 @@ def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tup
     if lap:
         heights.insert(0, (lap, float(width(lap))))
     return tuple(
-        Path((Line((x, -TICK_FRACTION * wide), (x, TICK_FRACTION * wide)),), closed=False)
-        for x, wide in heights
+        Path.polyline([(x, -TICK_FRACTION * wide), (x, TICK_FRACTION * wide)]) for x, wide in heights
     )
 
 
@@ -380,7 +373,7 @@ class LapPlates:
             (on_backing, [(base.sheet, net_width), *glued, *glued]),
         ):
             compliance += share * designed / stack_stiffness(stack)
-        return np.asarray(1 / compliance)
+        return 1 / compliance
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])

@@ -71,7 +71,7 @@ class Text:
         """Corners (4, 2) of the box around the capital letters, anticlockwise from `position`, mm."""
         along = unit_vectors(self.angle)
         far, up = self.length * along, self.height * left_of(along)
-        return np.asarray(self.position + np.array([0 * far, far, far + up, up]), dtype=float)
+        return self.position + np.array([0 * far, far, far + up, up])
 
 
 def require_engravable(text: object) -> None:

@@ -1,6 +1,6 @@
 """Perforated strips: diamond holes that reduce the net width to the value that the stiffness requires."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Literal
@@ -106,7 +106,7 @@ class DiamondPattern:
     def slopes(self, s: FloatArray) -> FloatArray:
         """Return the slopes (n,) of the sides of the diamonds to the centre line at stations `s` (n,), mm."""
         holes = self.width(s) - self.material(s)
-        return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
+        return holes / (2 * self.columns * self.side_length)
 
     @cached_property
     def joints(self) -> FloatArray:
@@ -169,10 +169,8 @@ class DiamondPattern:
         low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
         if np.any(loop.bounds[0] >= high) or np.any(loop.bounds[1] <= low):
             return True
-        points, line = loop.points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
-        if polylines_cross(np.concatenate([points, points[:1]]), line) is not None:
-            return False
-        if encloses(line, points[0]):
+        points, line = loop.closed_points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
+        if polylines_cross(points, line) is not None or encloses(line, points[0]):
             return False
         near = min(float(distances(segment, points).min()) for segment in cut.segments)
         back = min(float(distances(segment, line).min()) for segment in loop.segments)
@@ -396,7 +394,7 @@ class Perforated:
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
         )  # fmt: skip
-        warnings = self._warnings(pattern, fit.s)
+        warnings = tuple(self._warnings(pattern, fit.s))
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=warnings)
 
     def tip_zone(self, layout: Layout) -> float:
@@ -410,30 +408,26 @@ class Perforated:
         # the zones at half diamonds are longest, because their tips are sharpest
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
-    def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
-        warnings = []
+    def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> Iterator[str]:
         slopes = pattern.slopes(s)
         i = int(np.argmax(slopes))
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
-            warnings.append(note(
-                (
-                    "the ligaments (material between holes) {s} from the start are inclined by "
-                    "{angle:.0f} degrees, too much for an exact stiffness: use fewer holes along the "
-                    "strip, each at least {long} long"),
+            yield note(
+                "the ligaments (material between holes) {s} from the start are inclined by {angle:.0f} degrees, "
+                "too much for an exact stiffness: use fewer holes along the strip, each at least {long} long",
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
-            ))  # fmt: skip
+            )  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
         if missing[i] > TIP_FRACTION:
-            warnings.append(note(
+            yield note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips of the "
                 "holes {s} from the start: use {least:g} or less to stay within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
                 least=Mm(rounded_down(self.corner_radius * TIP_FRACTION / missing[i], 2)),
                 allowed=100 * TIP_FRACTION,
-            ))  # fmt: skip
-        return tuple(warnings)
+            )  # fmt: skip
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
         """Return the largest extra width (n,), mm, that rounded tips leave near each joint of the pattern.

@@ -182,12 +182,11 @@ class FlatShape:
                 return False
             for hole in others.holes:
                 points, middle = _samples(hole) * signs + shift, hole.bounds.mean(axis=0) * signs + shift
-                near = [
-                    candidate
+                if not any(
+                    np.abs(candidate.bounds.mean(axis=0) - middle).max() < 10 * SAME_MM
+                    and _along(candidate, points)
                     for candidate in layer.holes
-                    if np.abs(candidate.bounds.mean(axis=0) - middle).max() < 10 * SAME_MM
-                ]
-                if not any(_along(candidate, points) for candidate in near):
+                ):
                     return False
         return True
 
@@ -292,8 +291,8 @@ class Piece:
     @property
     def size(self) -> tuple[float, float]:
         """Size of the bounding box along x and y, mm."""
-        x, y = self.bounds[1] - self.bounds[0]
-        return float(x), float(y)
+        x, y = (self.bounds[1] - self.bounds[0]).tolist()
+        return x, y
 
     @cached_property
     def cut_length(self) -> float:

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import islice, product
+from itertools import islice, pairwise, product
+from operator import attrgetter, itemgetter
 from typing import Annotated, Literal
 
 import numpy as np
@@ -176,11 +177,6 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     return Path([*inward, end, *left.drawn(beyond)])
 
 
-def _left_of(tangents: FloatArray) -> FloatArray:
-    normals = left_of(tangents)
-    return np.asarray(normals / norm(tangents)[:, None], dtype=float)
-
-
 @dataclass(frozen=True, eq=False)
 class _Side:
     """A side of a slot as points (n, 2), mm, from its inner end to the edge.
@@ -193,7 +189,7 @@ class _Side:
     bent: Spline | None = None
 
     def drawn(self, beyond: float) -> list[Segment]:
-        onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
+        onward = self.points[-1] + self.direction * beyond / norm(self.direction)
         if self.bent is None:
             return [Line(self.points[0], onward)]
         return [self.bent, Line(self.points[-1], onward)]
@@ -204,17 +200,16 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
     t = lengths_along(points)
     degree = min(3, len(points) - 1)
     tangents = spline_through(t, points, degree)(t, 1)
-    normals = _left_of(tangents)
-    right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
+    aside = (widths / 2 / norm(tangents))[:, None] * left_of(tangents)
+    right, left = points - aside, points + aside
     sides = spline_through(t, np.hstack([right, left]), degree)
-    return _side(right, sides.knots, sides.coefficients[:, :2]), _side(
-        left, sides.knots, sides.coefficients[:, 2:]
-    )
+    controls = np.hsplit(sides.coefficients, 2)
+    return _side(right, sides.knots, controls[0]), _side(left, sides.knots, controls[1])
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
     chord = points[-1] - points[0]
-    off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
+    off = (points - points[0]) @ left_of(chord) / norm(chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
         return _Side(points, chord)
     if len(points) < 4:
@@ -235,7 +230,7 @@ REACHES = (1.0, 4.0, 16.0)
 """Extensions of a slot's sides, as multiples of its width, tried in order until the sides meet the edge."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, order=True)
 class _Place:
     segment: int
     u: float
@@ -273,13 +268,10 @@ def cut_slots(
     if not slots:
         return outline
     edge = _Edge(outline)
-    openings = sorted(
-        (edge.opening(slot, width, name) for slot in slots), key=lambda o: (o.out.segment, o.out.u)
-    )
+    openings = sorted((edge.opening(slot, width, name) for slot in slots), key=attrgetter("out"))
     _refuse_meetings(openings, holes, name)
-    for before, after in zip(openings, [*openings[1:], openings[0]], strict=True):
-        wraps = after is openings[0]
-        if not wraps and (after.out.segment, after.out.u) < (before.back.segment, before.back.u):
+    for before, after in pairwise(openings):
+        if after.out < before.back:
             raise InputError(_meeting(name, before.slot, after.slot))
     return Path(edge.spliced(openings), closed=True)
 
@@ -321,7 +313,7 @@ class _Edge:
                 strip=name,
                 at=Length(slot.at),
             )
-        (first, a), (second, b) = sorted(crossings, key=lambda pair: (pair[1].segment, pair[1].u))
+        (first, a), (second, b) = sorted(crossings, key=itemgetter(1))
         points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
         cut = _between([c.segment for c in chords], a, b)
         return _Opening(slot, first, second, tuple(cut), points)
@@ -335,8 +327,7 @@ class _Edge:
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
                     if all(
-                        np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > SAME_POINT_MM
-                        for _, p in crossings
+                        norm(cut[p.segment].segment.at(p.u) - point) > SAME_POINT_MM for _, p in crossings
                     ):
                         crossings.append((_Place(i, u), _Place(k, v)))
         return crossings
@@ -358,7 +349,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
+    if u1 - u0 < SAME_PARAMETER and norm(segment.at(u1) - segment.at(u0)) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
 
@@ -368,15 +359,12 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
     boxes = [box_about(cut) for cut in cuts]
     for i, opening in enumerate(openings):
         for j in range(i):
-            if not boxes_meet(boxes[i], boxes[j]):
-                continue
-            if polylines_cross(cuts[i], cuts[j]) is not None:
+            if boxes_meet(boxes[i], boxes[j]) and polylines_cross(cuts[i], cuts[j]) is not None:
                 raise InputError(_meeting(name, openings[j].slot, opening.slot))
         for hole in holes:
             if not boxes_meet(boxes[i], hole.bounds):
                 continue
-            loop = hole.points(FLAT_MM)
-            at = polylines_cross(cuts[i], np.concatenate([loop, loop[:1]]))
+            at = polylines_cross(cuts[i], hole.closed_points(FLAT_MM))
             if at is not None:
                 raise InputError(
                     "{name}: the slot {at:.6g} from the start meets a hole at {at_2}: move one of them",
@@ -407,14 +395,7 @@ def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
     flat = flat + distance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     c, s = np.cos(text.angle), np.sin(text.angle)
-    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
-
-
-def _on_free_part(box: FloatArray, width: Profile) -> bool:
-    x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
-    if x[0] < 0 or x[-1] > width.length:
-        return False
-    return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]))
 
 
 class Cut:
@@ -430,7 +411,7 @@ class Cut:
     def points(self) -> FloatArray:
         """Points (k, 2) along the line; for a loop the first point is repeated at the end."""
         points = self.line.points(COARSE_MM)
-        return _around(points) if self.gone or self.line.closed else points
+        return np.concatenate([points, points[:1]]) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
         """Return True if this cut line crosses a box (4, 2), or if there is no material in the box."""
@@ -464,13 +445,9 @@ class Cuts:
         bounds = box_about(box)
         if self._rim and not boxes_meet(self._rim.line.bounds, bounds):
             return False
-        edge = _around(box)
+        edge = np.concatenate([box, box[:1]])
         met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
         return not any(self._cuts[k].reaches(box, edge) for k in met)
-
-
-def _around(points: FloatArray) -> FloatArray:
-    return np.concatenate([points, points[:1]])
 
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
@@ -529,7 +506,7 @@ def end_numbers(
         for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
             long = text_width(number, height)
             x = end + direction * (off + max(height, long) / 2) - long / 2
-            text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
+            text = Text((x, -height / 2), number, height, layer=ENGRAVE)
             if _clear(_text_box(text), width, boxes, cuts):
                 numbers.append(text)
                 break
@@ -589,9 +566,11 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
-    if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
+    bounds = box_about(box)
+    x = np.linspace(bounds[0, 0], bounds[1, 0], 9)
+    if x[0] < 0 or x[-1] > width.length or np.abs(bounds[:, 1]).max() >= width(x).min() / 2:
         return False
-    return cuts.clear_of(box)
+    return not (taken and boxes_meet(np.array(taken), bounds).any()) and cuts.clear_of(box)
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
@@ -608,5 +587,4 @@ def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
             (high + TEXT_DISTANCE_MM + 0.6 * long, middle),
             (low - TEXT_DISTANCE_MM - 0.6 * long, middle),
         ):
-            corner = (float(x - long / 2), float(y - height / 2))
-            yield Text(position=corner, text=mate, height=height, layer=MARK)
+            yield Text((x - long / 2, y - height / 2), mate, height, layer=MARK)

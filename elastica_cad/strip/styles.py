@@ -213,7 +213,7 @@ class Layout:
         if isinstance(self.section, ThicknessLaw | RoundLaw) and self.size is not None:
             return self.section.axial_stiffness(self.size(s))
         if self.backing is None:
-            return np.asarray(sheet.youngs_modulus * sheet.thickness * material)
+            return sheet.youngs_modulus * sheet.thickness * material
         backing = np.minimum(self.backing.width(s), material)
         return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, backing)
 
@@ -420,7 +420,7 @@ def correct_layout(
     drawn = rod.profile
     corrected = Profile.fit(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
-        tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
+        tolerance=CORRECTION_TOLERANCE * drawn.extremes[1],
     )  # fmt: skip
     # `with_stiffness` divides K by its minimum, so the stiffness for K = 1 is multiplied by the same number
     least, changed = float(corrected(rod.s).min()), rod.with_stiffness(corrected)
