@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,8 +10,8 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import left_of, unit_vectors
-from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.geometry.plane_points import cross, left_of, norm, unit_vectors
+from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
 from elastica_cad.mechanics.rod import Rod
@@ -157,9 +156,8 @@ def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> Float
     """
     chord = position[-1] - position[0]
     stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]
-    x, y = (np.interp(MARKS, stations, column) for column in (position - position[0]).T)
-    heights: FloatArray = (chord[0] * y - chord[1] * x) / np.hypot(*chord)
-    return heights
+    marks = np.column_stack([np.interp(MARKS, stations, axis) for axis in (position - position[0]).T])
+    return cross(chord, marks) / norm(chord)
 
 
 def upward(heights: FloatArray) -> float:
@@ -174,12 +172,12 @@ def upward(heights: FloatArray) -> float:
 
 def distance_between(ends: Sequence[HeldEnd]) -> float:
     """Return the distance between the two ends, mm."""
-    return float(np.linalg.norm(ends[1].position - ends[0].position))
+    return float(norm(ends[1].position - ends[0].position))
 
 
 def distance_of_tips(ends: Sequence[HeldEnd]) -> float:
     """Return the distance between the end points of both tabs, mm."""
-    return float(np.linalg.norm(ends[1].tip - ends[0].tip))
+    return float(norm(ends[1].tip - ends[0].tip))
 
 
 def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
@@ -196,10 +194,10 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
     [[[0.0, -10.0]], []]
     """
     first, last = (end.position for end in ends)
-    x, y = (last - first) / (np.linalg.norm(last - first) or 1.0)
-    aside = np.array([[x, -y], [y, x]])
+    along = (last - first) / (norm(last - first) or 1.0)
+    axes = np.column_stack([along, left_of(along)])
     start, end = (
-        np.reshape([tab.position + hole.at * tab.outward - first for hole in tab.holes], (-1, 2)) @ aside
+        np.reshape([tab.position + hole.at * tab.outward - first for hole in tab.holes], (-1, 2)) @ axes
         for tab in ends
     )
     return start, end
@@ -246,7 +244,7 @@ class HeldElement:
         force = f"{number_text(self.force, '.2g')} N"
         at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
         if isinstance(self.action.element, Tie):
-            length = float(np.hypot(*(self.places[1] - self.places[0])))
+            length = norm(self.places[1] - self.places[0])
             return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {force}"
         if self.face is not None:
             x, y = self.face
@@ -284,31 +282,30 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
     actions = [*rod.acting, *_forces_of_masses(strip)]
     if not actions:
         return ()
-    x, y = chord = rod.position[-1] - rod.position[0]
-    chord /= np.hypot(x, y) or 1.0
+    chord = rod.position[-1] - rod.position[0]
+    chord /= norm(chord) or 1.0
+    axes = np.column_stack([chord, left_of(chord)])
     for action in actions:
         letter = ELEMENT_LETTERS[type(action.element)]
         counts[letter] += 1
         at = rod.curve.at(action.s)
-        normal = np.column_stack([-np.sin(at.angle), np.cos(at.angle)])
+        normal = left_of(unit_vectors(at.angle))
         direction = at.angle[0]
         if isinstance(action.element, PointForce | PointMass):
             direction = np.arctan2(action.force[0, 1], action.force[0, 0])
             normal = action.force / (action.size or 1.0)
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
-        off = at.position - rod.position[0]
         contact = face = None
         if (bar := bar_direction(action, rod)) is not None:
             normal = bar[None]
             contact = at.position[0] + strip.sheet.thickness / 2 * bar
-            inward = contact - rod.position[0]
-            face = np.array([inward @ chord, inward @ left_of(chord)])
+            face = (contact - rod.position[0]) @ axes
         held.append(
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
-                np.column_stack([off @ chord, off @ left_of(chord)]),
-                _principal_angle(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
+                (at.position - rod.position[0]) @ axes,
+                _principal_angle(np.degrees(direction - np.arctan2(chord[1], chord[0]))),
                 strip.bending_stiffness * action.size,
                 contact, face,
             )
@@ -322,8 +319,7 @@ def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
     """
     if not (isinstance(action.element, Rail) and action.is_one_sided):
         return None
-    angle = float(rod.curve.at(action.s).angle[0])
-    normal = np.array([-np.sin(angle), np.cos(angle)])
+    normal = left_of(unit_vectors(rod.curve.at(action.s).angle[0]))
     side = action.mounting.side or int(np.sign(action.force[0] @ normal))
     return -side * normal if side else None
 
@@ -411,20 +407,18 @@ def holding_template(strip: Strip) -> Drawing:
     lines = [(MARK, [first.position, last.position])]
     for end in ends:
         aside = left_of(end.outward)
-        lines.append((MARK, [end.position - CROSS_MM * aside, end.position + CROSS_MM * aside]))
+        middles = [end.position, *(end.position + hole.at * end.outward for hole in end.holes)]
+        lines += [(MARK, [middle - CROSS_MM * aside, middle + CROSS_MM * aside]) for middle in middles]
         if end.tab:
             tip, half = end.tip, 0.5 * end.thickness * aside
             rim = [end.position - half, tip - half, tip + half, end.position + half]
             lines.append((ENGRAVE, rim))
-        for hole in end.holes:
-            middle = end.position + hole.at * end.outward
-            lines.append((MARK, [middle - CROSS_MM * aside, middle + CROSS_MM * aside]))
     thick = max(strip.end_thicknesses)
     lines += [(MARK, points) for held in elements for points in _element_lines(held, thick / 2)]
     paths = [LayeredPath(ENGRAVE, Path([shape]))]
-    paths += [LayeredPath(layer, Path([Line(p, q) for p, q in pairwise(points)])) for layer, points in lines]
+    paths += [LayeredPath(layer, Path.polyline(points)) for layer, points in lines]
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
-    left = float(min(first.position[0], last.position[0]))
+    left = min(first.position[0], last.position[0])
     drawn_text = [
         engravable(strip.engraved or strip.label or "strip")
         + (": its first letter points to its start (1)" if strip.engraved and not strip.unmarked else ""),
@@ -440,15 +434,16 @@ def holding_template(strip: Strip) -> Drawing:
         "angles from the line, from start to end",
     ]
     texts = [
-        Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
+        Text((left, low - 1.8 * LETTERS_MM * row), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(drawn_text)
     ]
-    texts += [_number_of_end(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
+    names = [(name, 0.5, end.tip + LETTERS_MM * end.outward) for name, end in zip("12", ends, strict=True)]
     for held in elements:
         away = ARROW_MM if held.is_load else CROSS_MM
-        x, y = held.position[0] + (away + LETTERS_MM) * held.outward[0]
-        where = (float(x) - LETTERS_MM / 2, float(y) - LETTERS_MM / 2)
-        texts.append(Text(where, held.name, LETTERS_MM, 0.0, MARK))
+        names.append((held.name, 1.0, held.position[0] + (away + LETTERS_MM) * held.outward[0]))
+    for name, wide, (x, y) in names:
+        where = (x - wide * LETTERS_MM / 2, y - LETTERS_MM / 2)
+        texts.append(Text(where, name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
 
 
@@ -456,8 +451,3 @@ def _is_upside_down(strip: Strip) -> bool:
     rod = strip.rod
     x, _ = rod.position[-1] - rod.position[0]
     return round(upward(heights_of_marks(rod.position, rod.s)) * float(x), 6) < 0
-
-
-def _number_of_end(name: str, end: HeldEnd) -> Text:
-    x, y = end.tip + LETTERS_MM * end.outward
-    return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

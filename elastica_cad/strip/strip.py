@@ -249,15 +249,6 @@ UNEVEN_JOINT_MM = 0.05
 """Difference between the widths at both ends of a closed strip, mm, above which a warning is added."""
 
 
-def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
-    spans: dict[str, Any] = {
-        name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
-    }
-    if "diameter" in spans:
-        return note("{diameter} in diameter", diameter=spans["diameter"])
-    return note("{width} wide, {thickness} thick" if "thickness" in spans else "{width} wide", **spans)
-
-
 def _mark_on_backing(curvature: FloatArray) -> str:
     """Return "INSIDE" or "OUTSIDE": the side of the bend to which the engraved face of a laminate points.
 
@@ -285,22 +276,6 @@ BACKING_SIDES: Mapping[str, str] = {
     ),
 }
 """Sentence for each word that is engraved on a laminate."""
-
-
-def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    how = (
-        note(
-            "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start",
-            lap=Length(lap),
-        )
-        if lap
-        else note("join its two ends butt to butt")
-    )
-    return note(
-        "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} N mm and "
-        "{force:.2g} N",
-        how=how, place=place, width=Length(width), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
-    )  # fmt: skip
 
 
 def _warn_of_strains(
@@ -341,7 +316,7 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
             "another place for the joint, leave out gravity, or make the curvature continuous there.",
             start=BareLength(start), end=Length(end), severity="warning",
         )  # fmt: skip
-    widest = float(width.extremes[1])
+    widest = width.extremes[1]
     if widest > length:
         yield note(
             "The strip is {width} wide but only {length} long, so it bends as a plate. Set a smaller "
@@ -400,7 +375,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
     s = stations_of_sideways(rod)
     K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
     if isinstance(layout.section, RoundLaw):
-        thickest = float(layout.width.extremes[1])
+        thickest = layout.width.extremes[1]
         return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))
     if isinstance(layout.pattern, DiamondPattern):
         between = SidewaysSection.perforated(
@@ -568,7 +543,11 @@ class Strip:
 
     def breadth(self, digits: str = ".2f") -> str:
         """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick". A constant thickness is left out."""
-        return _breadth_message(self.width, self.tapered, digits)
+        sizes = {"width": self.width, **self.tapered}
+        spans: dict[str, Any] = {name: Span.of(*size.extremes, digits) for name, size in sizes.items()}
+        if "diameter" in spans:
+            return note("{diameter} in diameter", diameter=spans["diameter"])
+        return note("{width} wide, {thickness} thick" if "thickness" in spans else "{width} wide", **spans)
 
     @cached_property
     def layout(self) -> Layout:
@@ -651,8 +630,19 @@ class Strip:
         """Sentence on the joint of a closed strip and its load; empty for an open strip."""
         if not self.is_closed:
             return ""
-        start = (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
-        return _joint_message(self.ends[1].length, self.end_widths[1], self.reactions(), start)
+        held, lap = self.reactions(), self.ends[1].length
+        how = note(
+            "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start"
+            if lap
+            else "join its two ends butt to butt",
+            lap=Length(lap),
+        )
+        return note(
+            "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} N mm and "
+            "{force:.2g} N",
+            how=how, place=(self.rod.curve.provenance or Provenance()).shown(self.rod.position[0]),
+            width=Length(self.end_widths[1]), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
+        )  # fmt: skip
 
     @property
     def is_widest(self) -> bool:

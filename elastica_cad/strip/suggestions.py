@@ -136,20 +136,18 @@ class Suggestion:
         else:
             text = "the curve as drawn, {used} % of the strain limit"
         effect = note(text, distance=about(self.deviation), **values)
-        if self.tips:
-            effect = note(
-                "{effect}; the strip tips over sideways: guide the strip at the sides", effect=effect
-            )
-        if self.snaps:
-            effect = note("{effect}; the strip snaps at a small error of a clamp", effect=effect)
-        if self.moves_far:
-            effect = note("{effect}; a small mounting error moves the strip far", effect=effect)
-        if self.needs_exact_pin:
-            effect = note("{effect}; a small mounting error puts a pin out of reach", effect=effect)
-        if any(map(collapses, self.strips)):
-            effect = note(
-                "{effect}; the strip collapses under its own weight if it stands upright", effect=effect
-            )
+        dangers = {
+            "{effect}; the strip tips over sideways: guide the strip at the sides": self.tips,
+            "{effect}; the strip snaps at a small error of a clamp": self.snaps,
+            "{effect}; a small mounting error moves the strip far": self.moves_far,
+            "{effect}; a small mounting error puts a pin out of reach": self.needs_exact_pin,
+            "{effect}; the strip collapses under its own weight if it stands upright": any(
+                map(collapses, self.strips)
+            ),
+        }
+        for danger, applies in dangers.items():
+            if applies:
+                effect = note(danger, effect=effect)
         match self.change.value:
             case Rail(float(at)):
                 *_, action = self.strips[0].rod.between
@@ -332,7 +330,8 @@ def _changes(
     """
     named = problem.refusal.changes
     names = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
-    without_load = isinstance(problem, NotRealizable) and _is_unloaded(spec)
+    has_loads = spec.may_change or spec.loads or spec.gravity is not None
+    without_load = isinstance(problem, NotRealizable) and not has_loads
     exact = without_load and not spec.between
     thinner = [change for change in named if isinstance(problem, StrainError) and change.field == "thickness"]
     if exact and (fields is None or "point" in fields):
@@ -361,10 +360,6 @@ def _support(spec: StripSpec) -> Iterator[Change]:
         curve = spec.rod_spec.curve_to_bend
         if element := suggest_support(curve, spec.supports, spec.natural_curvature, spec.between):
             yield Change("between", element)
-
-
-def _is_unloaded(spec: StripSpec) -> bool:
-    return not (spec.may_change or spec.loads) and spec.gravity is None
 
 
 def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
@@ -440,7 +435,7 @@ def _tested(
         )
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
-        wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
+        wide = strip.width.extremes[1] > WIDEST_SHARE * strip.rod.length
         if not (wide or strip.strain_verdict.allowed):
             raise overstrained(strip)  # `try_change` tries the width that the error names
         if wide or not stability(strip.rod).stable or strip.unloading_warnings:

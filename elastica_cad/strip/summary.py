@@ -6,7 +6,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
@@ -258,9 +257,9 @@ def hold_row(strip: Strip) -> Row:
         else "{apart}; {start_load} at the start, {end_load} at the end",
         apart=apart, load=start, start_load=start, end_load=end,
     )  # fmt: skip
-    if start == end and abs(inward := _inward_force(forces.start_force, ends)) > ALONG * np.hypot(
-        *forces.start_force
-    ):
+    chord = ends[1].position - ends[0].position
+    inward = forces.start_force @ chord / (norm(chord) or 1.0)
+    if start == end and abs(inward) > ALONG * norm(forces.start_force):
         load = note(
             "{apart}; the strip pushes the ends apart with {force:.2g} N, moment {moment:.2g} N mm at each end"
             if inward > 0
@@ -291,11 +290,6 @@ ALONG = 0.9
 reported as a push or pull."""
 
 
-def _inward_force(start_force: FloatArray, ends: Sequence[HeldEnd]) -> float:
-    chord = ends[1].position - ends[0].position
-    return float(start_force @ chord / (np.linalg.norm(chord) or 1.0))
-
-
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
     return note(
         "This distance is measured between the places where the bend begins; the tips of the tabs are "
@@ -309,8 +303,9 @@ def cut_rows(strip: Strip) -> Iterator[Row]:
     cuts, first = element_cuts(strip.rod), strip.ends[0].length
     if not cuts:
         return
-    sizes = {(cut.hole, cut.notch): [Length(first + c.at) for c in cuts if
-                                     (c.hole, c.notch) == (cut.hole, cut.notch)] for cut in cuts}  # fmt: skip
+    sizes: dict[tuple[float, float], list[Length]] = {}
+    for cut in cuts:
+        sizes.setdefault((cut.hole, cut.notch), []).append(Length(first + cut.at))
     texts = [
         note(
             "holes of {size:g} at {places}" if hole else "notches of {size:g} at {places}",
@@ -328,27 +323,17 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
     """Yield a row on the forces of rails, pins and ties, if any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
-    largest = float(norm(rod.force).max())
-    texts = [
-        _with_side_of_bar(
-            _element_text(
-                action,
-                rod,
-                bending_stiffness * action.size if action.size > ROUNDING_FRACTION * largest else 0.0,
-            ),
-            bar_direction(action, rod),
-        )
-        for action in rod.between
-    ]
+    least, texts = ROUNDING_FRACTION * norm(rod.force).max(), []
+    for action in rod.between:
+        text = _element_text(action, rod, bending_stiffness * action.size if action.size > least else 0.0)
+        if (bar := bar_direction(action, rod)) is not None:
+            text = note("{text} (bar {side})", text=text, side=side_of_bar(bar))
+        texts.append(text)
     details = note(
         "Directions are those of the drawing; a rail that pushes the strip upward is below it. Angles are "
         "measured from the x axis."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
-
-
-def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
-    return text if direction is None else note("{text} (bar {side})", text=text, side=side_of_bar(direction))
 
 
 def _unloaded_rows(strip: Strip) -> Iterator[Row]:
@@ -370,9 +355,10 @@ def _unloaded_rows(strip: Strip) -> Iterator[Row]:
 def farthest_move(design: Rod, bent: Rod) -> tuple[float, float, Refusal]:
     """Return the largest movement of a point of a bent rod, mm, the point's arc length, mm, and its direction."""
     moves = bent.position - design.position
-    k = int(norm(moves).argmax())
+    sizes = norm(moves)
+    k = int(sizes.argmax())
     direction = direction_in_drawing(float(np.degrees(np.arctan2(*moves[k][::-1]))))
-    return float(np.hypot(*moves[k])), float(design.s[k]), direction
+    return float(sizes[k]), float(design.s[k]), direction
 
 
 SMALLEST_MOVE_MM = 0.01

@@ -14,6 +14,8 @@ from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import (
     blocks_of_near_pairs,
+    cross,
+    dot,
     left_of,
     near_pairs,
     norm,
@@ -208,7 +210,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
         if hole is not other and isinstance(circle := hole.segments[0], Arc) and circle.is_circle:
             narrow = _distance(circle.center, [_facing(other, middle[k])]) - circle.radius
         if narrow < least * (1 - SEEN_APART):
-            places.append(ThinPlace(float(middle[k, 0]), float(middle[k, 1]), narrow, loops))
+            x, y = middle[k].tolist()
+            places.append(ThinPlace(x, y, narrow, loops))
     return tuple(sorted(places, key=lambda place: place.width))
 
 
@@ -223,7 +226,7 @@ def _distance(point: FloatArray, segments: Iterable[Segment]) -> float:
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
-    opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * LEAST_FACING_COSINE**2
+    opposed = dot(inward[i], inward[j]) < 1 - 2 * LEAST_FACING_COSINE**2
     here, there = chords.at(i[opposed]), chords.at(j[opposed])
     facing = here.has_in_front(there, least) & there.has_in_front(here, least)
     return np.flatnonzero(np.bincount(i[opposed][facing], minlength=chords.loop.size))
@@ -244,12 +247,9 @@ def _widths_across(
     for i, j in blocks_of_near_pairs(here, there, radius):
         across = points[j] - points[i]
         width = norm(across)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            across = across / width[:, None]
-        facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
-            np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
-        )
-        facing = np.flatnonzero(facing & (width < (1 - 1e-9) * least))
+        least_along = LEAST_FACING_COSINE * width
+        ahead = (dot(across, normals[i]) > least_along) & (dot(across, normals[j]) < -least_along)
+        facing = np.flatnonzero(ahead & (width < (1 - 1e-9) * least))
         narrowest = facing[_narrowest(i[facing], width[facing])]
         pairs.append((i[narrowest], j[narrowest], width[narrowest]))
     i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
@@ -317,8 +317,7 @@ class _Chords:
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
-        ahead = np.sum(ends * normals, axis=2)
-        aside = ends[..., 0] * normals[:, 1] - ends[..., 1] * normals[:, 0]
+        ahead, aside = dot(ends, normals), cross(ends, normals)
         reach = self.length / 2 + np.sqrt(1 - LEAST_FACING_COSINE**2) * least
         in_depth = (ahead.max(axis=0) > 0) & (ahead.min(axis=0) < least)
         return np.asarray(in_depth & (aside.max(axis=0) > -reach) & (aside.min(axis=0) < reach))
@@ -408,35 +407,34 @@ def find_strip_faults(
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
     joined = shop.lap is not None  # joined strips may be longer than the stock
-    backing = strip.layout.backing
-    sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
-    stocks = [shop.stock_for(sheet) for sheet in sheets]
-    leasts = [shop.width_for(sheet) for sheet in sheets]
-    if isinstance(strip.style, Laminated):  # a backing need not be strong, because it is glued to the base
-        leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
+    backing, style = strip.layout.backing, strip.style
     ligament = shop.ligament_for(strip.sheet)
     faults: list[Fault] = []
     length = strip.rod.length + sum(tab.length for tab in strip.ends)
-    width = max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
-    for i, (sheet, least, stock) in enumerate(zip(sheets, leasts, stocks, strict=True)):
+    width = max(strip.width.extremes[1], *(tab.width or 0.0 for tab in strip.ends))
+    for i, sheet in enumerate([strip.sheet] if backing is None else [strip.sheet, backing.sheet]):
         called = name if i == 0 else f"{name}, backing"
+        least, stock = shop.width_for(sheet), shop.stock_for(sheet)
+        if i and isinstance(
+            style, Laminated
+        ):  # a backing need not be strong, because it is glued to the base
+            least = min(least, style.least_backing)
         long = min(length, stock[0] if joined else np.inf)
         web = min(least, shop.bridge_for(sheet))
         if max(long, width) < LARGER_THAN_STOCK * stock[0] and not _is_obviously_wide(strip, least):
             faults += _thin_strip(called, strip, strip.layers[i], least, web, noisy=noisy)
-        faults += _too_large(called, long, width, sheet, stock, strip.style)
-    style = strip.style
+        faults += _too_large(called, long, width, sheet, stock, style)
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
-        allowed = style.least_ligament
         what = note(
             "ligaments (material between holes) of {allowed} are allowed, but only ligaments at least "
             "{ligament} wide can be cut",
-            allowed=Length(allowed),
+            allowed=Length(style.least_ligament),
             ligament=Length(ligament),
         )
         faults.append(Fault(name, what, note("Set wider ligaments, or fewer columns")))
-    longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
-    slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
+    stock = shop.stock_for(strip.sheet)
+    longest = min(strip.rod.length, stock[0] if joined else np.inf)
+    slenderest = longest / min(strip.width.extremes[0], stock[1])
     if slenderest > LARGEST_SLENDERNESS:
         what = note(
             "{length} long and {width} wide: too slender to handle (more than {most:g} times as long as wide)",
@@ -464,7 +462,7 @@ def find_plate_faults(
     """
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
-    length, width = np.ptp(outline.bounds, axis=0)
+    length, width = np.ptp(outline.bounds, axis=0).tolist()
     far_larger = max(length, width) >= LARGER_THAN_STOCK * stock[0]
     places = () if far_larger else find_thin_places([outline], holes, least)
     others = len(holes) - len(called) - len(drilled)
@@ -485,7 +483,7 @@ def find_plate_faults(
             name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops,
             of_hole=True,
         ),
-        *_too_large(name, float(length), float(width), sheet, stock),
+        *_too_large(name, length, width, sheet, stock),
     )  # fmt: skip
 
 
@@ -551,10 +549,9 @@ def _thin_strip(
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have another limit: see `find_strip_faults`
     places = find_thin_places([layer.outline], holes, least)
-    necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
-    for place in necks:
+    for place in (place for place in places if place.loops == (0, 0)):
         slots = [slot for slot in strip.slots if abs(slot.at - place.x) < slot.width / 2 + place.width]
         if slots[1:]:
             apart = note(
@@ -655,7 +652,7 @@ def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: fl
     edges = [segment for path in others for segment in path.segments]
     center, radius = hole.bounds.mean(axis=0), float(np.ptp(hole.bounds[:, 0])) / 2
     away = center - (place.x, place.y)
-    moved = center + shift * away / np.hypot(*away)
+    moved = center + shift * away / norm(away)
     room = rounded_down(2 * (_distance(center, edges) - least), 3)
     smaller = note("make the hole at most {most} in diameter", most=Length(room))
     enough = radius + least
@@ -679,7 +676,7 @@ def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: fl
 def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
     if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
-    return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
+    return (Change("max_width", rounded_up(times * strip.width.extremes[1], 3)),)
 
 
 def _faults_at(
