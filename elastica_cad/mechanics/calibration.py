@@ -272,9 +272,10 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
+    exact = np.any(errors == 0)
+    weights = np.ones(values.shape) if exact else errors**-2
     mean = float(np.average(values, weights=weights))
-    inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)
+    inner = 0.0 if exact else float(weights.sum() ** -0.5)
     if values.size == 1:
         return mean, inner
     scatter = float(np.sqrt(np.average((values - mean) ** 2, weights=weights) / (values.size - 1)))

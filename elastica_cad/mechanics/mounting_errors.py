@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.bending import fixed_places, shape_of, state_of, system_of
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail
 from elastica_cad.mechanics.mounted_elements import mounted
@@ -45,7 +45,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     """
     rod = rod.following()
     actions = mounted(rod, None)
-    least = ROUNDING_FRACTION * np.hypot(*rod.discrete.force.T).max()
+    least = ROUNDING_FRACTION * norm(rod.discrete.force).max()
     taut = [action.size > least for action in actions]
     acting = tuple(action for action, is_taut in zip(actions, taut, strict=True) if is_taut)
     if not acting:
@@ -86,7 +86,7 @@ def spare_pieces(rod: Rod) -> tuple[SparePiece | None, ...]:
     """
     actions = mounted(rod, None)
     pieces = [
-        SparePiece(s, next_s, max(next_s - s - float(np.hypot(*(next_place - place))), 0.0))
+        SparePiece(s, next_s, max(next_s - s - float(norm(next_place - place)), 0.0))
         for (s, place), (next_s, next_place) in pairwise(fixed_places(actions, system_of(rod, rod)))
     ]
     return tuple(
@@ -107,12 +107,11 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
         if isinstance(action.element, Pin):
             directions = np.eye(2)
         elif isinstance(action.element, Rail):
-            slope = shape.at(float(action.s[0]), 1)
-            directions = left_of(slope)[None] / np.hypot(*slope)
+            directions = left_of(shape.at(float(action.s[0]), 1))[None]
         else:
-            chord = shape.at(float(action.s[1])) - shape.at(float(action.s[0]))
-            directions = chord[None] / np.hypot(*chord)
-        moves = [_displacement(state, slice(at, at + 2), direction) for direction in directions]
+            directions = (shape.at(float(action.s[1])) - shape.at(float(action.s[0])))[None]
+        units = directions / norm(directions)[:, None]
+        moves = [_displacement(state, slice(at, at + 2), unit) for unit in units]
         yield float(np.linalg.norm(np.stack(moves, axis=-1), ord=2, axis=(1, 2)).max())
         at += 2 if isinstance(action.element, Pin) else 3
 
@@ -121,8 +120,6 @@ def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatA
     """Return the displacements (n, 2) of the nodes per mm of position error along `direction`."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
-    step, small = (
-        newton_step(state, Residual(np.zeros(state.angles.size), miss)),
-        SMALL_STEP * state.system.length,
-    )
+    step = newton_step(state, Residual(np.zeros(state.angles.size), miss))
+    small = SMALL_STEP * state.system.length
     return (state.moved(step, small).position - state.moved(step, -small).position) / (2 * small)

@@ -660,24 +660,23 @@ class Sheet:
                 f"the name of a sheet is {with_article(type(name))}: give a text such as 'birch-plywood-0.8'; "
                 "`sheet_names()` lists the names"
             )
-        figures = built_in_figures()
+        figures, text = built_in_figures(), str(name)
         if name in figures:
             return cls(name, **figures[name])
-        if str(name).endswith(".toml") or ".toml:" in str(name):
-            return _sheet_of_file(str(name), folder)
+        if text.endswith(".toml") or ".toml:" in text:
+            return _sheet_of_file(text, folder)
         library, problems = library_sheets()
-        if (called := plain_name(str(name))) in library:
+        if (called := plain_name(text)) in library:
             return library[called]
-        names = [*library, *figures]
-        near = get_close_matches(str(name).lower(), names, n=3, cutoff=0.4)
-        thicknesses = {known: Sheet.named(known).thickness for known in names if str(name).lower() in known}
-        containing = sorted(
-            thicknesses, key=lambda known: (not known.startswith(str(name)), thicknesses[known])
-        )
-        material, _, size = str(name).lower().removesuffix("mm").rpartition("-")
-        listed = [re.fullmatch(rf"{re.escape(material)}-(\d+(?:\.\d+)?)", other) for other in names]
-        if re.fullmatch(r"\d+(\.\d+)?", size) and float(size) > 0 and any(listed):
-            nearest = min(filter(None, listed), key=lambda other: abs(float(other[1]) - float(size)))
+        names, low = [*library, *figures], text.lower()
+        near = get_close_matches(low, names, n=3, cutoff=0.4)
+        thicknesses = {known: Sheet.named(known).thickness for known in names if low in known}
+        containing = sorted(thicknesses, key=lambda known: (not known.startswith(text), thicknesses[known]))
+        material, _, size = low.removesuffix("mm").rpartition("-")
+        found = (re.fullmatch(rf"{re.escape(material)}-(\d+(?:\.\d+)?)", other) for other in names)
+        listed = [match for match in found if match]
+        if re.fullmatch(r"\d+(\.\d+)?", size) and float(size) > 0 and listed:
+            nearest = min(listed, key=lambda other: abs(float(other[1]) - float(size)))
             advice = note(
                 "use {name} and set {field} to {size}",
                 name=nearest[0],

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import product
+from itertools import islice, product
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, numbers, require_executor, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped, system_of
 from elastica_cad.mechanics.elements import require_free_between
@@ -84,7 +85,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     v, rod = imperfection, rod.following()
     changed, B = _as_cut(rod, v, max_width)
     limit = v.yield_curvature / v.thickness
-    bend_here = np.asarray(rod.curvature) - rod.natural_curvature
+    bend_here = rod.curvature - rod.natural_curvature
     if np.any(np.abs(bend_here) > limit):
         rest = rod.natural_curvature + PlasticLaw(limit).permanent_curvature(bend_here)
         law = changed.law
@@ -139,7 +140,7 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
     """Return the rod as it was cut, and the factor by which its least stiffness changed."""
-    K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
+    K, B = 1 + (rod.stiffness - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
     wave = (1 + v.thickness_wave * np.cos(2 * np.pi * rod.s / rod.length + v.wave_phase)) ** 3
@@ -159,7 +160,7 @@ def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
     """Return the result of `_as_cut` for a strip that bends as a plate. `stiffer` (n,) multiplies the stiffness."""
-    kappa = np.asarray(rod.curvature)
+    kappa = rod.curvature
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)
     narrower, here = cut.width / curl.width, cut(kappa)
@@ -400,17 +401,15 @@ def tolerance_study(
         least_width(rod, max_width, varied.width_loss[1])
     rng = np.random.default_rng(seed)
     imperfections = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
-    combined = [_merged([imperfections[name][i] for name in _CAUSES]) for i in range(samples)]
-    groups = [(name, imperfections[name], _corner_imperfections(varied, name)) for name in _CAUSES] + [
-        ("combined", combined, [])
-    ]
+    combined = [_merged(parts) for parts in zip(*imperfections.values(), strict=True)]
+    groups = [(name, drawn, _corner_imperfections(varied, name)) for name, drawn in imperfections.items()]
+    groups.append(("combined", combined, []))
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
-    outcomes = _outcomes_of(rod, todo, max_width, executor)
-    effects, first = [], 0
-    for name, inner, outer in groups:
-        middle, last = first + len(inner), first + len(inner) + len(outer)
-        effects.append(_effect(name, outcomes[first:middle], outcomes[middle:last]))
-        first = last
+    outcomes = iter(_outcomes_of(rod, todo, max_width, executor))
+    effects = [
+        _effect(name, list(islice(outcomes, len(inner))), list(islice(outcomes, len(outer))))
+        for name, inner, outer in groups
+    ]
     return ToleranceStudy(tuple(effects[:-1]), effects[-1], seed)
 
 
@@ -463,13 +462,14 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _outcomes_of(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
+    effective = [_without_ineffective_changes(rod, v) for v in todo]
+    different = list(dict.fromkeys(effective))
     bent = partial(_outcome, rod, max_width)
     answers = (
         map(bent, different) if executor is None else executor.map(bent, different, chunksize=_RODS_PER_TASK)
     )
     outcomes = dict(zip(different, answers, strict=True))
-    return [outcomes[_without_ineffective_changes(rod, v)] for v in todo]
+    return [outcomes[v] for v in effective]
 
 
 def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:
@@ -494,7 +494,7 @@ def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _
         bent = perturb_rod(rod, imperfection, max_width=max_width)
     except NotConvergedError:
         return _Outcome(None, False)
-    return _Outcome(float(np.hypot(*(bent.position - rod.position).T).max()), has_snapped(bent))
+    return _Outcome(float(norm(bent.position - rod.position).max()), has_snapped(bent))
 
 
 def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
