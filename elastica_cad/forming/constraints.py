@@ -119,7 +119,7 @@ class EndPosition(Constraint):
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the position (2,) of the last node relative to the target."""
-        return np.asarray(rod.position[-1] - np.asarray(self.target))
+        return np.asarray(rod.position[-1] - self.target)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the indices and the derivatives of both coordinates: see `Constraint.rows`."""
@@ -197,7 +197,7 @@ class Through(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the signed distance of the rod from the target, along the normal of the rod (1,)."""
         share, nodes, normal = self._foot(rod)
-        off = share @ rod.position[nodes] - np.asarray(self.target)
+        off = share @ rod.position[nodes] - self.target
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -215,11 +215,11 @@ class Through(Constraint):
         n = position.shape[0] - 1
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
-        off = position[window] - np.asarray(self.target)
+        off = position[window] - self.target
         nearest = int(window[np.argmin((off**2).sum(axis=1))])
         first = int(np.clip(nearest - 1, 0, n - 3))
         nodes = slice(first, first + 4)
-        off = position[nodes] - np.asarray(self.target)
+        off = position[nodes] - self.target
         u = float(nearest - first)
         for _ in range(8):
             share, slope = _cubic_weights(u)
@@ -255,7 +255,7 @@ class InflectionLine(Constraint):
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
         b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
-        off = np.asarray(self.point) - rod.position[0]
+        off = self.point - rod.position[0]
         rows[0, u.moment] = 1
         rows[0, u.force] = [-off[1], off[0]]
         rows[0, u.position] = -b
@@ -281,7 +281,7 @@ class MiddleOfMirror(Constraint):
         """Return the distance from the axis, the error of the angle, and the scaled force along the axis (3,)."""
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
-        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        off = rod.position[nodes].mean(axis=0) - self.centre
         turn = rod.angles[edges].mean() - self.angle
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
@@ -318,7 +318,7 @@ class MiddleOfTurn(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the two offsets of the middle from the centre, and the scaled moment there (3,)."""
         nodes, _ = _middle(rod)
-        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        off = rod.position[nodes].mean(axis=0) - self.centre
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -473,7 +473,7 @@ class LargestSection(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Return allowed stiffness / present stiffness - 1 - reserve at the nodes (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
-        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
+        return most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return indices and derivatives of the values at nodes near the largest section: see `Constraint.rows`."""
@@ -497,7 +497,7 @@ def _nodal_rows(
 
 def _bend(rod: MappedRod, size: float) -> FloatArray:
     """Return the change of curvature at the nodes (n+1,), 1/mm. `size` is the unit of length of the rod, mm."""
-    return np.asarray(rod.moments / rod.stiffness / size)
+    return rod.moments / rod.stiffness / size
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -513,7 +513,7 @@ class BendLimit(Constraint):
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
-        return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
+        return 1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the indices and derivatives of the values at nodes near the limit: see `Constraint.rows`."""
@@ -601,7 +601,7 @@ class KeepOut(Constraint):
         return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
 
     def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-        value, gradient = self.region.clearance(rod.position * self.size + np.asarray(self.origin))
+        value, gradient = self.region.clearance(rod.position * self.size + self.origin)
         value = value / self.size
         value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
         return value, gradient

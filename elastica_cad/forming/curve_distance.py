@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import hypot
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -14,7 +13,8 @@ from elastica_cad.forming.limits import Symmetry
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.sqp import LocalModel
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, unit, unit_vectors
+from elastica_cad.geometry.splines import spline_through
 from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
@@ -73,19 +73,17 @@ class TargetCurve:
         tries = np.clip(near[:, None] + offsets, 0, 1)
         spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
         off = self.position[spots] - points[:, None]
-        s = tries[np.arange(points.shape[0]), np.argmin((off**2).sum(axis=2), axis=1)]
+        s = tries[np.arange(points.shape[0]), np.argmin(dot(off, off), axis=1)]
         for _ in range(4):
             position, direction = self.at(s)
-            s = np.clip(
-                s + ((points - position) * direction).sum(axis=1) / self._stretch(s, points, position), 0, 1
-            )
+            s = np.clip(s + dot(points - position, direction) / self._stretch(s, points, position), 0, 1)
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
-        bend = self.curvature[i] * (off[:, 1] * direction[:, 0] - off[:, 0] * direction[:, 1])
+        bend = self.curvature[i] * cross(direction, off)
         return np.asarray(np.maximum(1 - bend, 0.3))
 
     @cached_property
@@ -101,8 +99,7 @@ class TargetCurve:
     @cached_property
     def diagonal(self) -> float:
         """Diagonal of the bounding box of the curve, as a multiple of the curve's length."""
-        x, y = self.position.T
-        return hypot(x.max() - x.min(), y.max() - y.min())
+        return float(norm(np.ptp(self.position, axis=0)))
 
 
 def even_steps(count: int) -> FloatArray:
@@ -169,7 +166,7 @@ class MeanDistance:
 
     def _value(self, position: FloatArray) -> float:
         off = position - self.targets
-        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+        return 0.5 * float(self.shares @ dot(off, off))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a model of the distance that is exact for positions linear in the unknowns."""
@@ -193,12 +190,12 @@ class ClosestDistance:
     def value(self, rod: MappedRod) -> float:
         """Return half the weighted mean of the squared distances."""
         off, _ = offsets(self.target, rod)
-        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+        return 0.5 * float(self.shares @ dot(off, off))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a Gauss-Newton model that omits the motion of the nodes along the target."""
         off, normal = offsets(self.target, rod)
-        return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
+        return _least_squares(_across(normal, sensitivities), dot(off, normal), self.shares)
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +233,7 @@ class LargestDistance:
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
         off, normal = offsets(self.target, rod)
-        signed = self.factors * (off * normal).sum(axis=1)
+        signed = self.factors * dot(off, normal)
         size = np.abs(signed)
         return signed, thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
 
@@ -255,8 +252,7 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
     feet = target.feet(rod.position, even_steps(n + 1))
     position, direction = target.at(feet)
     off = rod.position - position
-    normal = left_of(direction)
-    normal /= norm(normal)[:, None]
+    normal = left_of(unit(direction))
     size = norm(off)
     past = ((feet <= 0) | (feet >= 1)) & (size > 0)
     normal[past] = off[past] / size[past, None]
@@ -265,7 +261,7 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
 
 def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
     d = sensitivities.position
-    return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
+    return normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1]
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
@@ -287,14 +283,9 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
     The unit is the length of the target.
     """
-    other = _spline_points(nodes, target.position.shape[0])
+    smooth = spline_through(even_steps(nodes.shape[0]), nodes, 3)
+    other = smooth(even_steps(target.position.shape[0]))
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
-
-
-def _spline_points(nodes: FloatArray, count: int) -> FloatArray:
-    from scipy.interpolate import CubicSpline
-
-    return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:

@@ -8,6 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.splines import bezier_spans, clamped_knots, spline_through
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
@@ -118,16 +119,12 @@ class _Shape:
     size: float
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        from scipy.interpolate import make_interp_spline
-
         table = np.column_stack([self.position, self.angle, self.curvature])
-        values = make_interp_spline(self.s, table, k=5)(s)
+        values = spline_through(self.s, table, 5)(s)
         return values[:, :2], values[:, 2], values[:, 3]
 
     def slope(self, s: FloatArray) -> FloatArray:
-        from scipy.interpolate import make_interp_spline
-
-        return np.asarray(make_interp_spline(self.s, self.curvature, k=5)(s, nu=1))
+        return spline_through(self.s, self.curvature, 5)(s, 1)
 
 
 def _continuous(rod: Rod) -> _Shape:
@@ -147,7 +144,7 @@ def _continuous(rod: Rod) -> _Shape:
         for name in ("position", "angle", "curvature", "stiffness")
     )
     s, size = np.linspace(0, 1, K.size), rod.length
-    kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    kappa_0 = np.broadcast_to(rod.natural_curvature, rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
     # at an end that is free to turn, drop nearby zeros of the moment, which are rounding errors of the zero
@@ -173,16 +170,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     The spline is exact at ends and inflections. At inflections, the derivative of the curvature is exact too,
     because it determines the stiffness there.
     """
-    from scipy.interpolate import BSpline
-
-    knots = np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
-    spline = BSpline(knots, np.eye(edges.size - 1 + DEGREE), DEGREE)
+    knots = clamped_knots(edges, {}, DEGREE)
+    spline = bezier_spans(knots, DEGREE).basis
     gauss, share = np.polynomial.legendre.leggauss(5)
     half = np.diff(edges)[:, None] / 2
     s = (edges[:-1, None] + half + half * gauss).ravel()
     root = np.sqrt(half * share)
     position, angle, kappa = shape.at(s)
-    normal = np.column_stack([-np.sin(angle), np.cos(angle)])
+    normal = left_of(unit_vectors(angle))
     typical = float(np.sqrt(np.mean(kappa**2))) + 1e-6
     w = root.ravel() * _REACH_LENGTHS**2 * typical / (np.abs(kappa) + 0.1 * typical)
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
@@ -206,7 +201,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
         ]
     )
     slope, rest_curvature = shape.slope(inner)[:, None], np.interp(inner, shape.s, shape.rest)[:, None]
-    turns = rest * np.column_stack([-np.sin(bent), np.cos(bent)])
+    turns = rest * left_of(unit_vectors(bent))
     D = np.vstack([there, along[: 2 + paced.size], turns, slope * across - rest_curvature**2 * along[2:]])
     return PlaneCurve(knots, _constrained_least_squares(A, B, C, D), DEGREE)
 

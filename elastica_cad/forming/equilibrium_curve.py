@@ -21,6 +21,7 @@ from elastica_cad.geometry.control_point_constraints import (
     FixedLength,
 )
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.geometry.plane_points import angle_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Supports
@@ -130,7 +131,7 @@ class EquilibriumCurve:
         """Discrete rod of section 7.1 of the paper."""
         nodes = self.nodes
         steps = np.diff(nodes.position, axis=0)
-        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        angles = np.unwrap(angle_of(steps))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
         # force lambda, which is perpendicular to b (paper, Eq. 4)

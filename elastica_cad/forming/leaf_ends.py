@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import norm, points_at
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import Weight
@@ -149,12 +149,12 @@ class _Search:
     steps: IntArray
     places: FloatArray
     first: tuple[int, ...]
-    tangents: tuple[bool, bool] = (False, False)
+    tangents: tuple[bool, bool]
 
     @classmethod
     def of(
         cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
-        tangents: tuple[bool, bool] = (False, False),
+        tangents: tuple[bool, bool],
     ) -> "_Search":  # fmt: skip
         """Return the search that starts with ply k wherever the thickness exceeds k - 1 + `rounding` plies."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
@@ -224,7 +224,7 @@ class _Search:
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
         B = 1 / float(compliance.max())
-        rest = np.broadcast_to(np.asarray(relaxed.natural_curvature, dtype=float), relaxed.s.shape)
+        rest = np.broadcast_to(relaxed.natural_curvature, relaxed.s.shape)
         weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))
         flat = Rod.straight(
             relaxed.length, 1 / (compliance * B), samples=NODES, gravity=relaxed.gravity,
@@ -283,8 +283,7 @@ class _Search:
         laid = self.law.laid(sorted(leaves, key=lambda leaf: (leaf.number, leaf.start)))
         fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
         s = np.linspace(0.0, fine.length, NODES)
-        at_shares = np.column_stack([np.interp(s, fine.s, column) for column in fine.position.T])
-        off = norm(at_shares - self.drawn)
+        off = norm(points_at(s, fine.s, fine.position) - self.drawn)
         return LeafedRod(
             fine, laid, float(off.max()), float(np.sqrt((off**2).mean())),
             self.relaxed, settled,

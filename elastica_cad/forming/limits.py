@@ -85,19 +85,18 @@ class HalfPlane:
             pair(self.point, "point of a half plane"),
             pair(self.normal, "normal of a half plane"),
         )
-        size = float(np.hypot(*normal))
+        size = float(norm(normal))
         if size == 0:
             raise InputError("the normal of a half plane is zero: give the direction of the allowed side")
-        object.__setattr__(self, "point", (float(point[0]), float(point[1])))
-        object.__setattr__(self, "normal", (float(normal[0] / size), float(normal[1] / size)))
+        object.__setattr__(self, "point", tuple(point.tolist()))
+        object.__setattr__(self, "normal", tuple((normal / size).tolist()))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the signed distances (n,) of points (n, 2) from the border, and their gradients (n, 2).
 
         Distances are positive on the allowed side.
         """
-        normal = np.asarray(self.normal)
-        return (points - np.asarray(self.point)) @ normal, np.broadcast_to(normal, points.shape)
+        return (points - self.point) @ self.normal, np.broadcast_to(self.normal, points.shape)
 
 
 @dataclass(frozen=True)
@@ -119,17 +118,17 @@ class Box:
             raise InputError(
                 f"the corners of a box are {lower.tolist()} and {upper.tolist()}: give the lower left corner first"
             )
-        object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
-        object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
+        object.__setattr__(self, "lower", tuple(lower.tolist()))
+        object.__setattr__(self, "upper", tuple(upper.tolist()))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the signed distances (n,) of points (n, 2) from the nearest side, and their gradients (n, 2).
 
         Distances are positive outside the box.
         """
-        low, high = np.asarray(self.lower), np.asarray(self.upper)
-        off = np.maximum(low - points, points - high)
-        sign = np.where(points - high > low - points, 1.0, -1.0)
+        below, above = self.lower - points, points - self.upper
+        off = np.maximum(below, above)
+        sign = np.where(above > below, 1.0, -1.0)
         beyond = np.maximum(off, 0)
         outside = norm(beyond)
         axis = np.argmax(off, axis=1)
@@ -379,7 +378,7 @@ class Keep:
             raise InputError(
                 "`keep.points` are not a row of finite numbers: give arc lengths on the drawn curve, in mm"
             )
-        object.__setattr__(self, "points", tuple(float(s) for s in points))
+        object.__setattr__(self, "points", tuple(points.tolist()))
         if self.line is None or isinstance(self.line, bool):
             return
         line = numbers(self.line, "keep line")
@@ -387,7 +386,7 @@ class Keep:
             raise InputError(
                 "`keep.line` is not a line: give True, or two different finite points ((x, y), (x, y)), in mm"
             )
-        object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
+        object.__setattr__(self, "line", tuple(map(tuple, line.tolist())))
 
     @property
     def both_ends(self) -> tuple[bool, bool]:

@@ -95,8 +95,8 @@ class FoundMeridian:
         for k in np.unique(piece):
             here = piece == k
             station = 2 * (s[here] - marks[k]) / self.lengths[k] - 1
-            moved = [chebyshev.chebval(station, chebyshev.chebint(row, lbnd=-1)) for row in self.series[k]]
-            places[here] = self.points[k] + self.lengths[k] / 2 * np.column_stack(moved)
+            moved = chebyshev.chebval(station, chebyshev.chebint(self.series[k].T, lbnd=-1))
+            places[here] = self.points[k] + self.lengths[k] / 2 * moved.T
         return places
 
     @cached_property
@@ -108,13 +108,11 @@ class FoundMeridian:
             return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
         worst = 0.0
-        for start, length, rows in zip(self.points, self.lengths, self.series, strict=False):
-            c, s = (chebyshev.chebval(station, row) for row in rows)
-            c_slope, s_slope = (chebyshev.chebval(station, chebyshev.chebder(row)) for row in rows)
-            x, y = (
-                p + length / 2 * chebyshev.chebval(station, chebyshev.chebint(row, lbnd=-1))
-                for p, row in zip(start, rows, strict=True)
-            )
+        for start, length, series in zip(self.points, self.lengths, self.series.swapaxes(1, 2), strict=False):
+            c, s = chebyshev.chebval(station, series)
+            c_slope, s_slope = chebyshev.chebval(station, chebyshev.chebder(series))
+            moved = chebyshev.chebval(station, chebyshev.chebint(series, lbnd=-1))
+            x, y = start[:, None] + length / 2 * moved
             off = x * (c * s_slope - s * c_slope) * 2 / length - (self.a + self.b[0] * x + self.b[1] * y)
             worst = max(worst, *(float(each.max()) for each in (np.abs(off), np.abs(c**2 + s**2 - 1), -x)))
         return worst / max(1.0, abs(self.a) + float(np.abs(self.b).sum()))
@@ -168,13 +166,8 @@ class _Equations:
         n = nodes
         self.stations = -np.cos(np.pi * np.arange(n + 1) / n)
         self.series = np.linalg.inv(chebyshev.chebvander(self.stations, n))
-        unit = np.eye(n + 1)
-        integral = [chebyshev.chebval(self.stations, chebyshev.chebint(row, lbnd=-1)) for row in unit]
-        slope = [chebyshev.chebval(self.stations, chebyshev.chebder(row)) for row in unit]
-        self.integral, self.slope = (
-            np.column_stack(integral) @ self.series,
-            np.column_stack(slope) @ self.series,
-        )
+        self.integral = chebyshev.chebval(self.stations, chebyshev.chebint(self.series, lbnd=-1)).T
+        self.slope = chebyshev.chebval(self.stations, chebyshev.chebder(self.series)).T
         self.width = n + 2
         self.count = self.pieces * self.width + 3
 
@@ -193,7 +186,7 @@ class _Equations:
 
     def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
         angles, lengths, constants = self.parts(unknown)
-        tangents = unit_vectors(angles)
+        tangents = np.swapaxes(unit_vectors(angles), 1, 2)
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
@@ -343,7 +336,7 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
         if system.shape[0] == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
         across, corner = np.linalg.qr(system.T)
-        return np.asarray(across @ np.linalg.solve(corner.T, right))
+        return across @ np.linalg.solve(corner.T, right)
     except np.linalg.LinAlgError:
         return np.asarray(np.linalg.lstsq(system, right, rcond=1e-13)[0])
 
@@ -678,7 +671,7 @@ def _refuse_winding(p: FloatArray) -> None:
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]
-        waving = np.sqrt(np.hypot(*b) / (start[0] + length))
+        waving = np.sqrt(norm(b) / (start[0] + length))
         most = max(bending, waving)
         too_much = most * length > 2 * np.pi * MOST_TURNS
     if too_much:

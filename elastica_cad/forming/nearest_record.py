@@ -229,7 +229,7 @@ def _advise(near: NearestRod) -> Iterator[str]:
         )
         if named:
             yield note("Relax {limits}.", limits=Either(binding.title for binding in named))
-    elif near.distance > _SLIGHT_DIAGONALS * _diagonal(near):
+    elif near.distance > _SLIGHT_DIAGONALS * np.hypot(*np.ptp(near.target.bounds, axis=0)):
         for binding in named:
             step, size = _step(binding)
             if not size:
@@ -283,8 +283,3 @@ def _violation_sentence(near: NearestRod, binding: Binding) -> str:
             "The strip violates a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle
         )
     return note("The strip violates a limit: {missed}.", missed=missed)
-
-
-def _diagonal(near: NearestRod) -> float:
-    lower, upper = near.target.bounds
-    return float(np.hypot(*(np.asarray(upper) - np.asarray(lower))))

@@ -267,7 +267,7 @@ class NearestTask:
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
     kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
-    return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
+    return (kappa - _nodal_rest(rest, nodes, target.size)) / target.size
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
@@ -359,4 +359,4 @@ def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatA
             f"{what} cannot be read: give a finite number, values at equal distances, or a function of arc "
             "length"
         )
-    return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))
+    return np.interp(x, np.linspace(0, 1, array.size), array)

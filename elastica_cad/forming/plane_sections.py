@@ -58,8 +58,8 @@ class Mesh:
         points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
         rows = _with_merged_cracks(points, index.reshape(-1)[rows])
         reports: list[str] = []
-        area = _areas(points, rows)
-        keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
+        a, b, c = points[rows].swapaxes(0, 1)
+        keep = np.cross(b - a, c - a).any(axis=1) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
         reports += _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
         remaining = rows[keep]
         _, first = np.unique(np.sort(remaining, axis=1), axis=0, return_index=True)
@@ -150,12 +150,7 @@ def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     _, first = np.unique(piece, return_index=True)
     merged = np.arange(len(points))
     merged[border] = border[first[piece]]
-    return np.asarray(merged[rows])
-
-
-def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
-    a, b, c = (points[rows[:, k]] for k in range(3))
-    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+    return merged[rows]
 
 
 def _complaint(

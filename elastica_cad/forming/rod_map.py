@@ -55,7 +55,7 @@ class StiffnessBasis:
         mirror = basis[:, ::-1][:, :half].copy()
         if self.count % 2:
             mirror[:, -1] = 0
-        return np.asarray(basis[:, :half] + mirror)
+        return basis[:, :half] + mirror
 
     def coefficients(self, z: FloatArray) -> FloatArray:
         """Return the coefficients (count,) of all B-splines. `z` begins with the independent coefficients."""
@@ -390,7 +390,7 @@ class StripGrid:
     @cached_property
     def running(self) -> FloatArray:
         """Integrals (n+1, m) of the basis functions up to and including each node, for a rod of length 1."""
-        return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
+        return np.cumsum(self.shares[:, None] * self.basis, axis=0)
 
     def carried(self, rod: MappedRod) -> CarriedWeight:
         """Return the integrated weight of a rod, from a cache if possible."""

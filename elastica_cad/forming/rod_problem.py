@@ -33,7 +33,7 @@ from elastica_cad.forming.limits import MET, Binding, Limits, Symmetry
 from elastica_cad.forming.nearest_task import NearestTask, SearchPoint, values_along
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import BareLength, FieldName, Length, note
 
@@ -118,7 +118,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
     def _clipped(self, z: FloatArray) -> FloatArray:
-        return np.asarray(np.clip(z, self.lower, self.upper))
+        return np.clip(z, self.lower, self.upper)
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
         """Return the problem with some `unknowns` fixed to `value`, clipped to the bounds."""
@@ -263,7 +263,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
             )
         low = high = 1.0
     if all(task.keep.both_ends):
-        chord = float(np.hypot(*(target.position[-1] - target.position[0])))
+        chord = float(norm(target.position[-1] - target.position[0]))
         if high < chord * (1 - 1e-12):
             raise InputError(
                 "the rod may be at most {size:.6g} long, but its fixed ends are {size_2:.6g} apart: allow "
@@ -306,8 +306,8 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         point, _ = target.at(np.array([place]))
         constraints.append(Through(target=_pair(point[0]), place=place))
     if task.line is not None:
-        a, b = ((np.asarray(p) - target.origin) / target.size for p in task.line)
-        direction = (b - a) / np.hypot(*(b - a))
+        a, b = ((p - target.origin) / target.size for p in task.line)
+        direction = unit(b - a)
         constraints.append(
             InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task))
         )
@@ -366,7 +366,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
         )
     across = left_of(axis)
     middle = float(target.angles(np.array([0.5]))[0])
-    angle = float(np.arctan2(across[1], across[0]))
+    angle = float(angle_of(across))
     angle += np.pi * np.round((middle - angle) / np.pi)
     return MiddleOfMirror(centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * _moment_scale(task))
 

@@ -19,7 +19,15 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along, norm, numbers_in_groups, turn_between
+from elastica_cad.geometry.plane_points import (
+    begun_at,
+    dot,
+    lengths_along,
+    norm,
+    numbers_in_groups,
+    points_at,
+    turn_between,
+)
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
@@ -115,8 +123,8 @@ class SectionLine:
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
         """Return the pieces between `cuts`, which are indices of points plus a fraction of the next side."""
         last = len(self.points) - 1
-        index = np.arange(last + 1)
-        at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
+        index = np.arange(last + 1.0)
+        at = points_at(cuts, index, self.points)
         cuts = np.unique(cuts)
         if len(cuts) < len(at) or (not self.is_closed and (cuts[0] <= 0 or cuts[-1] >= last)):
             raise InputError(
@@ -262,7 +270,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
         return [points]
     if closed:  # start the closed line at x < 0, so that its start does not divide a part with x >= 0
         shift = int(np.argmin(x[:-1]))
-        points = np.concatenate([points[shift:-1], points[: shift + 1]])
+        points = begun_at(points, shift)
         x = points[:, 0]
     parts: list[list[FloatArray]] = []
     for i in range(len(points)):
@@ -283,7 +291,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 def _nearest(points: FloatArray, place: FloatArray) -> float:
     """Return the position on a polyline nearest to a point: a vertex index plus a fraction of the next side."""
     step = np.diff(points, axis=0)
-    u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
+    u = np.clip(dot(place - points[:-1], step) / dot(step, step), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
     i = int(np.argmin(off))
     return i + float(u[i])
@@ -291,7 +299,7 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
 
 def place_in_words(point: FloatArray) -> Point:
     """Return a point (3,) with rounded coordinates, for messages."""
-    return Point(np.asarray(point).round(9) + 0.0)
+    return Point(point.round(9) + 0.0)
 
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
@@ -580,7 +588,7 @@ def smooth_polyline(
     if s[-1] == 0:
         raise InputError("the points to smooth are all equal: give different points")
     at = np.linspace(0.0, s[-1], count)
-    even = np.column_stack([np.interp(at, s, column) for column in vertices.T])
+    even = points_at(at, s, vertices)
     third = np.diff(np.eye(count), 3, axis=0)
     middle = (at[:-3] + at[3:]) / 2
     spans = numbers(where, "parts to smooth")

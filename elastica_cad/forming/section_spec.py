@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections import FARTHEST_MM
 from elastica_cad.forming.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import lengths_along, points_at
 from elastica_cad.refusals import Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
@@ -98,14 +98,14 @@ def planes_along(
     s = lengths_along(points)
     at = np.linspace(0.0, s[-1], count) if ends else s[-1] * (np.arange(count) + 0.5) / count
     slopes = np.column_stack([_slopes(s, column) for column in points.T])
-    places, ways = (np.column_stack([np.interp(at, s, c) for c in rows.T]) for rows in (points, slopes))
+    places, ways = (points_at(at, s, rows) for rows in (points, slopes))
     return tuple(_across(p, _direction("path", w), up) for p, w in zip(places, ways, strict=True))
 
 
 def _slopes(s: FloatArray, values: FloatArray) -> FloatArray:
     if s.size < 3:
         return np.full(s.size, (values[-1] - values[0]) / s[-1])
-    return np.asarray(np.gradient(values, s, edge_order=2), dtype=float)
+    return np.gradient(values, s, edge_order=2)
 
 
 def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
@@ -119,7 +119,7 @@ def _normal_direction(name: str, value: ArrayLike, along: FloatArray) -> FloatAr
     size = float(np.linalg.norm(part))
     if size < 1e-9:
         raise InputError(f"{name}={v.tolist()} is at right angles to the plane: choose another direction")
-    return np.asarray(part / size)
+    return part / size
 
 
 def _direction(name: str, value: ArrayLike) -> FloatArray:
@@ -127,7 +127,7 @@ def _direction(name: str, value: ArrayLike) -> FloatArray:
     size = float(np.linalg.norm(v))
     if size == 0:
         raise InputError(f"{name} is zero: give a direction of three numbers")
-    return np.asarray(v / size)
+    return v / size
 
 
 def _vector(name: str, value: ArrayLike) -> FloatArray:
@@ -324,7 +324,7 @@ class PointSplit:
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """Return the pieces of a line, split at the positions nearest to the points."""
-        return line.split_at(line.frame.local(np.asarray(self.points))[:, :2])
+        return line.split_at(line.frame.local(self.points)[:, :2])
 
 
 @dataclass(frozen=True)

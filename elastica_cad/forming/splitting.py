@@ -236,7 +236,7 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
         raise InputError("places of supports are not finite: give arc lengths in mm")
     t = curve.parameter(s)
     low, high = curve.domain
-    return np.asarray(t[(t > low) & (t < high)])
+    return t[(t > low) & (t < high)]
 
 
 def _forwards(cut: _Cut) -> list[float]:
@@ -333,11 +333,11 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
 def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
     ends = [cut.curve.domain[0], *supports, cut.curve.domain[1]]
     pairs = list(pairwise(ends))
-    s = cut.curve.arc_length(np.array(supports)) if supports else np.zeros(0)
-    spans = cut.curve.arc_length(np.array(ranges)) if ranges else np.zeros((0, 2))
+    s = cut.curve.arc_length(np.array(supports))
+    spans = cut.curve.arc_length(np.array(ranges).reshape(-1, 2))
     return Splitting(
         tuple(cut.piece(*pair) for pair in pairs),
-        tuple(float(x) for x in s),
+        tuple(s.tolist()),
         tuple((float(a), float(b)) for a, b in spans),
         tuple(cut.ratio_of(*pair) for pair in pairs),
     )

@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.mechanics.loads import NaturalCurvature, RestCurvature, Supports
 from elastica_cad.mechanics.theorem1 import measured_points
 from elastica_cad.refusals import Length, Refusal, note
@@ -73,9 +74,8 @@ class StraightEnds:
         The piece is 0 (first) or 1 (last). Return None if the point is farther than `within`, mm, from both pieces.
         """
         for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
-            angle = float(self.bent.angle_at(t))
-            x, y = outward * np.cos(angle), outward * np.sin(angle)
-            along, across = np.array([[x, y], [-y, x]]) @ (np.asarray(point) - self.bent.evaluate(t))
+            ahead = outward * unit_vectors(self.bent.angle_at(t))
+            along, across = np.array([ahead, left_of(ahead)]) @ (np.asarray(point) - self.bent.evaluate(t))
             if 0 < along < self.lengths[end] and abs(across) <= within:
                 return end, float(along)
         return None

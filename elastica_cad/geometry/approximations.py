@@ -11,7 +11,8 @@ from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.plane_points import norm, place, turn_between
+from elastica_cad.geometry.plane_points import norm, place, project, turn_between
+from elastica_cad.geometry.polynomials import raise_degree
 from elastica_cad.geometry.segments import Segment, Spline, require_tolerance_mm, segment_from_bulge
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, knot_runs, solved
 from elastica_cad.refusals import Length
@@ -91,13 +92,12 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
     inside = np.repeat([start for start, _, _ in pieces[1:]], 3)
     knots = np.concatenate([[pieces[0][0]] * 4, inside, [pieces[-1][1]] * 4])
     weights = rows[:, 2] if curve.is_rational else None
-    return PlaneCurve(knots, rows[:, :2] / rows[:, 2:], 3, weights)
+    return PlaneCurve(knots, project(rows), 3, weights)
 
 
 def _raised(rows: FloatArray) -> FloatArray:
-    while (degree := len(rows) - 1) < 3:
-        share = np.arange(1, degree + 1)[:, None] / (degree + 1)
-        rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
+    while len(rows) < 4:
+        rows = raise_degree(rows.T).T
     return rows
 
 

@@ -29,7 +29,7 @@ _NEWTON_STEPS = 40
 
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
-_INTEGRATE = np.asarray(chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0), dtype=float).T
+_INTEGRATE = chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0).T
 _PLACES = np.linspace(-1.0, 1.0, 17)
 """Coordinates in a panel at which the arc length is tabulated, as starting points for Newton's method."""
 
@@ -59,7 +59,7 @@ class ArcLength:
         panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.clip(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0, 1.0)
         s = self.s[panel] + chebyshev.chebval(x, self.series.T[:, panel], tensor=False)
-        return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
+        return np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Return parameters (n,) at arc lengths (n,), by Newton's method between tabulated values."""

@@ -14,7 +14,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import cross, left_of, norm
+from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, unit
 from elastica_cad.geometry.polynomials import gauss_rule
 
 _EPS = float(np.finfo(float).eps)
@@ -49,7 +49,7 @@ class EndPositions:
         """
         held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
         if not held:
-            return np.zeros(0), np.zeros((0, curve.control_points.size))
+            return _no_equations(curve)
         t = np.array([at for at, _ in held])
         gap = curve.evaluate(t) - np.array([p for _, p in held])
         return gap.ravel(), directed_rows(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
@@ -67,8 +67,7 @@ class EndTangents:
         """Return the constraint that both end tangents of `curve` remain the same."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         velocity = curve.evaluate(np.array(curve.domain), 1)
-        unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
-        start, end = left_of(unit)
+        start, end = left_of(unit(velocity))
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
@@ -76,10 +75,9 @@ class EndTangents:
         ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
         held = [(t, n) for t, n in ends if n is not None]
         if not held:
-            return np.zeros(0), np.zeros((0, curve.control_points.size))
+            return _no_equations(curve)
         t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
-        residual = (curve.evaluate(t, 1) * normal).sum(axis=1)
-        return residual, directed_rows(curve.basis(t, 1), normal)
+        return dot(curve.evaluate(t, 1), normal), directed_rows(curve.basis(t, 1), normal)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +103,7 @@ class SmoothJoints:
         first = np.searchsorted(curve.knots, free, side="left")
         ends = np.searchsorted(curve.knots, free, side="right")
         at = (first - 1)[ends - first == curve.degree]
-        handle = np.linalg.norm(curve.control_points[at + 1] - curve.control_points[at], axis=1)
+        handle = norm(curve.control_points[at + 1] - curve.control_points[at])
         return cls(at, handle)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
@@ -141,8 +139,7 @@ class FixedLength:
         t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
         weight = (width[:, None] * w / 2).ravel()
         velocity = curve.evaluate(t, 1)
-        tangent = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
-        gradient = curve.basis(t, 1).T @ (tangent * weight[:, None])
+        gradient = curve.basis(t, 1).T @ (unit(velocity) * weight[:, None])
         return np.array([curve.length - self.length]), gradient.reshape(1, -1)
 
 
@@ -164,8 +161,7 @@ class InflectionsOnLine:
         The parameters t of the inflections change with the control points.
         """
         position, jacobian = _inflections(curve, self.t, self.natural_curvature)
-        b = np.asarray(self.b, dtype=float)
-        return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
+        return self.a + position @ self.b, np.einsum("k,ikq->iq", self.b, jacobian)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,9 +174,8 @@ class PointsOnLine:
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the values a + <b, gamma(t)> of the curve gamma."""
-        b = np.asarray(self.b, dtype=float)
-        rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
-        return self.a + curve.evaluate(self.t) @ b, rows
+        rows = directed_rows(curve.basis(self.t), np.tile(self.b, (self.t.size, 1)))
+        return self.a + curve.evaluate(self.t) @ self.b, rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,18 +204,18 @@ class CollinearInflections:
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the distances, mm, of inflections from the line through the two inflections farthest apart."""
         position, jacobian = _inflections(curve, self.t)
-        apart = np.linalg.norm(position[:, None] - position[None], axis=2)
+        apart = norm(position[:, None] - position[None])
         i, j = np.unravel_index(int(apart.argmax()), apart.shape)
         inner = [k for k in range(len(position)) if k not in (i, j)]
         if not inner:
-            return np.zeros(0), np.zeros((0, curve.control_points.size))
+            return _no_equations(curve)
         chord, size = position[j] - position[i], apart[i, j]
         normal = left_of(chord) / size
         offset = position[inner] - position[i]
         along = offset @ chord / size**2
         # motion of each inflection relative to the moving line through inflections i and j
         step = jacobian[inner] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
-        return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
+        return offset @ normal, np.einsum("k,ikq->iq", normal, step)
 
 
 def least_norm_newton(
@@ -274,7 +269,9 @@ def least_norm_newton(
     residual, jacobian = _assembled(curve, constraints)
     norms = [float(np.linalg.norm(residual))]
     while norms[-1] > tolerance * size:
-        is_rounding = norms[-1] <= _rounding(curve, jacobian)
+        # residuals that rounding errors of the control points may cause
+        rounding = 8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel())
+        is_rounding = norms[-1] <= rounding
         if len(norms) > max_steps and is_rounding:
             break
         if len(norms) > max_steps:
@@ -292,11 +289,6 @@ def least_norm_newton(
             raise
         norms.append(float(np.linalg.norm(residual)))
     return curve, tuple(norms)
-
-
-def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
-    """Return the norm of the residuals that rounding errors of the control points may cause."""
-    return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
 def _damped_step(
@@ -322,13 +314,17 @@ def _damped_step(
 def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[FloatArray, FloatArray]:
     parts = [constraint.equations(curve) for constraint in constraints]
     if not parts:
-        return np.zeros(0), np.zeros((0, curve.control_points.size))
+        return _no_equations(curve)
     return np.concatenate([r for r, _ in parts]), np.concatenate([j for _, j in parts])
+
+
+def _no_equations(curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+    return np.zeros(0), np.zeros((0, curve.control_points.size))
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
     """Return the derivatives (k, 2 m) of sum_i basis[k, i] <direction[k], q_i> by the control points q_i."""
-    return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
+    return (basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1)
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
@@ -347,7 +343,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
     The derivatives (k, 2, 2 m) are taken by the control points q. The curvature kappa at an inflection remains
     kappa_0, so the parameter t of the inflection changes: dt/dq = -(d kappa/dq) / (d kappa/dt).
     """
-    t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
+    t = _nearest_inflections(curve, np.atleast_1d(near), kappa_0)
     velocity = curve.evaluate(t, 1)
     slope = curve.curvature_slope_at(t) * norm(velocity)
     moved = -curvature_rows(curve, t) / slope[:, None]
@@ -367,7 +363,7 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
             "smaller, or bend the curve more on both sides of each inflection"
         )
     if inflections.size == near.size:
-        return np.asarray(inflections[np.argsort(np.argsort(near))])
+        return inflections[np.argsort(np.argsort(near))]
     picked = inflections[np.abs(inflections[None, :] - near[:, None]).argmin(axis=1)]
     if np.unique(picked).size < near.size:
         raise NotConvergedError("two inflections of the curve merge: make the move smaller")

@@ -13,6 +13,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.geometry.plane_points import project
 from elastica_cad.geometry.polynomials import divide_out_end_root, product, roots, without_end_roots
 from elastica_cad.geometry.splines import sampled
 
@@ -88,7 +89,8 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
     terms = bezier * np.array([b[0], b[1], a])
     distance = terms.sum(axis=-1)
     noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
-    level = 1e-12 * np.hypot(*b) * _extent(bezier) * bezier[..., 2].max(axis=1)
+    extent = float(np.ptp(project(bezier), axis=(0, 1)).max())
+    level = 1e-12 * np.hypot(*b) * extent * bezier[..., 2].max(axis=1)
     on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
     return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
 
@@ -147,7 +149,7 @@ def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) ->
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
     """Return flags (p,): True for pieces with a curvature below 1e-8, on a curve of extent 1."""
-    points = bezier[..., :2] / bezier[..., 2:]
+    points = project(bezier)
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
     length = np.hypot(along, across)
@@ -157,13 +159,8 @@ def _straight_pieces(bezier: FloatArray) -> BoolArray:
     return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 + 16 * _EPS)
 
 
-def _extent(bezier: FloatArray) -> float:
-    points = bezier[..., :2] / bezier[..., 2:]
-    return float(np.ptp(points, axis=(0, 1)).max())
-
-
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    points = bezier[..., :2] / bezier[..., 2:]
+    points = project(bezier)
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)
     unit[..., 2] = bezier[..., 2] / bezier[..., 2].max()

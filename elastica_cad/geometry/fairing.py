@@ -21,7 +21,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import is_smooth_around, left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import dot, is_smooth_around, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, closed_spline, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD, Healing, heal_tangents
@@ -74,7 +74,7 @@ def smooth_through(points: FloatArray, tolerance: float, noise: float = 0.0) -> 
     if is_smooth_around(points, SIDE_TOLERANCES * max(tolerance, noise)):
         return PlaneCurve(*closed_spline(points, CLOSED_DEGREE, tolerance, noise), CLOSED_DEGREE)
     chord = points[-1] - points[0]
-    x, y = chord / max(float(np.hypot(*chord)), 1e-300)
+    x, y = chord / max(float(norm(chord)), 1e-300)
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
     if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
         return PlaneCurve.line(points[0], points[-1])
@@ -239,7 +239,7 @@ class _Problem:
         slide = np.sqrt(_SLIDE) * along
         self.data_part = self._normal_equations(
             np.concatenate([self._rows(self.across, 0), self._rows(slide, 0)], axis=1),
-            np.concatenate([(self.data * self.across).sum(axis=2), (self.data * slide).sum(axis=2)], axis=1),
+            np.concatenate([dot(self.data, self.across), dot(self.data, slide)], axis=1),
         )
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
@@ -261,7 +261,7 @@ class _Problem:
         derivatives of order `derivative`.
         """
         numbers = self.basis[derivative][..., None] * direction[..., None, :]
-        return np.asarray(numbers.reshape(*direction.shape[:2], -1))
+        return numbers.reshape(*direction.shape[:2], -1)
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
         return np.asarray(self.basis[derivative] @ points[self.support])
@@ -292,8 +292,8 @@ class _Problem:
         speed = norm(d1)
         t = d1 / speed[..., None]
         n = left_of(t)
-        kappa = (d2 * n).sum(axis=2) / speed**2
-        slope = ((d3 * n).sum(axis=2) / speed**2 - 3 * kappa * (d2 * t).sum(axis=2) / speed) / speed
+        kappa = dot(d2, n) / speed**2
+        slope = (dot(d3, n) / speed**2 - 3 * kappa * dot(d2, t) / speed) / speed
         rows = (
             self._rows(n, 3)
             - self._rows(3 * kappa[..., None] * t, 2)
@@ -314,7 +314,8 @@ class _Problem:
         before, rise = None, _RISE
         for _ in range(_MOST_TRIALS):
             points = self._solved(slope, float(np.exp(6 * trial)))
-            excess = float(np.log(self._off(points) / limit + 1e-12))
+            off = np.abs(dot(self._values(points, 0) - self.data, self.across)).max()
+            excess = float(np.log(off / limit + 1e-12))
             if excess <= 0:
                 low, within = trial, points
             else:
@@ -339,9 +340,6 @@ class _Problem:
         points, free = self.held.copy(), self.places >= 0
         points[free] = np.nan if failed else unknowns.reshape(-1, 2)[self.places[free]]
         return points
-
-    def _off(self, points: FloatArray) -> float:
-        return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=2)).max())
 
 
 def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:

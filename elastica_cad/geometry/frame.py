@@ -48,12 +48,10 @@ class Frame:
                 "frame x_axis and y_axis are not at right angles: give two directions at right angles to "
                 "each other"
             )
-        self._set_read_only(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
-
-    def _set_read_only(self, *rows: FloatArray) -> None:
-        for row in rows:
-            row.setflags(write=False)
-        vars(self).update(zip(_PARTS, rows, strict=True))
+        for name, row, size in zip(_PARTS, rows, (1.0, *sizes), strict=True):
+            scaled = row / size
+            scaled.setflags(write=False)
+            vars(self)[name] = scaled
 
     @property
     def z_axis(self) -> FloatArray:
@@ -81,15 +79,14 @@ class Frame:
             raise InputError(
                 f"local coordinates have the shape {local.shape}: give rows of two or three numbers"
             )
-        vectors: FloatArray = local @ self.axes[: local.shape[-1]]
-        return vectors
+        return local @ self.axes[: local.shape[-1]]
 
     def local(self, points: ArrayLike) -> FloatArray:
         """Return local coordinates (..., 3), mm, of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
             raise InputError(f"points in space have the shape {points.shape}: give rows of three numbers")
-        return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
+        return (points - self.origin) @ self.axes.T
 
     def within(self, outer: "Frame") -> "Frame":
         """Convert this frame from coordinates in `outer` to coordinates in space."""

@@ -7,7 +7,15 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import rounded_up
-from elastica_cad.geometry.plane_points import is_closed, lengths_along, norm, thinned
+from elastica_cad.geometry.plane_points import (
+    angle_of,
+    cross,
+    is_closed,
+    lengths_along,
+    norm,
+    thinned,
+    transform_points,
+)
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
@@ -156,9 +164,8 @@ class MeasuredPoints:
     def _turns(self) -> tuple[FloatArray, FloatArray]:
         """Turning angles (n - 2,), rad, at inner points, positive to the left, and their largest errors."""
         step = np.diff(self.points, axis=0)
-        heading = np.arctan2(step[:, 1], step[:, 0])
         rounding = 2 * self.resolution / norm(step)
-        return (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, rounding[1:] + rounding[:-1]
+        return (np.diff(angle_of(step)) + np.pi) % (2 * np.pi) - np.pi, rounding[1:] + rounding[:-1]
 
     @property
     def rounded_noise(self) -> Length:
@@ -260,9 +267,9 @@ def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
     weights = 1 / gaps.prod(axis=2)
     weights /= np.linalg.norm(weights, axis=1)[:, None]
-    x, y = np.einsum("ij,ijk->ki", weights, near)
-    chord_x, chord_y = (near[:, -1] - near[:, 0]).T
-    return (chord_x * y - chord_y * x) / np.maximum(np.hypot(chord_x, chord_y), 1e-300), weights
+    chord = near[:, -1] - near[:, 0]
+    across = cross(chord, np.einsum("ij,ijk->ik", weights, near))
+    return across / np.maximum(norm(chord), 1e-300), weights
 
 
 @dataclass(frozen=True, eq=False)
@@ -325,14 +332,12 @@ class Provenance:
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
-        linear = m[:2, :2] / m[2, 2]
-        stretch = float(np.linalg.norm(linear, 2))
+        stretch = float(np.linalg.norm(m[:2, :2] / m[2, 2], 2))
         place = (np.eye(3) if self.place is None else self.place) @ np.linalg.inv(m)
-        holes = tuple((*(m @ (x, y, 1.0))[:2] / m[2, 2], stretch * size) for x, y, size in self.holes)
-        offset = m[:2, 2] / m[2, 2]
+        holes = ((*transform_points(m, (x, y)), stretch * size) for x, y, size in self.holes)
         measured = self.measured and replace(
             self.measured,
-            points=self.measured.points @ linear.T + offset,
+            points=transform_points(m, self.measured.points),
             noise=stretch * self.measured.noise,
             least=stretch * self.measured.least,
             rounding=stretch * self.measured.rounding,
@@ -344,7 +349,7 @@ class Provenance:
             place=np.asarray(place),
             holes=tuple((float(x), float(y), float(size)) for x, y, size in holes),
             measured=measured,
-            vertices=None if self.vertices is None else self.vertices @ linear.T + offset,
+            vertices=None if self.vertices is None else transform_points(m, self.vertices),
         )
 
     def reversed(self) -> "Provenance":

@@ -15,13 +15,17 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_points import (
+    angle_of,
     box_about,
     cross,
     dot,
+    homogeneous,
     is_smooth_around,
     norm,
     place,
+    project,
     turn_between,
+    unit,
 )
 from elastica_cad.geometry.polynomials import (
     binomials,
@@ -83,7 +87,7 @@ class TangentAngle:
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Return the angles (n,), rad, of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
-        return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
+        return self.angle[cone] + turn_between(self.axis[cone], velocity)
 
 
 def hodograph(bezier: FloatArray) -> FloatArray:
@@ -94,7 +98,7 @@ def hodograph(bezier: FloatArray) -> FloatArray:
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:
-        return np.asarray((b - a)[..., :2])
+        return (b - a)[..., :2]
     aw, bw = a[..., 2], b[..., 2]
     return np.stack([product(aw, b[..., k]) - product(a[..., k], bw) for k in (0, 1)], axis=-1)
 
@@ -121,14 +125,14 @@ class TangentCones:
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """Return the tangent angle of a curve without cusp. At a corner, the angle jumps by the exterior angle."""
-    first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
-    axis = _unit(first + last)
+    first, last = unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
+    axis = unit(first + last)
     # velocities are in the convex hull of the coefficients, so bounds of the coefficients hold on the whole piece
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])
     angle = np.empty(len(axis))
-    angle[0] = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
+    angle[0] = angle_of(first[0]) - to_start[0]
     angle[1:] = to_end[:-1] + across - to_start[1:]
     angle = angle.cumsum()
     reached = angle[:, None] + off_axis
@@ -152,7 +156,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     for _ in range(_MOST_HALVINGS):
         if not low.size:
             break
-        axis = _unit(part[:, [0, -1]]).sum(axis=1)
+        axis = unit(part[:, [0, -1]]).sum(axis=1)
         along = (part @ axis[:, :, None])[:, :, 0]
         decided = (along > _ALONG_SHARE * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
         if not starts and decided.all():
@@ -169,11 +173,6 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     begin, coefficients = np.concatenate(starts), np.concatenate(cones)
     order = np.argsort(begin, kind="stable")
     return TangentCones(np.append(begin[order], edges[-1]), coefficients[order])
-
-
-def _unit(v: FloatArray) -> FloatArray:
-    length = np.hypot(v[..., :1], v[..., 1:])
-    return np.asarray(v / np.where(length > 0, length, 1.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,7 +253,7 @@ class RationalPieces:
         These are the knots, and the stationary points of x or y on pieces that may leave the bounding box of the
         curve points at the knots.
         """
-        points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
+        points, edges = project(self.bezier), self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
         # a piece is in the convex hull of its control points
         beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))
@@ -293,7 +292,7 @@ class RationalPieces:
         # ignore overflows of nearly equal knots, because callers refuse such curves
         with np.errstate(over="ignore", invalid="ignore"):
             rate = perm(degree, order) / widths**order
-            return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
+            return _raised(degree, order) @ np.diff(self._local, order, axis=1) * rate
 
     @cached_property
     def _known(self) -> dict[int, FloatArray]:
@@ -312,8 +311,7 @@ class RationalPieces:
 
     @cached_property
     def _origins(self) -> FloatArray:
-        middle = self.control_points[self.spans.first + self.spans.degree // 2]
-        return np.asarray(middle[:, :2] / middle[:, 2:])
+        return project(self.control_points[self.spans.first + self.spans.degree // 2])
 
 
 @lru_cache(maxsize=64)
@@ -339,14 +337,14 @@ def _quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[F
 def curvature(d1: FloatArray, d2: FloatArray) -> FloatArray:
     """Return the signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
     speed = norm(d1)
-    return np.asarray(cross(d1, d2) / (speed * speed * speed))
+    return cross(d1, d2) / (speed * speed * speed)
 
 
 def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArray:
     """Return the derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
     speed2 = dot(d1, d1)
     square = speed2 * speed2
-    return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
+    return cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2)
 
 
 def _curvature_bend(d1: FloatArray, d2: FloatArray, d3: FloatArray, d4: FloatArray) -> FloatArray:
@@ -355,7 +353,7 @@ def _curvature_bend(d1: FloatArray, d2: FloatArray, d3: FloatArray, d4: FloatArr
     growth = dot(d1, d2) / speed2
     change = 18 * growth**2 - 3 * (dot(d1, d3) + dot(d2, d2)) / speed2
     bend = cross(d1, d4) + cross(d2, d3) - 7 * growth * cross(d1, d3) + change * cross(d1, d2)
-    return np.asarray(bend / speed2**2.5)
+    return bend / speed2**2.5
 
 
 ORDERS_OF_SIDES = 4
@@ -409,7 +407,7 @@ def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
     """Return the number of continuous derivatives at each interior knot (p - 1,), from its multiplicity."""
     t = pieces.edges[1:-1]
     repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
-    return np.asarray(pieces.spans.degree - repeated)
+    return pieces.spans.degree - repeated
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
@@ -787,7 +785,7 @@ class NurbsCurve:
             points[first - r] = row[-1]
         knots, rows = np.maximum(knots, start)[first - p : last + p + 2], points[first - p : last + 1]
         if self.is_rational:
-            return self._part(knots, rows[:, :2] / rows[:, 2:], rows[:, 2])
+            return self._part(knots, project(rows), rows[:, 2])
         return self._part(knots, rows, None)
 
     def _at_knot(self, t: float) -> float:
@@ -808,10 +806,9 @@ class NurbsCurve:
             degree=self.degree,
             pieces=lambda: (self._pieces.bezier, self._pieces.edges),
         )
-        provenance = (
-            None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
-        )
-        even = not np.asarray(matrix, dtype=float)[2, :2].any()
+        m = np.asarray(matrix, dtype=float)
+        provenance = self.provenance and self.provenance.transformed(m)
+        even = not m[2, :2].any()
         if even and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
             return self._part(knots, points, weights, provenance)
         return type(self)(knots, points, self.degree, weights, provenance)
@@ -830,9 +827,7 @@ class NurbsCurve:
     @cached_property
     def _pieces(self) -> RationalPieces:
         spans = bezier_spans(self.knots, self.degree)
-        weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
-        homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
-        return RationalPieces(spans, homogeneous, self.is_rational)
+        return RationalPieces(spans, homogeneous(self.control_points, self.weights), self.is_rational)
 
 
 def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:

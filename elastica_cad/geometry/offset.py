@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
 from elastica_cad.geometry.path import JOIN, Path, distances, meets
 from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
-from elastica_cad.geometry.plane_points import left_of, norm, place, turn_between
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm, place, turn_between, unit
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_tolerance_mm, trim_segment
 from elastica_cad.refusals import Length
 
@@ -109,7 +109,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     curve = spline.curve
     stretches = smooth_stretches(curve, 2)
     probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])
-    kappa = np.asarray(curve.curvature_at(probes), dtype=float)
+    kappa = curve.curvature_at(probes)
     sharpest = int(np.argmax(left * kappa))
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
@@ -124,7 +124,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
         d = curve.evaluate(t, 1, left=before)
         if derivative:
             return (1 - left * curve.curvature_at(t, left=before))[:, None] * d
-        normal = left_of(d) / norm(d)[:, None]
+        normal = left_of(unit(d))
         return curve.evaluate(t, left=before) + left * normal
 
     return Spline(cubic_through(motion, stretches, tolerance))
@@ -136,17 +136,17 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
         return None
     normal = left_of(s) * np.sign(left)
-    first = float(np.arctan2(normal[1], normal[0]))
+    first = float(angle_of(normal))
     return Arc(before.end, abs(left), first, first + turn)
 
 
+@dataclass(frozen=True, eq=False)
 class _Ring:
     """Pieces of the offset path in order, trimmed at their crossings. Vanished pieces are removed."""
 
-    def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
-        self.elements = elements
-        self.closed = closed
-        self.distance = distance
+    elements: list[_Element]
+    closed: bool
+    distance: float
 
     def joined(self) -> list[Segment]:
         alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
@@ -199,7 +199,7 @@ class _Ring:
 
 
 def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
-    if np.hypot(*(b.start - a.end)) <= JOIN / 2:
+    if norm(b.start - a.end) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)
     if not crossings:

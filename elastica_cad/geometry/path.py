@@ -1,6 +1,6 @@
 """Paths: open or closed chains of lines, arcs and splines, and their distance from points."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import dist
@@ -11,7 +11,15 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_around, is_similarity, norm, place, require_affine
+from elastica_cad.geometry.plane_points import (
+    angle_of,
+    box_around,
+    dot,
+    is_similarity,
+    norm,
+    place,
+    require_affine,
+)
 from elastica_cad.geometry.segments import (
     Arc,
     Line,
@@ -85,7 +93,7 @@ def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray,
 
 def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
     off = p - arc.center
-    turn = np.sign(arc.sweep) * (np.arctan2(off[:, 1], off[:, 0]) - arc.start_angle)
+    turn = np.sign(arc.sweep) * (angle_of(off) - arc.start_angle)
     on = np.mod(turn, 2 * np.pi) <= abs(arc.sweep)
     ends = [norm(p - end) for end in (arc.start, arc.end)]
     return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))
@@ -107,8 +115,8 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
         position, d1, d2 = curve.derivatives(t, 2)
         off = position - p
         best = np.minimum(best, norm(off))
-        slope = (d1**2).sum(axis=1) + (off * d2).sum(axis=1)
-        step = (off * d1).sum(axis=1) / np.where(slope > 0, slope, (d1**2).sum(axis=1))
+        slope = dot(d1, d1) + dot(off, d2)
+        step = dot(off, d1) / np.where(slope > 0, slope, dot(d1, d1))
         before, t = t, np.clip(t - step, t0, t1)
         if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
             break
@@ -178,8 +186,7 @@ class Path:
         object.__setattr__(self, "closed", require_flag(closed, "closed"))
         if not self.segments:
             raise InputError("the path has no segment: give at least one segment")
-        following = self.segments[1:] + (self.segments[:1] if closed else ())
-        for segment, after in zip(self.segments, following, strict=False):
+        for segment, after in self._joints:
             gap = dist(after.start.tolist(), segment.end.tolist())
             if not gap <= JOIN:
                 raise InputError(
@@ -187,6 +194,12 @@ class Path:
                     gap=Length(gap),
                     end=place(segment.end),
                 )
+
+    @property
+    def _joints(self) -> Iterable[tuple[Segment, Segment]]:
+        """Each segment with the segment after it."""
+        following = self.segments[1:] + (self.segments[:1] if self.closed else ())
+        return zip(self.segments, following, strict=False)
 
     @classmethod
     def polyline(cls, points: ArrayLike, bulges: ArrayLike | None = None, *, closed: bool = False) -> "Path":
@@ -244,9 +257,8 @@ class Path:
     @property
     def widest_gap(self) -> float:
         """Largest gap between the end of a segment and the start of the next, mm; at most `JOIN`."""
-        following = self.segments[1:] + (self.segments[:1] if self.closed else ())
-        pairs = zip(self.segments, following, strict=False)
-        return max((dist(before.end.tolist(), after.start.tolist()) for before, after in pairs), default=0.0)
+        gaps = (dist(before.end.tolist(), after.start.tolist()) for before, after in self._joints)
+        return max(gaps, default=0.0)
 
     @cached_property
     def length(self) -> float:

@@ -112,11 +112,12 @@ def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
 def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) -> FloatArray | None:
     a, b, c, d = p[i], p[i + 1], q[j], q[j + 1]
     hit = (_side(a, b, c) * _side(a, b, d) <= 0) & (_side(c, d, a) * _side(c, d, b) <= 0)
-    if not hit.any():
+    first = np.flatnonzero(hit)[:1]
+    if not first.size:
         return None
-    k = int(np.flatnonzero(hit)[0])
-    u = float(_line_parameters(a[k : k + 1], b[k : k + 1], c[k : k + 1], d[k : k + 1])[0][0])
-    return np.asarray(a[k] + (u if np.isfinite(u) else 0.5) * (b[k] - a[k]), dtype=float)
+    a, b, c, d = a[first], b[first], c[first], d[first]
+    u = np.nan_to_num(_line_parameters(a, b, c, d)[0], nan=0.5)
+    return np.asarray(a[0] + u * (b[0] - a[0]), dtype=float)
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
@@ -204,7 +205,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
     if max(abs(u - 0.5), abs(v - 0.5)) > 0.5 + 1e-12:
         return None
     u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
-    return (float(u), float(v)) if np.hypot(*(a.at(u) - b.at(v))) < 1e-7 else None
+    return (float(u), float(v)) if norm(a.at(u) - b.at(v)) < 1e-7 else None
 
 
 def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float, float]:

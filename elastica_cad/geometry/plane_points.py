@@ -12,29 +12,28 @@ from elastica_cad.errors import InputError
 
 def norm(v: FloatArray) -> FloatArray:
     """Return the lengths (...,) of vectors (..., 2)."""
-    return np.asarray(np.hypot(v[..., 0], v[..., 1]))
+    return np.hypot(v[..., 0], v[..., 1])
 
 
 def dot(u: FloatArray, v: FloatArray) -> FloatArray:
     """Return the scalar products (...,) of pairs of vectors (..., 2)."""
-    return np.asarray(u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1])
+    return u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]
 
 
 def cross(u: FloatArray, v: FloatArray) -> FloatArray:
     """Return the determinants (...,) of pairs of vectors (..., 2)."""
-    return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
+    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
 
 
-def left_of(vectors: ArrayLike) -> FloatArray:
-    """Return vectors (..., 2) turned by 90 degrees to the left.
+def unit(v: FloatArray) -> FloatArray:
+    """Return vectors (..., 2) divided by their lengths. A vector of length 0 does not change."""
+    length = norm(v)[..., None]
+    return v / np.where(length > 0, length, 1.0)
 
-    Examples
-    --------
-    >>> left_of(np.array([[2.0, 1.0], [0.0, 3.0]])).tolist()
-    [[-1.0, 2.0], [-3.0, 0.0]]
-    """
-    v = np.asarray(vectors, dtype=float)
-    return np.stack([-v[..., 1], v[..., 0]], axis=-1)
+
+def angle_of(v: FloatArray) -> FloatArray:
+    """Return the angles (...), rad, of vectors (..., 2) from the x axis."""
+    return np.arctan2(v[..., 1], v[..., 0])
 
 
 def unit_vectors(angles: ArrayLike) -> FloatArray:
@@ -51,9 +50,32 @@ def unit_vectors(angles: ArrayLike) -> FloatArray:
     return vectors
 
 
+def left_of(vectors: ArrayLike) -> FloatArray:
+    """Return vectors (..., 2) turned by 90 degrees to the left.
+
+    Examples
+    --------
+    >>> left_of(np.array([[2.0, 1.0], [0.0, 3.0]])).tolist()
+    [[-1.0, 2.0], [-3.0, 0.0]]
+    """
+    v = np.asarray(vectors, dtype=float)
+    return np.stack([-v[..., 1], v[..., 0]], axis=-1)
+
+
+def homogeneous(points: FloatArray, weights: FloatArray | None) -> FloatArray:
+    """Return the rows (m, 3), x w, y w, w, of points (m, 2) with weights (m,). Without weights, w is 1."""
+    w = np.ones(len(points)) if weights is None else weights
+    return np.column_stack([points * w[:, None], w])
+
+
+def project(rows: FloatArray) -> FloatArray:
+    """Return the points (..., 2) with homogeneous coordinates (..., 3): x w, y w, w."""
+    return rows[..., :2] / rows[..., 2:]
+
+
 def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
     """Return the angles (...,), rad, from directions u to v (..., 2), in (-pi, pi], positive to the left."""
-    return np.asarray(np.arctan2(cross(u, v), dot(u, v)))
+    return np.arctan2(cross(u, v), dot(u, v))
 
 
 def place(p: ArrayLike) -> str:
@@ -222,6 +244,17 @@ def lengths_along(points: FloatArray) -> FloatArray:
     [0.0, 5.0, 6.0]
     """
     return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+
+
+def points_at(places: FloatArray, s: FloatArray, points: FloatArray) -> FloatArray:
+    """Return points (k, d) at places (k,) on the polyline through points (n, d), which are at places s (n,).
+
+    Examples
+    --------
+    >>> points_at(np.array([0.5, 3.0]), np.array([0.0, 2.0, 4.0]), np.array([[0, 0], [4, 0], [4, 8]])).tolist()
+    [[1.0, 0.0], [4.0, 4.0]]
+    """
+    return np.column_stack([np.interp(places, s, column) for column in points.T])
 
 
 def turns_along(angles: FloatArray) -> FloatArray:

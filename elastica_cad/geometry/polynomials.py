@@ -65,7 +65,7 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
     """Return the coefficients (..., m+n+1) of the product of polynomials (..., m+1) and (..., n+1)."""
     m, n = a.shape[-1] - 1, b.shape[-1] - 1
     terms = (a * binomials(m))[..., :, None] * (b * binomials(n))[..., None, :]
-    return np.asarray(terms.reshape(*terms.shape[:-2], -1) @ _gathered(m, n) / binomials(m + n))
+    return terms.reshape(*terms.shape[:-2], -1) @ _gathered(m, n) / binomials(m + n)
 
 
 @lru_cache(maxsize=256)
@@ -416,7 +416,7 @@ class PanelFunction:
     def dense(self) -> FloatArray:
         """Values (n, ...) at the sample points `Panels.dense_places`."""
         values = self.in_every_panel(_DENSE_BASIS)
-        return values.reshape(values.shape[0] * values.shape[1], *values.shape[2:])
+        return values.reshape(-1, *values.shape[2:])
 
     @property
     def extremes(self) -> FloatArray:
@@ -468,9 +468,9 @@ def legendre_basis(x: FloatArray) -> FloatArray:
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
     """Return products (N, k, ...) of a matrix (k, p) with values or coefficients (N, p, ...) of each panel."""
     if values.ndim == 2:
-        return np.asarray(values @ matrix.T)
+        return values @ matrix.T
     flat = matrix @ values.reshape(*values.shape[:2], -1)
-    return np.asarray(flat.reshape(len(values), len(matrix), *values.shape[2:]))
+    return flat.reshape(len(values), len(matrix), *values.shape[2:])
 
 
 def lobatto_places(parts: int) -> FloatArray:

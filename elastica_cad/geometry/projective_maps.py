@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import place
+from elastica_cad.geometry.plane_points import cross, homogeneous, place, project
 from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
@@ -81,9 +81,8 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
-        longest = max(float(np.linalg.norm(corner[i] - corner[j])) for i, j in combinations(range(3), 2))
-        (ux, uy, _), (vx, vy, _) = corner[1:] - corner[0]
-        if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
+        longest = float(np.linalg.norm(corner - np.roll(corner, 1, axis=0), axis=1).max())
+        if abs(cross(*(corner[1:] - corner[0]))) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
                 f"{name}: handles {numbers} are on one line, through {place(handles[three[0]])} and "
@@ -123,12 +122,11 @@ def map_spline(
     if np.linalg.matrix_rank(m) < 3:
         raise InputError("the matrix is singular and would flatten the plane: use an invertible matrix")
     affine = not m[2, :2].any()
-    w = np.ones(control_points.shape[0]) if weights is None else weights
-    image = np.column_stack([control_points * w[:, None], w]) @ m.T
+    image = homogeneous(control_points, weights) @ m.T
     if affine:
-        return knots, image[:, :2] / image[:, 2:], weights
+        return knots, project(image), weights
     if np.all(image[:, 2] > 0) or np.all(image[:, 2] < 0):
-        return knots, image[:, :2] / image[:, 2:], np.abs(image[:, 2])
+        return knots, project(image), np.abs(image[:, 2])
     bezier, edges = pieces()
     parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
     t = [edges[0]] * (degree + 1)
@@ -137,7 +135,7 @@ def map_spline(
     t += [edges[-1]] * (degree + 1)
     # neighbours share an end point, so omit the first control point of all pieces but the first
     points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
-    return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
+    return np.array(t), project(points), np.abs(points[:, 2])
 
 
 def _positive_pieces(

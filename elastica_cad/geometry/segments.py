@@ -15,12 +15,15 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     cross,
     distinct,
+    dot,
     is_similarity,
+    left_of,
     norm,
     place,
     require_affine,
     similarity_of,
     transform_points,
+    unit,
     unit_vectors,
 )
 from elastica_cad.geometry.polynomials import gauss_rule
@@ -85,7 +88,7 @@ class Line:
     def at(self, u: ArrayLike) -> FloatArray:
         """Return points (..., 2) at u in [0, 1]."""
         u = numbers(u, "u")[..., None]
-        return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
+        return self.start * (1 - u) + self.end * u
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Return the derivative (..., 2) of `at` by u, mm."""
@@ -93,7 +96,7 @@ class Line:
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Return unit tangents (..., 2) at u in [0, 1]."""
-        return np.asarray(self.velocity_at(u) / self.length, dtype=float)
+        return self.velocity_at(u) / self.length
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area between `origin` and the line, mm2: half the integral of x dy - y dx."""
@@ -211,16 +214,16 @@ class Arc:
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Return points (..., 2) at u in [0, 1], uniform in arc length."""
-        return self._on(self.start_angle + self.sweep * numbers(u, "u"))
+        return self.center + self.radius * unit_vectors(self.start_angle + self.sweep * numbers(u, "u"))
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Return the derivative (..., 2) of `at` by u, mm."""
-        return np.asarray(self.length * self.tangent_at(u), dtype=float)
+        return self.length * self.tangent_at(u)
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Return unit tangents (..., 2) at u in [0, 1]."""
         angle = self.start_angle + self.sweep * numbers(u, "u")
-        forward = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
+        forward = left_of(unit_vectors(angle))
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
@@ -251,9 +254,6 @@ class Arc:
     def as_spline(self) -> "Spline":
         """Return the same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
-
-    def _on(self, angle: FloatArray) -> FloatArray:
-        return self.center + self.radius * unit_vectors(angle)
 
     def _end(self, angle: float) -> FloatArray:
         # plain numbers are faster than arrays, and engraved texts have thousands of arcs
@@ -287,7 +287,7 @@ class Spline:
     @property
     def bounds(self) -> FloatArray:
         """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
-        return np.asarray(self.curve.bounds).reshape(2, 2)
+        return self.curve.bounds
 
     def parameter(self, u: ArrayLike) -> FloatArray:
         """Return the parameters of the curve at u in [0, 1]."""
@@ -297,22 +297,20 @@ class Spline:
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Return points (..., 2) at u in [0, 1], which is proportional to the parameter of the curve."""
-        return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
+        return self.curve.evaluate(self.parameter(u))
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
         """Return the derivative (..., 2) of `at` by u, mm."""
         t0, t1 = self.curve.domain
-        return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
+        return self.curve.evaluate(self.parameter(u), 1) * (t1 - t0)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return unit tangents (..., 2) at u in [0, 1].
 
         At a corner, the result is the tangent after the corner, or before the corner with `left`.
         """
-        d = np.asarray(
-            self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
-        )
-        return np.asarray(d / norm(d)[..., None], dtype=float)
+        d = self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left"))
+        return unit(d)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area between `origin` and the spline, mm2, by Gauss's rule on each Bezier piece.
@@ -341,7 +339,7 @@ Segment: TypeAlias = Line | Arc | Spline
 
 def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line | Arc:
     """Return the arc from start to end with `bulge` = tan(turn / 4), or a line if the arc is too flat."""
-    chord = float(np.hypot(*(np.asarray(end, dtype=float) - np.asarray(start, dtype=float))))
+    chord = float(norm(np.asarray(end, dtype=float) - np.asarray(start, dtype=float)))
     rise = abs(bulge) * chord / 2
     if rise < _FLATTEST_MM or chord**2 > 8 * rise * _FARTHEST_MM:
         return Line(start, end)
@@ -457,9 +455,9 @@ def _halve_chords(
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
     chord, off = ends - begins, probes - begins[:, None, :]
-    size = (chord**2).sum(axis=1)[:, None]
+    size = dot(chord, chord)[:, None]
     # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
-    along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
+    along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(norm(away).max(axis=1), dtype=float)
 

@@ -12,7 +12,7 @@ from elastica_cad.geometry.nurbs_curve import (
     hodograph,
     tabulate_tangent_angle,
 )
-from elastica_cad.geometry.plane_points import boxes_about, boxes_meet
+from elastica_cad.geometry.plane_points import boxes_about, boxes_meet, dot, norm, project, unit
 from elastica_cad.geometry.polynomials import (
     binomials,
     divide_out_end_root,
@@ -50,8 +50,7 @@ def find_self_intersections(
     motion : callable
         Function of parameters (n,) that returns positions and velocities d/dt, (n, 2) each.
     """
-    points = bezier[..., :2] / bezier[..., 2:]
-    small = _NEWTON_SHARE * float(np.ptp(points, axis=(0, 1)).max())
+    small = _NEWTON_SHARE * float(np.ptp(project(bezier), axis=(0, 1)).max())
     part, low, high = bezier, edges[:-1], edges[1:]
     first, second = np.triu_indices(low.size)
     guesses: list[FloatArray] = []
@@ -74,7 +73,7 @@ def find_self_intersections(
 
 
 def _boxes(part: FloatArray) -> FloatArray:
-    return boxes_about(part[..., :2] / part[..., 2:])
+    return boxes_about(project(part))
 
 
 def _meeting(
@@ -91,9 +90,8 @@ def _meeting(
 
 
 def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
-    length = np.linalg.norm(velocity, axis=2, keepdims=True)
-    unit = velocity / np.where(length > 0, length, 1.0)
-    both = np.concatenate([unit[first], unit[second]], axis=1)
+    along = unit(velocity)
+    both = np.concatenate([along[first], along[second]], axis=1)
     return np.asarray((np.einsum("pnk,pk->pn", both, both.sum(axis=1)) > 0).all(axis=1))
 
 
@@ -126,15 +124,15 @@ def _polished(
         n = len(pairs)
         gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
         # a small damping of the least squares problem avoids division by zero where the parts touch
-        a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
-        r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
+        a11, a12, a22 = dot(v1, v1), -dot(v1, v2), dot(v2, v2)
+        r1, r2 = dot(v1, gap), -dot(v2, gap)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
         step = np.column_stack([a22 * r1 - a12 * r2, a11 * r2 - a12 * r1]) / determinant[:, None]
         pairs = np.clip(pairs + step, edges[0], edges[-1])
     p, v = motion(pairs.T.ravel())
     n = len(pairs)
-    met = np.linalg.norm(p[n:] - p[:n], axis=1) <= 1e-5 * small
-    speed = np.linalg.norm(v, axis=1)
+    met = norm(p[n:] - p[:n]) <= 1e-5 * small
+    speed = norm(v)
     moved = (np.abs(pairs - start) * np.column_stack([speed[:n], speed[n:]])).max(axis=1)
     apart = (pairs[:, 1] - pairs[:, 0]) * np.minimum(speed[:n], speed[n:])
     return np.asarray(pairs[met & (moved <= 10 * small) & (apart > 1e-3 * small)])

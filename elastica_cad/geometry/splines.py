@@ -15,13 +15,16 @@ from elastica_cad.geometry.plane_points import (
     FEWEST_AROUND,
     begun_at,
     distinct,
+    dot,
+    homogeneous,
     lengths_along,
     norm,
     numbers_in_groups,
+    project,
     thinned,
     unit_vectors,
 )
-from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
+from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule, raise_degree
 from elastica_cad.refusals import Length, Point, note
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
@@ -68,7 +71,7 @@ def greville(knots: FloatArray, degree: int) -> FloatArray:
     """
     count = knots.shape[-1] - degree - 1
     total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
-    return np.asarray(total / degree, dtype=float)
+    return total / degree
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
@@ -168,7 +171,7 @@ class Spans:
     @cached_property
     def widths(self) -> FloatArray:
         """Lengths (p,) of the spans in the parameter."""
-        return np.asarray(self.edges[1:] - self.edges[:-1])
+        return self.edges[1:] - self.edges[:-1]
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
         """Return the Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
@@ -198,7 +201,7 @@ class Spans:
         index, u = self.locate(t)
         width = self.widths[index]
         bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
-        return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
+        return np.einsum("ni,nij->nj", bernstein, self.matrix[index]), index
 
 
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:
@@ -381,16 +384,12 @@ def elevate_degree(
     [[0.0, 0.0], [2.0, 4.0], [4.0, 4.0], [6.0, 0.0]]
     """
     spans = bezier_spans(knots, degree)
-    w = np.ones(len(control_points)) if weights is None else weights
-    pieces = spans.bezier(np.column_stack([control_points * w[:, None], w]))
-    share = np.arange(1, degree + 1)[:, None] / (degree + 1)
-    inner = share * pieces[:, :-1] + (1 - share) * pieces[:, 1:]
-    raised = np.concatenate([pieces[:, :1], inner, pieces[:, -1:]], axis=1)
+    pieces = spans.bezier(homogeneous(control_points, weights))
+    raised = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
     rows = np.concatenate([raised[0], *(piece[1:] for piece in raised[1:])])
     edges = spans.edges
     new_knots = np.concatenate([edges[:1], np.repeat(edges, degree + 1), edges[-1:]])
-    points = rows[:, :2] / rows[:, 2:]
-    return new_knots, points, None if weights is None else rows[:, 2]
+    return new_knots, project(rows), None if weights is None else rows[:, 2]
 
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
@@ -742,7 +741,7 @@ class _Problem:
         ends = self.data[[0, -1]]
         right = weighted @ self.data - normal[:, [0, -1]] @ ends
         inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
-        return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+        return np.concatenate([ends[:1], inner, ends[1:]])
 
     def _basis(self, t: FloatArray) -> FloatArray:
         if self._latest[0] is not t:
@@ -750,7 +749,7 @@ class _Problem:
         return self._latest[1]
 
     def _gap(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        return np.asarray(self.data - self._basis(t) @ control)
+        return self.data - self._basis(t) @ control
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
         """Return weights (n,), larger in the first and last knot span, where least squares would be inaccurate."""
@@ -763,8 +762,8 @@ class _Problem:
         gap = self._gap(control, t)
         velocity = self.spans.basis(t, 1) @ control
         gap[[0, -1]] = 0.0
-        speed2 = (velocity**2).sum(axis=1)
-        step = (gap * velocity).sum(axis=1) / np.maximum(speed2, 1e-12 * speed2.max())
+        speed2 = dot(velocity, velocity)
+        step = dot(gap, velocity) / np.maximum(speed2, 1e-12 * speed2.max())
         moved = t + step
         if np.all(np.diff(moved) > 0) and moved[0] >= 0 and moved[-1] <= 1:
             return np.asarray(moved)
@@ -773,7 +772,7 @@ class _Problem:
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
         gap = self._gap(control, t)
-        return np.asarray(norm(gap))
+        return norm(gap)
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
         """Return the correlation of the deviations of neighbouring points: 0 for noise, 1 for a missed shape."""
@@ -873,7 +872,7 @@ def _derivative_gram(spans: Spans) -> FloatArray:
     width = np.diff(spans.edges)
     t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
     rows = spans.basis(t, 3) * np.sqrt((width[:, None] / 2 * w).ravel())[:, None]
-    return np.asarray(rows.T @ rows)
+    return rows.T @ rows
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm, turn_between, unit_vectors
 from elastica_cad.geometry.splines import elevate_degree, knot_runs
 
 ANYWAY = 1e-9
@@ -110,7 +110,8 @@ def heal_tangents(
         return unchanged
     turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
     if _closes(knots, control_points, degree, weights):
-        turns.append(_turn_of_seam(knots, control_points, degree, rounding))
+        around = _control_points_at_seam(control_points, degree)
+        turns.append(_turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding))
     explained = [turn for turn in turns if turn.angle > ANYWAY and turn.is_explained]
     if not explained:
         return unchanged
@@ -142,19 +143,19 @@ def _nodes(knots: FloatArray, degree: int) -> IntArray:
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
     """Return the incoming and outgoing handle at a node, and the indices of their far ends."""
-    size = float(np.hypot(*np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
+    size = float(norm(np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
     before, after = node - 1, node + 1
-    while before > node - degree and np.hypot(*(points[node] - points[before])) <= _SHORT * size:
+    while before > node - degree and norm(points[node] - points[before]) <= _SHORT * size:
         before -= 1
-    while after < node + degree and np.hypot(*(points[after] - points[node])) <= _SHORT * size:
+    while after < node + degree and norm(points[after] - points[node]) <= _SHORT * size:
         after += 1
     return points[node] - points[before], points[after] - points[node], before, after
 
 
 def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, rounding: float) -> Turn:
     into, out, _, _ = _handles(points, node, degree)
-    lengths = np.array([np.hypot(*into), np.hypot(*out)])
-    angle = abs(float(np.arctan2(into[0] * out[1] - into[1] * out[0], into @ out)))
+    lengths = np.array([norm(into), norm(out)])
+    angle = abs(float(turn_between(into, out)))
     if lengths.min() == 0:
         return Turn(float(knots[node + 1]), points[node], angle, 0.0, 0.0)
     reach = np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)
@@ -165,22 +166,14 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
-    size = float(np.hypot(*np.ptp(points, axis=0)))
+    size = float(norm(np.ptp(points, axis=0)))
     return bool(
-        clamped
-        and even
-        and len(points) > degree + 1
-        and np.hypot(*(points[-1] - points[0])) <= _CLOSED * size
+        clamped and even and len(points) > degree + 1 and norm(points[-1] - points[0]) <= _CLOSED * size
     )
 
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
-
-
-def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: float) -> Turn:
-    around = _control_points_at_seam(points, degree)
-    return _turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding)
 
 
 def _smooth_seam(points: FloatArray, degree: int) -> None:
@@ -193,9 +186,7 @@ def _smooth_seam(points: FloatArray, degree: int) -> None:
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
     """Turn the handles at a node into a common direction. The array `points` is changed."""
     into, out, before, after = _handles(points, node, degree)
-    inward, onward = float(np.hypot(*into)), float(np.hypot(*out))
-    angles = np.arctan2(into[1], into[0]), np.arctan2(out[1], out[0])
-    turn = float((angles[1] - angles[0] + np.pi) % (2 * np.pi) - np.pi)
+    inward, onward = float(norm(into)), float(norm(out))
     share = onward / (inward + onward)
     straight = (
         _is_straight(points[node - degree : node + 1]),
@@ -203,8 +194,7 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
     )
     if straight[0] != straight[1]:
         share = 0.0 if straight[0] else 1.0
-    at = float(angles[0] + share * turn)
-    along = unit_vectors(at)
+    along = unit_vectors(angle_of(into) + share * turn_between(into, out))
     points[before] = points[node] - inward * along
     points[after] = points[node] + onward * along
 

@@ -15,7 +15,7 @@ from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm, unit
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.bending import bend
@@ -42,7 +42,7 @@ LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
 """Line spacing (mm) of the text below a side view, and characters per line on A4 paper."""
 
 
-def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
+def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArray]:
     """Return the columns (n,) of the workshop table of a tapered strip, by name.
 
     The columns are the station (measured from the start of the free part), its distance from the tip of the
@@ -318,7 +318,7 @@ class Batten:
     @property
     def chord(self) -> float:
         """Distance between the pressed ends, mm."""
-        return float(np.hypot(*(self.strip.rod.position[-1] - self.strip.rod.position[0])))
+        return float(norm(self.strip.rod.position[-1] - self.strip.rod.position[0]))
 
     @property
     def end_force(self) -> float:
@@ -398,7 +398,6 @@ def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
     0."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
-        along = points[second] - points[first]
-        along = along / np.hypot(*along)
+        along = unit(points[second] - points[first])
         points[third] = points[first] + ((points[third] - points[first]) @ along) * along
     return PlaneCurve(curve.knots, points, curve.degree)

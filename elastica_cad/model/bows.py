@@ -14,7 +14,7 @@ from elastica_cad.errors import FaultError, InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.elements import ElementForce, Tie
 from elastica_cad.mechanics.loads import Supports, require_curve
@@ -72,7 +72,7 @@ class Bow:
     @property
     def cord(self) -> float:
         """Length of the cord, mm."""
-        return float(np.hypot(*_chord(self.strip.rod)))
+        return float(norm(_chord(self.strip.rod)))
 
     @property
     def pull(self) -> float:
@@ -159,7 +159,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     sheet = Sheet.of(sheet)
     if require_number(hole, "hole", "mm") < 0:
         raise InputError("hole is {hole:g}. Give a diameter in mm, or 0 for no hole.", hole=hole)
-    chord = float(np.hypot(*(curve.survey.position[-1] - curve.survey.position[0])))
+    chord = float(norm(curve.survey.position[-1] - curve.survey.position[0]))
     least = LEAST_SLACK * curve.length
     if chord < least:
         raise InputError(
@@ -209,7 +209,7 @@ def rise_of(rod: Rod) -> float:
     The result is the vertex of a parabola through three nodes.
     """
     chord = _chord(rod)
-    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / np.hypot(*chord)
+    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / norm(chord)
     k = int(np.clip(off.argmax(), 1, off.size - 2))
     before, here, after = off[k - 1 : k + 2]
     bent = before - 2 * here + after

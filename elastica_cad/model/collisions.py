@@ -14,7 +14,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
-from elastica_cad.geometry.plane_points import left_of, near_pairs, norm, turns_along, unit_vectors
+from elastica_cad.geometry.plane_points import dot, left_of, near_pairs, norm, turns_along, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.model.interlocking import (
@@ -118,13 +118,9 @@ class Body:
             _evenly_spaced(first, last, FACE_PITCH_MM),
             _evenly_spaced(-1.0, 1.0, 2 * FACE_PITCH_MM / widest),
         )
-        stations = np.concatenate([along, [first, last], rows])
-        which = np.split(np.arange(stations.size), [along.size, along.size + 2])
-        grids = zip(which, (np.array([-1.0, 1.0]), ends, inner), strict=True)
-        k, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
-        k, reach = k.astype(np.int64), np.maximum(self.ruled.half_width(stations) - inset, 0.0)
-        place, tangent = self.ruled.in_plane(stations)
-        return stations[k], share * reach[k], place[k], tangent[k]
+        grids = (along, [-1.0, 1.0]), ([first, last], ends), (rows, inner)
+        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
+        return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0), *self.ruled.in_plane(s)
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
         """Return the indices (k,) of the points (n, 2) that may be within `reach` mm of the curve.
@@ -145,7 +141,7 @@ class Body:
         """
         for _ in range(NEWTON_STEPS):
             place, tangent = self.ruled.in_plane(s)
-            s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
+            s = np.clip(s + dot(points - place, tangent), 0.0, self.ruled.length)
         return s, *self.ruled.in_plane(s)
 
     @cached_property
@@ -223,7 +219,7 @@ def _deepest_sample(
         return None
     foot, there, along = b.nearest(local[:, :2], stations)
     gap = local[:, :2] - there
-    ends = np.minimum(foot, b.ruled.length - foot) - np.abs((gap * along).sum(axis=1))
+    ends = np.minimum(foot, b.ruled.length - foot) - np.abs(dot(gap, along))
     depth = np.minimum(thick - norm(gap), b.ruled.half_width(foot) - np.abs(local[:, 2]))
     depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)
     if is_flush:

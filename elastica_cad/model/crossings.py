@@ -24,7 +24,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path_intersections import segment_crossings
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import distinct, left_of, lengths_along, norm
+from elastica_cad.geometry.plane_points import distinct, left_of, lengths_along, unit
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
@@ -128,20 +128,24 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
             extensions + extension
         )[:, None]
         sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
-    return np.asarray(overlaps & overlaps.T)
+    return overlaps & overlaps.T
 
 
 @lru_cache(maxsize=_CACHED_SPLINES)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     panels = curve.smooth_panels
-    each = -(-STATIONS // (panels.size - 1))
-    inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
-    t = np.append(inner, panels[-1])
+    t = _subdivided(panels, -(-STATIONS // (panels.size - 1)))
     s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
-    ahead, thirds = velocity / norm(velocity)[:, None], np.diff(s)[:, None] / 3
+    ahead, thirds = unit(velocity), np.diff(s)[:, None] / 3
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
     coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
     return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)
+
+
+def _subdivided(places: FloatArray, parts: int) -> FloatArray:
+    """Return places (n,), and between them the places that divide each interval into `parts` equal parts."""
+    inner = places[:-1, None] + np.diff(places)[:, None] * np.arange(parts) / parts
+    return np.append(inner, places[-1])
 
 
 ZERO = 1e-11
@@ -277,10 +281,6 @@ class _Heights:
     b: RuledStrip
     n: FloatArray
 
-    @cached_property
-    def up(self) -> FloatArray:
-        return self.n / np.linalg.norm(self.n)
-
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return heights (n,) of a curve above the origin of strip a, and derivatives (n,) by arc length."""
         return self.above(strip, strip.in_plane(s))
@@ -292,9 +292,9 @@ class _Heights:
 
     @cached_property
     def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
-        origin = self.a.frame.origin
+        origin, up = self.a.frame.origin, self.n / np.linalg.norm(self.n)
         return tuple(
-            (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
+            (strip.frame.axes[:2] @ up, float((strip.frame.origin - origin) @ up))
             for strip in (self.a, self.b)
         )
 
@@ -545,7 +545,8 @@ class Crossing:
         x, along, _ = self.course
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
-        middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
+        half = along[-1] / 2 - along[k]
+        middle = float(x[k]) + pace * half
         # two secant steps are enough, because the length is smooth between nodes
         for _ in range(2):
             done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
@@ -604,9 +605,7 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 def _ranges_inside_strips(
     strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve
 ) -> list[tuple[float, float]]:
-    nodes = locus.nodes
-    fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
-    q = np.append(fine, nodes[-1])
+    q = _subdivided(locus.nodes, NODE_PARTS)
     m = margins(strips, locus.at(q))
     i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
     on_edge = q[(m == 0).any(axis=1)]

@@ -182,17 +182,14 @@ class CutList:
 def _texts(
     rows: Iterable[CutListRow], columns: Mapping[str, str], empty: Sequence[str] = ()
 ) -> list[list[str]]:
+    # a rod is sawn, so it has no length of cuts
     return [
         [
-            "" if name in empty or _is_sawn_cut(name, row) else text.format(row)
+            "" if name in empty or (name == "cut mm" and not row.cut_length) else text.format(row)
             for name, text in columns.items()
         ]
         for row in rows
     ]
-
-
-def _is_sawn_cut(column: str, row: CutListRow) -> bool:
-    return column == "cut mm" and not row.cut_length
 
 
 def _without_formula(text: str) -> str:

@@ -1,6 +1,6 @@
 """Tabs of strips in space, and printed blocks that hold tabs."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations
@@ -15,7 +15,7 @@ from elastica_cad.defaults import POCKET_CLEARANCE
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, points_at, unit, unit_vectors
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
 from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
@@ -72,8 +72,7 @@ class PlacedTab:
         require_ends([end])
         place = frame_or_plain(frame)
         k, sign = (0, -1.0) if end == "start" else (-1, 1.0)
-        alpha = float(strip.rod.angle[k])
-        out = sign * place.direction([np.cos(alpha), np.sin(alpha)])
+        out = sign * place.direction(unit_vectors(strip.rod.angle[k]))
         origin = place.point(strip.rod.position[k])
         tab, end_width = strip.ends[k], strip.end_widths[k]
         if name is not None:
@@ -284,28 +283,24 @@ class EndFixture(EqualByValue):
     @property
     def warnings(self) -> tuple[Refusal, ...]:
         """Warning about a tall block, and a message that the pocket is rotated."""
-        return (*self._extended(), *self._rotated())
-
-    def _extended(self) -> Iterator[Refusal]:
+        warnings = []
         if self.lowest > MOST_EXTENDED_MM:
-            yield note(
+            warnings.append(note(
                 "The block of {tab} is {height:.0f} high, because the floor is {extra:.0f} below its "
                 "pocket. Raise the floor, or leave out the floor.",
                 tab=self.tab.name, height=Length(self.size[2]), extra=Length(self.lowest), severity="warning",
-            )  # fmt: skip
-
-    def _rotated(self) -> Iterator[Refusal]:
+            ))  # fmt: skip
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
-        if depth <= 0:
-            return
-        shift, turn = self.lean
-        yield note(
-            "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the loaded "
-            "tab has its designed direction. In the drawing, the wall of the pocket overlaps the straight tab by "
-            "up to {depth:.2g}. Do not correct the pocket.",
-            fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)), depth=Length(depth),
-            severity="note",
-        )  # fmt: skip
+        if depth > 0:
+            shift, turn = self.lean
+            warnings.append(note(
+                "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the "
+                "loaded tab has its designed direction. In the drawing, the wall of the pocket overlaps the "
+                "straight tab by up to {depth:.2g}. Do not correct the pocket.",
+                fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)),
+                depth=Length(depth), severity="note",
+            ))  # fmt: skip
+        return tuple(warnings)
 
     @property
     def label(self) -> str:
@@ -348,8 +343,7 @@ class EndFixture(EqualByValue):
     def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
         """Unit vectors (2,) normal to the floor and along the floor, and height of the floor, in `_profile`."""
         n = self.ground.z_axis
-        up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
-        up = up / np.hypot(*up)
+        up = unit((self._profile.axes @ n)[:2])
         return up, -left_of(up), float((self.ground.origin - self._profile.origin) @ n)
 
     @property
@@ -394,7 +388,8 @@ class EndFixture(EqualByValue):
         return PrismSolid(tuple(added), (*removed, *self._letter_grooves()), {"tab": self.tab.frame})
 
     def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
-        return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
+        """Return the prism with these anticlockwise corners in the side view."""
+        return FlatSolid(Path.polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
         half = self.tab.thickness / 2 + self.clearance
@@ -424,13 +419,10 @@ class EndFixture(EqualByValue):
 
     def _screw_hole(self, along: float) -> FlatSolid:
         up, level, height = self._floor_directions
-        x, y = along * level + (height - CUT_EXTENSION_MM) * up
-        z_axis = self._profile.direction(up)
-        frame = Frame(
-            self._profile.point((x, y, 0.0)), np.cross(self._profile.z_axis, z_axis), self._profile.z_axis
-        )
-        if frame.z_axis @ z_axis < 0:
-            frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
+        start = self._profile.point(along * level + (height - CUT_EXTENSION_MM) * up)
+        across = self._profile.z_axis
+        # the z axis of this frame is `up`
+        frame = Frame(start, np.cross(across, self._profile.direction(up)), across)
         return FlatSolid(
             Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * CUT_EXTENSION_MM, frame
         )
@@ -511,11 +503,6 @@ def _floors(blocks: Sequence[EndFixture]) -> list[Frame | None]:
     return floors
 
 
-def _polygon(corners: FloatArray) -> Path:
-    path = Path.polygon(corners)
-    return path if path.area > 0 else path.reversed()
-
-
 TOUCHING_MM = 0.1
 """Largest permitted overlap of blocks, mm, which can be filed off."""
 
@@ -569,7 +556,7 @@ def _crossed_blocks(
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
     half = placed.strip.width(s) / 2
     across = np.linspace(-1.0, 1.0, int(2 * half.max() / PITCH_MM) + 2)
-    middle = frame.point(np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T]))
+    middle = frame.point(points_at(s, rod.s, rod.position))
 
     def crosses(its: Sequence["_Prism"]) -> bool:
         corners = np.concatenate([part.edges for part in its])

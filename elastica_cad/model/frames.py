@@ -15,11 +15,20 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise, self_crossing
-from elastica_cad.geometry.plane_points import left_of, norm
+from elastica_cad.geometry.plane_points import cross, left_of, norm, unit
 from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
-from elastica_cad.model.plates import BasePlate, Border, Clearance, PlateOptions, Play, TabSlot, plate_with
+from elastica_cad.model.plates import (
+    BasePlate,
+    Border,
+    Clearance,
+    PlateOptions,
+    Play,
+    TabSlot,
+    plate_with,
+    rectangle_about,
+)
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text
@@ -251,12 +260,8 @@ class _RailPlan:
         return _Seat(station * across + side * along + height * n, along, n)
 
     def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
-        center = self.frame.local(seat.point)[:2]
-        u = (self.frame.axes @ seat.along)[:2]
-        v = left_of(u)
-        a, b = size[0] / 2 * u, size[1] / 2 * v
-        corners = np.array([center - a - b, center + a - b, center + a + b, center - a + b])
-        return TabSlot(corners, name, thickness)
+        center, along = self.frame.local(seat.point)[:2], (self.frame.axes @ seat.along)[:2]
+        return TabSlot(rectangle_about(center, along, np.array(size)), name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
@@ -353,10 +358,10 @@ def _with_tongue(
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
-        side = (q - p) / np.hypot(*(q - p))
+        side = unit(q - p)
         outward = -left_of(side)
         off, along = (base - p) @ outward, (base - p) @ side
-        if np.abs(off).max() < SIDE_TOLERANCE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
+        if np.abs(off).max() < SIDE_TOLERANCE_MM and along.min() > 0 and along.max() < norm(q - p):
             a, b = base[np.argsort(along)]
             rise, inset = (high * outward, step * side)
             stepped = [a + low * outward, a + low * outward + inset] if step else []
@@ -406,7 +411,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
         walls = profile.local(plate.frame.point(np.column_stack([slot.corners, np.full(4, -thickness)])))
         # direction along the back of the plate, with positive y
-        level = left_of(n) / np.hypot(*n) * np.sign(n[0])
+        level = left_of(unit(n)) * np.sign(n[0])
         for side, called in ((1.0, "a"), (-1.0, "b")):
             face = side * tab.thickness / 2
             begin = (low - n[1] * face) / n[0]
@@ -447,7 +452,6 @@ def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
 
 def _label_in_triangle(name: str, corners: np.ndarray) -> Text:
     sides = np.roll(corners, -1, axis=0) - corners
-    (ux, uy), (vx, vy) = sides[:2]
     # radius of the inscribed circle of the triangle
-    inner = abs(ux * vy - uy * vx) / norm(sides).sum()
+    inner = abs(cross(*sides[:2])) / norm(sides).sum()
     return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)

@@ -17,7 +17,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_points import left_of, norm
+from elastica_cad.geometry.plane_points import left_of, norm, unit
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.refusals import Length, Listed, note, sentences
 from elastica_cad.strip.pieces import cut_key
@@ -66,8 +66,7 @@ def _bent_slot_width(
         Widths. A width is 0 where the faces do not meet, because the strips curve away from each other near a
         shallow crossing.
     """
-    along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
-    along /= norm(along)[:, None]
+    along = unit(np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2))
     across = left_of(along)
     ways = across[:, :1] * ruled.motion(rows[:, 0])[1] + across[:, 1:] * ruled.axis
     tangents = other.motion(mates[:, 0])[1]
@@ -391,7 +390,7 @@ class _Cutter:
             return
         reach = sum(strip_thickness(self.strips[i]) for i in members) / 2
         nodes, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
-        distance = np.hypot(*(nodes[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
+        distance = norm(nodes[:, None, :2] - other[None, :, :2])
         nearest = distance.argmin(axis=1)
         apart = np.abs(other[nearest, 2] - nodes[:, 2])
         overlap = a.half_width(a.stations) + b.half_width(b.stations)[nearest] > apart

@@ -311,8 +311,8 @@ def _drawing(
     name: str,
 ) -> NestedSheet:
     usable = size[1] - margin if upright else size[0] - margin
-    laid = []
-    for place in sorted(places, key=lambda place: place.box.piece):
+    laid, places = [], sorted(places, key=lambda place: place.box.piece)
+    for place in places:
         piece = pieces[place.box.piece]
         x, y = (place.y, place.x) if upright else (place.x, place.y)
         laid.append(piece.drawing.transformed(_placement(piece, place.box.turned, x + margin, y + margin)))
@@ -324,7 +324,7 @@ def _drawing(
         merged.texts,
         sheet=sheet,
         sheet_size=size,
-        pieces=tuple(pieces[place.box.piece].name for place in sorted(places, key=lambda p: p.box.piece)),
+        pieces=tuple(pieces[place.box.piece].name for place in places),
         used=rows * usable,
         filled=sum(place.box.long * place.box.wide for place in places),
         share=sum(pieces[place.box.piece].area for place in places) / (size[0] * size[1]),

@@ -29,10 +29,12 @@ from elastica_cad.model.plates import (
     end_names,
     needed_length,
     options_by_name,
+    options_of,
     plate_with,
     ring_plate,
     shoulder_faults,
     tab_slot,
+    tabs_of,
     up_to_tenth,
     with_shoulders,
 )
@@ -149,11 +151,11 @@ def add_second_plates(
     cures = partial(_tested_cures, placed, plates, gap, strips_at)
     result: list[Plate] = []
     for plate in plates:
-        if not (tabs := _tabs_of(plate)):
+        if not (tabs := tabs_of(plate)):
             result.append(plate)
             continue
         _refuse_short(plate, {tab.key: needed_length(tab, plate, gap) for tab in tabs}, cures)
-        options = replace(plate.options or PlateOptions(), name=f"{plate.name}{suffix}")
+        options = replace(options_of(plate), name=f"{plate.name}{suffix}")
         result += lean_pair(placed, (plate, _plate_behind(plate, options, gap)), cures)
     return tuple(result)
 
@@ -200,7 +202,7 @@ def _tested_cures(
     strips_at: StripsAt | None,
     length: float,
 ) -> str:
-    cures, slotted = [], [plate for plate in plates if _tabs_of(plate)]
+    cures, slotted = [], [plate for plate in plates if tabs_of(plate)]
     sized = None
     # a plate without slots is a ring to which tabs are glued flat, and longer tabs may not fit on this ring
     if length < np.inf and len(slotted) == len(plates):
@@ -215,7 +217,7 @@ def _tested_cures(
     behind = [
         -float(plate.frame.local(tab.tip)[2]) - 2 * plate.sheet.thickness
         for plate in slotted
-        for tab in _tabs_of(plate)
+        for tab in tabs_of(plate)
     ]
     largest = min(gap, *behind)
     tested = dict.fromkeys(float(np.floor(fraction * largest)) for fraction in TESTED_FRACTIONS)
@@ -252,7 +254,7 @@ def fitting_tabs(
     The length is at least `length`. The width is the largest tested width that works. With `keep`, the
     present widths are tested first. If they work, the width is infinite.
     """
-    narrowest = min(tab.width for plate in plates for tab in _tabs_of(plate))
+    narrowest = min(tab.width for plate in plates for tab in tabs_of(plate))
     for fraction in TESTED_FRACTIONS:
         width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
         with suppress(InputError, NotConvergedError):
@@ -308,14 +310,14 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
         plates, needed = _tried_pair(placed, first, gap)
     except (InputError, NotConvergedError):
         return ()
-    return () if any(tab.length < needed[tab.key] for tab in _tabs_of(plates[1])) else plates
+    return () if any(tab.length < needed[tab.key] for tab in tabs_of(plates[1])) else plates
 
 
 def _tried_pair(
     placed: Sequence[Placed], first: Plate, gap: float
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
     """Return the two plates of `pair_with_tabs`, and the length, mm, that each tab needs."""
-    options = first.options or PlateOptions()
+    options = options_of(first)
     tabs = {tab.key: tab for tab in place_tabs(placed)}
     slots = [
         slot
@@ -324,7 +326,7 @@ def _tried_pair(
         for slot in first.slots
     ]
     inner = plate_with(slots, first.sheet, first.frame, options, type(first))
-    accept_faults(shoulder_faults(_tabs_of(inner), first.frame, options), options.ignore_limits)
+    accept_faults(shoulder_faults(tabs_of(inner), first.frame, options), options.ignore_limits)
     return _leaned(placed, (inner, _plate_behind(inner, options, gap)), _untested_cures)
 
 
@@ -360,16 +362,12 @@ def _leaned(
         if np.abs(new - old).max(initial=0.0) <= SETTLED_MM:
             break
     else:
-        raise _bends_too_far(plates[0], _tabs_of(plates[0])[0], cures)
+        raise _bends_too_far(plates[0], tabs_of(plates[0])[0], cures)
     back = plates[1].frame.shifted(z=-plates[1].sheet.thickness)
-    tabs = [tab for tab in _tabs_of(plates[1]) if tab.key in leans]
+    tabs = [tab for tab in tabs_of(plates[1]) if tab.key in leans]
     needed = {tab.key: _bent_length(tab, leans[tab.key], back) for tab in tabs}
     first, second = (_around_moved(plate) for plate in leaned)
     return (first, second), needed
-
-
-def _tabs_of(plate: BasePlate) -> list[PlacedTab]:
-    return [slot.tab for slot in plate.slots if slot.tab is not None]
 
 
 def _around_moved(plate: Plate) -> Plate:
@@ -426,7 +424,7 @@ def _moved_slot(
 
     The slot is as wide as the bent tab with its clearance, or narrower if both walls are `pressed` (2,).
     """
-    options, thickness = plate.options or PlateOptions(), plate.sheet.thickness
+    options, thickness = options_of(plate), plate.sheet.thickness
     tight, loose = (
         tab_slot(bent, plate.frame, thickness, each).size[1]
         for each in (replace(options, clearance=0.0, slot_width=None), options)
@@ -454,7 +452,7 @@ def _bends_too_far(plate: BasePlate, tab: PlacedTab, cures: Cures) -> InputError
 
 
 def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -> None:
-    short = [tab for tab in _tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]
+    short = [tab for tab in tabs_of(first) if tab.length < needed.get(tab.key, 0.0)]
     if short:
         raise InputError(
             "{name}: the tab of {name_2} does not reach through the second plate: {cures}",

@@ -17,6 +17,7 @@ from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import (
+    angle_of,
     box_about,
     boxes_about,
     boxes_meet,
@@ -24,6 +25,9 @@ from elastica_cad.geometry.plane_points import (
     left_of,
     lengths_along,
     norm,
+    points_at,
+    unit,
+    unit_vectors,
 )
 from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
@@ -212,14 +216,16 @@ class BasePlate:
     options: PlateOptions | None = None
 
     @property
+    def _opening_and_holes(self) -> tuple[Path, ...]:
+        return self.holes if self.opening is None else (self.opening, *self.holes)
+
+    @property
     def _inner_loops(self) -> tuple[Path, ...]:
-        opening = () if self.opening is None else (self.opening,)
-        return (*(slot.path for slot in self.slots), *opening, *self.holes)
+        return (*(slot.path for slot in self.slots), *self._opening_and_holes)
 
     @cached_property
     def _hole_points(self) -> list[FloatArray]:
-        opening = () if self.opening is None else (self.opening,)
-        return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
+        return [loop.points(FLAT_MM) for loop in self._opening_and_holes]
 
     def checked(self, options: PlateOptions) -> Self:
         """Return the plate with warnings about its faults."""
@@ -302,14 +308,12 @@ class BasePlate:
     @property
     def opening_radius(self) -> float:
         """Radius, mm, of the opening of a round plate, with or without a bridge, or 0 if the plate is closed."""
-        edges = [path for path in (self.opening, *filter(is_window, self.holes)) if path is not None]
+        edges = [path for path in self._opening_and_holes if path is self.opening or is_window(path)]
         return float(norm(edges[0].points(FLAT_MM) - self._middle).max()) if edges else 0.0
 
     def resized(self, inner: float, outer: float) -> Self:
         """Return the round plate with other radii, mm, of its opening and its rim, without checks."""
-        opening, holes = _with_holes(
-            self.options or PlateOptions(), self._middle, _opening(self._middle, inner)
-        )
+        opening, holes = _with_holes(options_of(self), self._middle, _opening(self._middle, inner))
         return replace(self, outline=Path.circle(self._middle, outer), opening=opening, holes=holes)
 
     @property
@@ -339,15 +343,15 @@ class BasePlate:
         return engraved_names([*strips, self.name])[self.name]
 
     def _name_inside_slots(self) -> tuple[Text, ...]:
-        loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
+        loops, corners = self._opening_and_holes, [slot.corners for slot in self.slots]
         if not loops:
             return ()
-        center = _mean_center([slot.corners for slot in self.slots])
+        center = _mean_center(corners)
         inner = max(float(norm(loop.points(0.1) - center).max()) for loop in loops)
-        free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
+        free, _ = around(corners, center, CLEAR_MM)
         return _rim_text(self.engraved, inner + CLEAR_MM, free, center)
 
-    def _name_anywhere(self, engraved: Sequence[FloatArray] = ()) -> tuple[Text, ...]:
+    def _name_anywhere(self, engraved: Sequence[FloatArray]) -> tuple[Text, ...]:
         """Return the name as the largest legible text clear of cuts and of `engraved` loops, or no text.
 
         The name is above the middle of the plate, or turned around the middle by the least angle.
@@ -358,7 +362,8 @@ class BasePlate:
         for height in np.linspace(LABEL_MM, LEAST_LABEL_MM, 6).tolist():
             half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
             for turn in NAME_TURNS:
-                axes = np.array([(np.cos(turn), np.sin(turn)), (-np.sin(turn), np.cos(turn))])
+                along = unit_vectors(turn)
+                axes = np.array([along, left_of(along)])
                 x, y = axes @ cuts.T
                 y = np.sort(y[np.abs(x) <= half + CLEAR_MM])
                 room = np.diff(y) - height - below - 2 * CLEAR_MM
@@ -376,7 +381,7 @@ class BasePlate:
         If cuts are too near on both sides, the name is smaller.
         """
         a, b, c, _ = slot.corners
-        along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
+        along, off = unit(b - a), unit(c - b)
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along, off = -along, -off
         others = np.array([other.corners for other in self.slots if other is not slot])
@@ -397,9 +402,18 @@ class BasePlate:
             ]
             if max(room) > 0.2 * height:
                 break
-        start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
-        angle = float(np.arctan2(along[1], along[0]))
-        return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
+        x, y = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0].tolist()
+        return Text((x, y), name, height, float(angle_of(along)), ENGRAVE)
+
+
+def tabs_of(plate: BasePlate) -> list[PlacedTab]:
+    """Return the tabs in the slots of a plate."""
+    return [slot.tab for slot in plate.slots if slot.tab is not None]
+
+
+def options_of(plate: BasePlate) -> PlateOptions:
+    """Return the options with which a plate was checked, or the default options."""
+    return plate.options or PlateOptions()
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
@@ -454,8 +468,7 @@ def base_plate(
 
 def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
     """Return the plate with a warning for each strip that would run into the plate beside its tab."""
-    tabs = [slot.tab for slot in plate.slots if slot.tab is not None]
-    warnings = accept_faults(shoulder_faults(tabs, plate.frame, options), options.ignore_limits)
+    warnings = accept_faults(shoulder_faults(tabs_of(plate), plate.frame, options), options.ignore_limits)
     return replace(plate, warnings=(*warnings, *plate.warnings))
 
 
@@ -559,7 +572,16 @@ def dense_points(loop: FloatArray) -> FloatArray:
     closed = np.concatenate([loop, loop[:1]])
     s = lengths_along(closed)
     at = distinct(np.append(s, np.linspace(0.0, s[-1], int(np.ceil(s[-1] / PITCH_MM)) + 1)))
-    return np.column_stack([np.interp(at, s, closed[:, k]) for k in (0, 1)])
+    return points_at(at, s, closed)
+
+
+def rectangle_about(center: FloatArray, along: FloatArray, size: FloatArray) -> FloatArray:
+    """Return the corners (4, 2) of a rectangle, anticlockwise.
+
+    `center` (2,) is its middle, `along` (2,) the unit vector along its first side, and `size` (2,) its sides, mm.
+    """
+    sides = np.array([along, left_of(along)]) * size[:, None] / 2
+    return center + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
@@ -580,19 +602,18 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
             flattest_rad=np.degrees(FLATTEST_RAD),
         )
     edges = ground.local(tab.edges)
-    step = ground.local(tab.frame.origin + tab.frame.x_axis) - ground.local(tab.frame.origin)
+    step = ground.axes @ tab.frame.x_axis
     through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
     points = np.concatenate(through)[:, :2]
-    across = (ground.axes @ tab.frame.y_axis)[:2]
-    u = across / np.hypot(*across)
-    v = left_of(u)
-    p = points @ np.array([u, v]).T
+    u = unit((ground.axes @ tab.frame.y_axis)[:2])
+    axes = np.array([u, left_of(u)])
+    p = points @ axes.T
     low, high = p.min(axis=0), p.max(axis=0)
     rest = max(options.clearance, (options.slot_width or 0.0) - (high[1] - low[1]))
     room = np.array([options.play, rest / 2])
     low, high = low - room, high + room
     box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness, tab)
+    return TabSlot(box @ axes, tab.name, tab.thickness, tab)
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> None:
@@ -656,16 +677,14 @@ def _least_distances(first: FloatArray, others: FloatArray) -> FloatArray:
     The bound is exact where a side of one rectangle faces the other rectangle.
     """
     sides, theirs = _side_normals(first), _side_normals(others)
-    return np.asarray(
-        np.maximum(_larger_gap(first @ sides, others @ sides), _larger_gap(first @ theirs, others @ theirs)),
-        dtype=float,
+    return np.maximum(
+        _larger_gap(first @ sides, others @ sides), _larger_gap(first @ theirs, others @ theirs)
     )
 
 
 def _side_normals(rectangles: FloatArray) -> FloatArray:
     sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
-    normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
-    return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
+    return np.swapaxes(left_of(unit(sides)), -1, -2)
 
 
 def _larger_gap(p: FloatArray, q: FloatArray) -> FloatArray:
@@ -768,10 +787,11 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
     is the inclination of the tab to the plane of the ring: 0 for a tab that points outwards in this plane, pi / 2
     for a perpendicular tab. A tab less inclined than `FLATTEST_RAD` needs no slot, and the result is `radius`.
     """
-    if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
+    steepness = abs(float(np.sin(angle)))
+    if steepness < np.sin(FLATTEST_RAD):
         return radius
-    through = radius + thickness * float(np.cos(angle)) / abs(float(np.sin(angle)))
-    return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE
+    through = radius + thickness * float(np.cos(angle)) / steepness
+    return min(radius, through) - tab / 2 / steepness - CLEARANCE
 
 
 def ring_plate(
@@ -862,8 +882,7 @@ def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
     seat = seats[0]
-    out = seat.mean(axis=0)
-    out = out / max(float(np.hypot(*out)), 1e-300)
+    out = unit(seat.mean(axis=0))
     along, across = seat @ out, np.abs(seat @ left_of(out))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(

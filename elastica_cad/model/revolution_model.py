@@ -54,15 +54,8 @@ END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Bound:
-    """Bound on half the width of a strip: the distance a + <b, gamma> from a curve point gamma to a plane."""
-
-    a: float
-    b: FloatArray
-
-    def __call__(self, points: FloatArray) -> FloatArray:
-        return np.asarray(self.a + points @ self.b, dtype=float)
+_Bound: TypeAlias = tuple[float, FloatArray]
+"""Bound on half the width of a strip: a and b of the distance a + <b, gamma> of its curve gamma from a plane."""
 
 
 def touching_widths(
@@ -137,24 +130,20 @@ def _bisector_bound(
             f"{names[0]} and {names[1]} are in the same plane, so no plane passes between them: move one of them"
         )
     offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
-    return _Bound(
-        float(offset - normal @ frame.origin) / pace,
-        -np.array([normal @ frame.x_axis, normal @ frame.y_axis]) / pace,
-    )
+    return float(offset - normal @ frame.origin) / pace, -(frame.axes[:2] @ normal) / pace
 
 
 def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
-        first, two = bounds
-        a, b = first.a - two.a, first.b - two.b
-        if np.hypot(*b) > SLOPE_TOLERANCE:
-            breaks += [(r.s, 0) for r in line_crossings(curve, a, b) if r.kind == "crossing"]
+        (a, b), (c, d) = bounds
+        if np.hypot(*(b - d)) > SLOPE_TOLERANCE:
+            breaks += [(r.s, 0) for r in line_crossings(curve, a - c, b - d) if r.kind == "crossing"]
     inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
 
     def half(s: FloatArray) -> FloatArray:
         points = curve.at(s).position
-        return np.asarray(np.min([bound(points) for bound in bounds], axis=0))
+        return np.asarray(np.min([a + points @ b for a, b in bounds], axis=0))
 
     width = Profile.fit(
         lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=WIDTH_ERROR_MM

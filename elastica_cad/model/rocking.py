@@ -17,7 +17,7 @@ from elastica_cad.model.held_tabs import (
     tab_seats,
 )
 from elastica_cad.model.plate_pairs import fitting_tabs, pair_with_tabs, with_tabs
-from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
+from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length, tabs_of
 from elastica_cad.refusals import Change, FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
@@ -86,9 +86,7 @@ def _suggestions(
 ) -> str:
     here = PlacedTab.of(member.strip, end, member.frame)
     plates = [
-        plate
-        for plate in plates_with_play(holders)
-        if any(slot.tab is not None and slot.tab.key == here.key for slot in plate.slots)
+        plate for plate in plates_with_play(holders) if any(tab.key == here.key for tab in tabs_of(plate))
     ]
     ways = [
         two_plates() if len(plates) == 1 else "",
@@ -123,10 +121,8 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    plates = [
-        plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
-    ]
-    held = [slot.tab for plate in plates for slot in plate.slots if slot.tab is not None]
+    plates = [plate for plate in plates_with_play(holders) if tabs_of(plate)]
+    held = [tab for plate in plates for tab in tabs_of(plate)]
     keys = {tab.key for tab in held}
     if len(keys) < len(held):  # two plates already hold some tabs
         return ""
@@ -139,7 +135,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
     keep = all(member.strip.ends[k].width is None for member, k in mine)
     longest = max(tab.length for member, _ in mine for tab in member.strip.ends)
     for gap in GAPS_MM:
-        needed = (needed_length(slot.tab, plate, gap) for plate in plates for slot in plate.slots if slot.tab)
+        needed = (needed_length(tab, plate, gap) for plate in plates for tab in tabs_of(plate))
         length = max(longest, *needed)
         sized = fitting_tabs(placed, plates, gap, length, keep=keep)
         if sized is not None and not _any_tab_rocks(with_tabs(placed, *sized), plates, gap):

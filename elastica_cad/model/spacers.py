@@ -12,22 +12,23 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import near_pairs, norm, unit_vectors
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.geometry.plane_points import left_of, near_pairs, norm, unit, unit_vectors
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plates import (
     PITCH_MM,
     BasePlate,
-    PlateOptions,
     TabSlot,
     around,
     dense_points,
+    options_of,
     plate_with,
+    rectangle_about,
+    tabs_of,
 )
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.lettering import centred_text
 from elastica_cad.strip.strip import Placed, require_placed
-from elastica_cad.strip.uncuttable_parts import FabricationLimits, limits_or_default
+from elastica_cad.strip.uncuttable_parts import limits_or_default
 
 _COUNT = Option("Number of spacers that keep two plates at their distance.", least=2, most=50)
 
@@ -88,12 +89,12 @@ def pairs_of_plates(plates: Sequence[BasePlate]) -> Iterator[tuple[BasePlate, Ba
     for i, first in enumerate(plates):
         for second in plates[i + 1 :]:
             distance = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
-            if _tabs_of(first) & _tabs_of(second) and distance > first.sheet.thickness:
+            if _keys_of(first) & _keys_of(second) and distance > first.sheet.thickness:
                 yield first, second, distance - first.sheet.thickness
 
 
-def _tabs_of(plate: BasePlate) -> set[object]:
-    return {slot.tab.key for slot in plate.slots if slot.tab is not None}
+def _keys_of(plate: BasePlate) -> set[object]:
+    return {tab.key for tab in tabs_of(plate)}
 
 
 Plate = TypeVar("Plate", bound=BasePlate)
@@ -135,7 +136,7 @@ def add_spacers(
     slotted, spacers = {id(plate): plate for plate in plates}, list[Spacer]()
     for first, second, gap in pairs_of_plates(plates):
         sized, width, places, spread = _places(placed, (first, second), gap, count)
-        sheet, options = first.sheet, first.options or PlateOptions()
+        sheet, options = first.sheet, options_of(first)
         size = np.array([width / 2 + 2 * options.play, sheet.thickness + options.clearance])
         slots = tuple(TabSlot(_rectangle(place, size), "spacer", sheet.thickness) for place in places)
         bodies = [_rectangle(place, np.array([width, sheet.thickness])) for place in places]
@@ -162,13 +163,12 @@ def _with_slots(
 
     Its opening is at least as large as in `tried`, the plate for which the places of the spacers were found.
     """
-    options = plate.options or PlateOptions()
+    options = options_of(plate)
     if plate.is_round:
         center = plate.outline.bounds.mean(axis=0)
-        bridge = limits_or_default(options.shop).bridge_for(plate.sheet)
         inner, outer = np.transpose([
             _radii(plate),
-            around([slot.corners for slot in slots], center, bridge + PITCH_MM / 2),
+            around([slot.corners for slot in slots], center, _bridge(plate) + PITCH_MM / 2),
             around(bodies, center, BESIDE_MM),
         ])  # fmt: skip
         plate = plate.resized(max(float(inner.min()), tried.opening_radius), float(outer.max()))
@@ -177,16 +177,13 @@ def _with_slots(
 
 
 def _rectangle(place: FloatArray, size: FloatArray) -> FloatArray:
-    along = unit_vectors(place[2])
-    sides = np.array([along, (-along[1], along[0])]) * size[:, None] / 2
-    return np.asarray(place[:2] + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides, dtype=float)
+    return rectangle_about(place[:2], unit_vectors(place[2]), size)
 
 
 def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place: FloatArray) -> Spacer:
     first, second = plates
     middle = first.frame.shifted(z=-first.sheet.thickness - gap / 2)
-    along = np.cos(place[2]) * middle.x_axis + np.sin(place[2]) * middle.y_axis
-    frame = Frame(middle.point([*place[:2], 0.0]), along, middle.z_axis)
+    frame = Frame(middle.point(place[:2]), middle.direction(unit_vectors(place[2])), middle.z_axis)
     half, tongue, body = width / 2, width / 4, gap / 2
     low, high = body + second.sheet.thickness, body + first.sheet.thickness
     corners = [
@@ -216,11 +213,10 @@ def _places(
 
     If there is none, return the placement that is most spread.
     """
-    most, best, sheet = 0, None, plates[0].sheet
-    bridge = limits_or_default((plates[0].options or PlateOptions()).shop).bridge_for(sheet)
+    most, best, sheet, bridge = 0, None, plates[0].sheet, _bridge(plates[0])
     for tried in _sizes(plates):
         for width, places, margin in _free_places(placed, tried, gap):
-            apart = 2 * float(np.hypot(*(np.array([width, sheet.thickness]) / 2 + bridge)))
+            apart = 2 * float(norm(np.array([width, sheet.thickness]) / 2 + bridge))
             thinned = _thinned(places, margin, apart)
             most = max(most, len(thinned))
             if len(thinned) >= count:
@@ -243,10 +239,9 @@ def _places(
 
 
 def _wide_border(plates: tuple[BasePlate, BasePlate]) -> float:
-    first, options = plates[0], plates[0].options or PlateOptions()
     slots = [plate.tab_loops for plate in plates]
     offset = float(norm(np.diff(slots, axis=0)[0].mean(axis=1)).max())
-    return max(options.border, _border_with_spacers(first.sheet, options.shop) + float(np.ceil(offset)))
+    return max(options_of(plates[0]).border, _border_with_spacers(plates[0]) + float(np.ceil(offset)))
 
 
 def _near_a_line(
@@ -256,7 +251,7 @@ def _near_a_line(
     first, second = (
         plate_with(
             plate.slots, plate.sheet, plate.frame,
-            replace(plate.options or PlateOptions(), border=wide), type(plate),
+            replace(options_of(plate), border=wide), type(plate),
         )
         for plate in plates
     )  # fmt: skip
@@ -280,8 +275,8 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
     first, second = plates
     if not (first.is_round and second.is_round):
         return
-    options, radii = first.options or PlateOptions(), np.array([_radii(plate) for plate in plates])
-    room = _border_with_spacers(first.sheet, options.shop) + GRID_RADIUS_MM - options.border
+    radii = np.array([_radii(plate) for plate in plates])
+    room = _border_with_spacers(first) + GRID_RADIUS_MM - options_of(first).border
     inner, outer = float(radii[:, 0].min()) - room, float(radii[:, 1].max()) + room
     inside, outside = np.minimum(radii, [inner, np.inf]), np.maximum(radii, [-np.inf, outer])
     narrow = first.resized(*inside[0]), second.resized(*inside[1])
@@ -295,9 +290,7 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
 
 
 def _radii(plate: BasePlate) -> tuple[float, float]:
-    return around(
-        plate.tab_loops, plate.outline.bounds.mean(axis=0), (plate.options or PlateOptions()).border
-    )
+    return around(plate.tab_loops, plate.outline.bounds.mean(axis=0), options_of(plate).border)
 
 
 def _free_places(
@@ -307,18 +300,17 @@ def _free_places(
 
     A place is x, y and angle.
     """
-    first, options = plates[0], plates[0].options or PlateOptions()
-    bridge = limits_or_default(options.shop).bridge_for(first.sheet)
+    thickness, bridge = plates[0].sheet.thickness, _bridge(plates[0])
     closed, cuts, bodies = _obstacles(placed, plates, gap)
-    tried = _tried_places(first)
+    tried = _tried_places(plates[0])
     inside = np.logical_and.reduce(
         [_enclosed(plate.outline.points(PITCH_MM / 10), tried) for plate in plates]
     )
     tried = tried[inside & ~np.logical_or.reduce([_enclosed(loop, tried) for loop in closed])]
-    near, _ = near_pairs(tried[:, :2], cuts, bridge + first.sheet.thickness / 2)
+    near, _ = near_pairs(tried[:, :2], cuts, bridge + thickness / 2)
     tried = np.delete(tried, near, axis=0)
     for width in WIDTHS_MM:
-        body = np.array([width, first.sheet.thickness]) / 2
+        body = np.array([width, thickness]) / 2
         margin = np.minimum(
             _margins(tried, cuts, np.array([width / 4, body[1]]) + bridge + PITCH_MM / 2),
             _margins(tried, np.concatenate([cuts, bodies]), body + BESIDE_MM),
@@ -326,9 +318,12 @@ def _free_places(
         yield width, tried[margin > 0], margin[margin > 0]
 
 
-def _border_with_spacers(sheet: Sheet, shop: FabricationLimits | None) -> float:
-    bridge = limits_or_default(shop).bridge_for(sheet)
-    return float(np.ceil(2 * bridge + sheet.thickness + BORDER_EXTRA_MM))
+def _bridge(plate: BasePlate) -> float:
+    return limits_or_default(options_of(plate).shop).bridge_for(plate.sheet)
+
+
+def _border_with_spacers(plate: BasePlate) -> float:
+    return float(np.ceil(2 * _bridge(plate) + plate.sheet.thickness + BORDER_EXTRA_MM))
 
 
 def _tried_places(plate: BasePlate) -> FloatArray:
@@ -345,7 +340,7 @@ def _tried_places(plate: BasePlate) -> FloatArray:
                 np.arange(0.0, 2 * np.pi, GRID_TURN),
             )
         )
-        x, y = (low + high)[:, None] / 2 + r * np.array([np.cos(turn), np.sin(turn)])
+        x, y = (low + high)[:, None] / 2 + r * unit_vectors(turn).T
     else:
         step = max(GRID_MM, float((high - low).max()) / GRID_LINES)
         x, y = (
@@ -369,9 +364,8 @@ def _obstacles(
     places = {slot.tab.key: slot.corners for slot in second.slots if slot.tab is not None}
     for slot in first.slots:
         if slot.tab is not None and slot.tab.key in places:
-            side = slot.corners[1] - slot.corners[0]
-            u = side / np.hypot(*side)
-            axes = np.array([u, (-u[1], u[0])])
+            u = unit(slot.corners[1] - slot.corners[0])
+            axes = np.array([u, left_of(u)])
             low, high = np.quantile(
                 np.concatenate([slot.corners, places[slot.tab.key]]) @ axes.T, (0, 1), axis=0
             )
@@ -405,7 +399,7 @@ def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatA
     rectangle, and at most `MOST_MARGIN_MM`.
     """
     margin = np.full(len(places), MOST_MARGIN_MM)
-    i, k = near_pairs(places[:, :2], points, float(np.hypot(*(half + MOST_MARGIN_MM))))
+    i, k = near_pairs(places[:, :2], points, float(norm(half + MOST_MARGIN_MM)))
     away, (c, s) = points[k] - places[i, :2], (np.cos(places[i, 2]), np.sin(places[i, 2]))
     local = np.column_stack([c * away[:, 0] + s * away[:, 1], c * away[:, 1] - s * away[:, 0]])
     np.minimum.at(margin, i, (np.abs(local) - half).max(axis=1))
@@ -446,7 +440,7 @@ def _spread(
     """
     slots = [loop for plate in plates for loop in plate.tab_loops]
     middle, count = np.mean(slots, axis=(0, 1)), len(chosen)
-    towards = np.array([np.cos(DIRECTIONS), np.sin(DIRECTIONS)])
+    towards = unit_vectors(DIRECTIONS).T
 
     def reach(places: FloatArray) -> FloatArray:
         half = width / 2 if count == 2 else 0.0
