@@ -234,8 +234,11 @@ def estimate_noise(points: FloatArray) -> float:
     """
     while True:
         around = [np.concatenate([points, points[1 : order * is_closed(points)]]) for order in ORDERS]
+        # the scaled median of differences normal to the curve is a standard deviation
         sizes = [
-            _across(p, order) for p, order in zip(around, ORDERS, strict=True) if len(p) - order >= FEWEST
+            float(np.median(np.abs(_differences(p, order)[0])) / 0.6745)
+            for p, order in zip(around, ORDERS, strict=True)
+            if len(p) - order >= FEWEST
         ]
         pairs = ((gap, *pair) for gap in (2, 1) for pair in zip(sizes, sizes[gap:], strict=False))
         noise = next((higher for gap, lower, higher in pairs if higher > SETTLED**gap * lower), 0.0)
@@ -243,11 +246,6 @@ def estimate_noise(points: FloatArray) -> float:
         if noise <= CROWDED_SHARE * spacing or len(points) < 4 * FEWEST:
             return noise
         points = thinned(points, 2)
-
-
-def _across(points: FloatArray, order: int) -> float:
-    """Estimate the noise, mm, from divided differences of order `order`, normal to the curve."""
-    return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
 def _off_nearest(points: FloatArray) -> FloatArray:

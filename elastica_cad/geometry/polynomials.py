@@ -7,6 +7,7 @@ has p = `ORDER` values at nodes, or Legendre coefficients, in each panel. Panel 
 from dataclasses import dataclass
 from functools import lru_cache
 from math import comb
+from typing import TypeAlias
 
 import numpy as np
 
@@ -180,6 +181,10 @@ multiple zero by up to `_BLUR` e. A zero of a derivative is then more accurate.
 _EPS = float(np.finfo(float).eps)
 
 
+_Event: TypeAlias = tuple[int, float, float, bool]
+"""Index of a polynomial, start and end of an interval, and True if the interval is a single point."""
+
+
 def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
@@ -192,14 +197,11 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     return _classified(c, _merged(sorted(_events(c, noise))))
 
 
-def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
-    """Return intervals with one sign change each, and intervals in which all values are rounding errors.
-
-    Each tuple contains the index of a polynomial, start and end of the interval, and True if start equals end.
-    """
+def _events(c: FloatArray, noise: FloatArray) -> list[_Event]:
+    """Return intervals with one sign change each, and intervals in which all values are rounding errors."""
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
-    events: list[tuple[int, float, float, bool]] = []
+    events: list[_Event] = []
     for depth in range(_MOST_HALVINGS + 1):
         if not piece.size:
             break
@@ -282,9 +284,9 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
     return u, slope
 
 
-def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
+def _merged(events: list[_Event]) -> list[_Event]:
     """Join close intervals of the same polynomial. Two single points are not joined."""
-    merged: list[tuple[int, float, float, bool]] = []
+    merged: list[_Event] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
             _, a0, b0, _ = merged[-1]
@@ -295,7 +297,7 @@ def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, flo
     return merged
 
 
-def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> list[Root]:
+def _classified(c: FloatArray, events: list[_Event]) -> list[Root]:
     zeros = []
     for k, (piece, a, b, sharp) in enumerate(events):
         if sharp:

@@ -347,13 +347,20 @@ IntersectionCurve: TypeAlias = Branch | Ruling
 """Curve along which two surfaces intersect. Between two nodes, the curve may still cross edges of the strips."""
 
 
-def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
+_Course: TypeAlias = tuple[FloatArray, FloatArray]
+"""Arc lengths (n,) on strip a and on strip b along a line of equal height."""
+
+_Extreme: TypeAlias = tuple[str, int, int]
+"""Strip with a height extreme ("a" or "b"), its stretch that begins there, and the other strip's stretch."""
+
+
+def _level_set(heights: _Heights) -> list[_Course]:
     """Return the curves of equal height on both strips, each as arc lengths on strip a and on strip b."""
     first = _monotone_stretches(heights, heights.a)
     second = _monotone_stretches(heights, heights.b)
-    pieces: list[tuple[FloatArray, FloatArray]] = []
-    ends: list[list[tuple[str, int, int] | None]] = []
-    level: list[tuple[FloatArray, FloatArray]] = []
+    pieces: list[_Course] = []
+    ends: list[list[_Extreme | None]] = []
+    level: list[_Course] = []
     for k, (s_a, c_a) in enumerate(first):
         for m, (s_b, c_b) in enumerate(second):
             low, high = max(c_a.min(), c_b.min()), min(c_a.max(), c_b.max())
@@ -371,7 +378,7 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 
 def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
-) -> Iterator[tuple[FloatArray, FloatArray]]:
+) -> Iterator[_Course]:
     """Yield arc lengths on both strips at equal heights, if the height is constant on one of two stretches.
 
     The arc length on the other stretch is then constant.
@@ -409,9 +416,7 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
     return np.interp(at, c[::order], s[::order])
 
 
-def _extreme_at_end(
-    k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
-) -> tuple[str, int, int] | None:
+def _extreme_at_end(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> _Extreme | None:
     """Return the height extreme at which a line of equal height ends, or None where the surfaces touch.
 
     The line is on stretch k of strip a, with heights c_a, and on stretch m of strip b, with heights c_b. It ends at
@@ -427,21 +432,21 @@ def _extreme_at_end(
 
 
 def _joined(
-    pieces: list[tuple[FloatArray, FloatArray]],
-    ends: list[list[tuple[str, int, int] | None]],
+    pieces: list[_Course],
+    ends: list[list[_Extreme | None]],
     first: int,
     second: int,
-) -> list[tuple[FloatArray, FloatArray]]:
+) -> list[_Course]:
     counts = {"a": first, "b": second}
-    homes: dict[tuple[str, int, int], list[int]] = {}
+    homes: dict[_Extreme, list[int]] = {}
     for i, pair in enumerate(ends):
         for key in pair:
             if key is not None and 0 < key[1] < counts[key[0]]:
                 homes.setdefault(key, []).append(i)
     unused = set(range(len(pieces)))
 
-    def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        chain: list[tuple[FloatArray, FloatArray]] = []
+    def pieces_beyond(i: int, key: _Extreme | None) -> list[_Course]:
+        chain: list[_Course] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in unused]
             if not after:

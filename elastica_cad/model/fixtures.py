@@ -582,12 +582,12 @@ class _Prism:
     def of(cls, solid: FlatSolid) -> "_Prism":
         up = solid.frame.z_axis
         lower = solid.frame.point([segment.start for segment in solid.outline.segments])
-        upper, after = lower + solid.thickness * up, np.roll(lower, -1, axis=0)
-        ends = [(lower, after), (upper, after + solid.thickness * up), (lower, upper)]
-        starts, ways = (np.concatenate(rows) for rows in zip(*((a, b - a) for a, b in ends), strict=True))
+        upper, sides = lower + solid.thickness * up, np.roll(lower, -1, axis=0) - lower
+        starts = np.concatenate([lower, upper, lower])
+        ways = np.concatenate([sides, sides, upper - lower])
         count = int(np.linalg.norm(ways, axis=1).max() / PITCH_MM) + 2
         edges = starts + np.linspace(0.0, 1.0, count)[:, None, None] * ways
-        outward = np.concatenate([np.cross(after - lower, up), up[None], -up[None]])
+        outward = np.concatenate([np.cross(sides, up), up[None], -up[None]])
         outward /= np.linalg.norm(outward, axis=1)[:, None]
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
 
