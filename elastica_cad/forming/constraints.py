@@ -50,9 +50,8 @@ class Constraint(ABC):
     penalty: float = 100.0
     near_balance_only: bool = False
 
-    def bound(self, size: float) -> float | None:
+    def bound(self, size: float) -> float | None:  # noqa: ARG002 - used by `CurvatureLimit`
         """Return the limit in its unit if it is one number. `size` is the length of the target, mm."""
-        _ = size
         return None
 
     def slope(self, size: float) -> float:
@@ -369,14 +368,12 @@ class MarginLimit(Constraint):
         """Difference between limit and margin that is scaled to a violation of 1."""
         return max(10.0, abs(self.limit))
 
-    def bound(self, size: float) -> float:
+    def bound(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
         """Return the limit of the margin."""
-        _ = size
         return self.limit
 
-    def slope(self, size: float) -> float:
+    def slope(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
         """Return the change of the value by a unit change of the limit."""
-        _ = size
         return 1 / self.scale
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
@@ -404,13 +401,16 @@ class MarginLimit(Constraint):
         row[u.length] += d.length
         return _all_rows(row[None] / self.scale)
 
-    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+    def chained(
+        self,
+        rod: MappedRod,  # noqa: ARG002 - used by `FollowedMarginLimit`
+        by_tangent: FloatArray,
+    ) -> tuple[FloatArray, FloatArray | None]:
         """Convert derivatives (n+1,) by the tangent stiffness to derivatives by stiffness and by moment.
 
         `by_tangent` are the derivatives of the margin by the tangent stiffness. The second result is None if
         the moment has no effect.
         """
-        _ = rod
         return by_tangent.copy(), None
 
 
