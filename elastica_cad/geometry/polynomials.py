@@ -417,8 +417,7 @@ class PanelFunction:
     @property
     def dense(self) -> FloatArray:
         """Values (n, ...) at the sample points `Panels.dense_places`."""
-        values = self.in_every_panel(_DENSE_BASIS)
-        return values.reshape(-1, *values.shape[2:])
+        return np.concatenate(self.in_every_panel(_DENSE_BASIS))
 
     @property
     def extremes(self) -> FloatArray:

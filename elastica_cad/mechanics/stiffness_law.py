@@ -461,8 +461,8 @@ def scale_within(
     B = float(scales.min() if limited else scales.max())
     if solved is None:
         return B
-    bounded = solved < B
-    # a search limits the section only at the nodes, so the section may be slightly larger between nodes
-    over = limited and B < solved < B * (1 + BETWEEN_NODES)
+    bounded = limited and solved < B
+    # a search limits the section only at the nodes, so the section may be slightly beyond the limit between nodes
+    over = 1 < (solved / B if limited else B / solved) < 1 + BETWEEN_NODES
     unchanged = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if unchanged else B

@@ -125,11 +125,17 @@ def test_leaves_are_whole_and_lie_on_each_other(name):
     assert told.largest == pytest.approx(strain.largest, rel=0.03)
 
 
+WITHOUT = (False, False)
+"""No tangent of the ends is kept."""
+
+
 @pytest.mark.parametrize("name", ["even arch", "leaning arch"])
 def test_no_small_move_of_an_end_comes_nearer(name):
     """The claim of a local optimum, end by end; a thousandth of the distance, here 0.3 micrometres, is flat."""
     stack, (curve, law, *_) = found(name), CASES[name]
-    rounds = [_Search.of(stack.relaxed, law, curve.sample(NODES).position, r) for r in (0.35, 0.5, 0.65)]
+    rounds = [
+        _Search.of(stack.relaxed, law, curve.sample(NODES).position, r, WITHOUT) for r in (0.35, 0.5, 0.65)
+    ]
     ends = sorted(s for leaf in stack.leaves for s in (leaf.start, leaf.end) if 0 < s < stack.rod.length)
     (search,) = [
         one for one in rounds if one.answer().mean_deviation == pytest.approx(stack.mean_deviation, rel=1e-6)
@@ -152,11 +158,17 @@ def test_known_ends_are_found_again():
     law = LeavesLaw(LEAF, 3, 20.0)
     relaxed = optimal_rod(LEANING, section=law.relaxed)
     search = _Search(
-        relaxed, law, LEANING.sample(NODES).position, np.array([[3, -1], [2, -1]]), np.zeros(2), (1, 2, 3)
+        relaxed,
+        law,
+        LEANING.sample(NODES).position,
+        np.array([[3, -1], [2, -1]]),
+        np.zeros(2),
+        (1, 2, 3),
+        WITHOUT,
     )
     told = np.array([0.31, 0.68])
     rod = search._bent(np.concatenate([told, relaxed.angle[[0, -1]]]), relaxed)
-    begun = _Search(relaxed, law, rod.position, search.steps, np.array([0.4, 0.6]), search.first)
+    begun = _Search(relaxed, law, rod.position, search.steps, np.array([0.4, 0.6]), search.first, WITHOUT)
     stack = begun.answer()
     assert stack.deviation < 1e-4 * rod.length
     ends = sorted(leaf.end for leaf in stack.leaves if leaf.end < rod.length)
