@@ -560,13 +560,13 @@ def curve_from_points(
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
     noise, is_noisy = measured.noise, measured.is_noisy
     corners = corner_points(points, SIDE_TOLERANCES * max(tolerance, noise))
+    if corners:
+        measured = replace(measured, noise=0.0)  # noise cannot be distinguished from corners
     if is_closed(points):
         if corners:  # begin at a corner, because the curve is smooth at other points
             first = corners.pop(0)
             points = begun_at(points, first)
             corners = [corner - first for corner in corners]
-            # noise cannot be distinguished from corners
-            measured = replace(measured, noise=0.0)
         else:
             measured = replace(measured, is_smoothed=not measured.outlier)
     cuts = [0, *corners, len(points) - 1]
@@ -586,9 +586,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    drawn = (
-        replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
-    )
+    drawn = replace(drawn, vertices=points) if sides else replace(drawn, measured=measured)
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
 
 

@@ -475,7 +475,7 @@ def require_bendable(curve: PlaneCurve) -> None:
 SAMPLED_SHARE = 0.15
 """Least turn at a point beside a corner that may be a bend through measured points, as a fraction of the corner.
 
-The turn must also be less than `SMOOTH_TURN`, above which `curve_from_points` makes a corner.
+The turn must also be less than `SMOOTH_TURN`, above which `corner_points` returns a corner of an open curve.
 """
 
 
