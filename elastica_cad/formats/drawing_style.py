@@ -10,6 +10,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.approximations import as_arcs, as_beziers, as_cubics, as_polyline
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import require_tolerance_mm
+from elastica_cad.mechanics.sheets import require_name
 from elastica_cad.refusals import Length
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
 
@@ -76,17 +77,16 @@ class LayerStyle:
     color: str
 
     def __post_init__(self) -> None:
-        name = self.name if isinstance(self.name, str) else ""
-        if not name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', name) or len(name) > 255:
-            raise InputError(
-                "{name!r} is not a layer name: use letters, digits, spaces, - and _", name=self.name
-            )
+        name = require_name(self.name, "the name of a layer")
+        if not name.strip() or re.search(r'[<>/\\":;?*|=`]', name) or len(name) > 255:
+            raise InputError("{name!r} is not a layer name: use letters, digits, spaces, - and _", name=name)
         if not isinstance(self.color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
             raise InputError(
                 "{color!r} is not a colour for layer {name!r}: write it as #rrggbb",
                 color=self.color,
                 name=self.name,
             )
+        object.__setattr__(self, "name", name)
         object.__setattr__(self, "color", self.color.lower())
 
     @property

@@ -2,6 +2,7 @@
 
 import faulthandler
 import os
+import re
 import signal
 import sys
 import warnings
@@ -251,8 +252,11 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     holed = any(map(_has_many_wires, shapes.values()))
     if holed:
         shapes = {number: _with_wires_apart(shape) for number, shape in shapes.items()}
-        parts = [replace(part, shape=shapes[id(part.shape)]) for part in parts]
-    document = make_document(parts, name=name)
+    texts = [_step_text(called) for called in (*(part.name for part in parts), name)]
+    # OpenCASCADE breaks lines within letters and leaves \S\ as it is, so names are put in afterwards
+    mark = "elastica-name-{}".format
+    marked = [replace(part, name=mark(k), shape=shapes[id(part.shape)]) for k, part in enumerate(parts)]
+    document = make_document(marked, name=mark(len(parts)))
     stream = BytesIO()
     elementary = all(_is_elementary(part.shape) for part in parts)
     with _own_settings({TRACES: "0" if elementary else "1"}):
@@ -264,7 +268,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         done = writer.Transfer(document, k.STEPControl_StepModelType.STEPControl_AsIs)
         header = k.APIHeaderSection_MakeHeader(writer.Writer().Model())
         text = k.TCollection_HAsciiString
-        header.SetName(text(name))
+        header.SetName(text(mark(len(parts))))
         header.SetTimeStamp(text("2000-01-01T00:00:00"))
         header.SetAuthorValue(1, text(""))
         for say in (header.SetOriginatingSystem, header.SetPreprocessorVersion):
@@ -274,7 +278,17 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
         raise InputError("OpenCASCADE could not write these parts as STEP. Check that they are valid solids.")
-    return stream.getvalue()
+    return re.sub(rb"elastica-name-(\d+)", lambda found: texts[int(found[1])], stream.getvalue())
+
+
+def _step_text(name: str) -> bytes:
+    """Return a name as in a STEP file, in ASCII (ISO 10303-21).
+
+    An apostrophe is written as \\X\\27, because OpenCASCADE cannot read a doubled one before a bracket.
+    """
+    plain = name.replace("\\", "\\\\").replace("'", "\\X\\27")
+    in_hex = lambda signs: signs[0].encode("utf-16-be", "surrogatepass").hex().upper()  # noqa: E731
+    return re.sub("[^ -~]+", lambda signs: f"\\X2\\{in_hex(signs)}\\X0\\", plain).encode()
 
 
 def _is_elementary(shape: Shape) -> bool:

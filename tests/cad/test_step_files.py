@@ -122,15 +122,27 @@ def test_brep_files_are_read_too(curve, tmp_path):
     assert np.array_equal(back.control_points, curve.control_points)
 
 
-def test_names_in_any_script(plain, tmp_path):
-    """Umlauts, quotes and Chinese come back as they went in."""
+@pytest.mark.parametrize(
+    "name",
+    [
+        "Bügel 'A' 竹 NEXT_ASSEMBLY_USAGE_OCCURRENCE('7'",
+        "左" * 90,
+        "left (5')",
+        "');#1=",
+        "\\X2\\00E9\\X0\\",
+        "C:\\S\\N\\T\\",
+        "👨👩👧",
+        "elastica-name-7",
+    ],
+)
+def test_names_in_any_script(plain, tmp_path, name):
+    """Umlauts, quotes, backslashes and Chinese come back as they went in."""
     from OCP.STEPCAFControl import STEPCAFControl_Reader
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDataStd import TDataStd_Name
     from OCP.TDocStd import TDocStd_Document
 
     path = tmp_path / "any.step"
-    name = "Bügel 'A' 竹 NEXT_ASSEMBLY_USAGE_OCCURRENCE('7'"
     shape = occt.make_solid(FlatSolid.of(plain))
     step.write_step([step.NamedShape(name, shape)], path)
     document = TDocStd_Document(TCollection_ExtendedString("XmlOcaf"))

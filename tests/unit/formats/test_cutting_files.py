@@ -279,6 +279,10 @@ def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tol
         ({"tolerance": 0.0, "curves": "arc"}, "tolerance is 0"),
         ({"layers": {"CUT": "x"}}, "no layer 'CUT' to rename"),
         ({"layers": {"MARK": "a/b"}}, "'a/b' is not a layer name"),
+        ({"layers": {"MARK": "a\u202eb"}}, r"contains '\\u202e' between 'a' and 'b'"),
+        ({"layers": {"MARK": "\x85"}}, r"contains '\\x85'"),
+        ({"layers": {"MARK": "\ud800"}}, r"contains '\\ud800'"),
+        ({"layers": {"MARK": "e\u0301", "ENGRAVE": "\u00e9"}}, "two layers have the same name"),
         ({"layers": {"MARK": ("a", "red")}}, "'red' is not a colour"),
         ({"layers": {"MARK": "engrave"}}, "two layers have the same name"),
         ({"layers": {"MARK": "my marks"}, "version": "R12"}, "R12 does not allow the layer name 'my marks'"),
@@ -291,6 +295,10 @@ def test_bad_options_are_refused_and_leave_no_file(tmp_path, options, message):
     with pytest.raises(InputError, match=message):
         write_drawing(drawing(), tmp_path / "strip.dxf", **options)
     assert not list(tmp_path.iterdir())
+
+
+def test_names_of_layers_are_cleaned_as_labels_are():
+    assert style_layers({"MARK": "my\u00a0ma\u00adrks"})["MARK"].name == "my marks"
 
 
 def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
