@@ -8,6 +8,7 @@ from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
+from elastica_cad._text import plain_name
 from elastica_cad._toml import parse_toml
 from elastica_cad.declared import (
     REQUIRED,
@@ -320,7 +321,8 @@ def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
 
     With the key `sheet`, the key `thickness` of the same table sets the thickness.
     """
-    name = table.text(key)
+    text = table.text(key)
+    name = text if ".toml" in text else plain_name(text)
     with table.naming(key):
         sheet = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
         thickness = table.maybe("thickness") if key == "sheet" else None

@@ -549,9 +549,9 @@ class Sheet:
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.name, str) or not self.name.strip():
+        object.__setattr__(self, "name", require_name(self.name, "the name of a sheet"))
+        if not self.name.strip():
             raise InputError(f"the name of a sheet is {self.name!r}; give a text")
-        object.__setattr__(self, "name", require_name(self.name, "the sheet's name"))
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
             raise InputError(
@@ -920,8 +920,8 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
     sheets = load_sheets(path)
     if not sheet_name and len(sheets) == 1:
         return next(iter(sheets.values()))
-    if sheet_name in sheets:
-        return sheets[sheet_name]
+    if (called := plain_name(sheet_name)) in sheets:
+        return sheets[called]
     several = (
         note("there is no sheet {wanted!r}", wanted=sheet_name)
         if sheet_name
@@ -958,9 +958,10 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
         raise InputError(f"{where} contains no sheet: add a table [sheets.NAME]")
     figures = {name: _fields(name, entry, where) for name, entry in table.items()}
     try:
-        return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
+        sheets = [Sheet(name=name, **fields) for name, fields in figures.items()]
     except InputError as error:
         raise InputError(f"{where}: {error}") from error
+    return {sheet.name: sheet for sheet in sheets}
 
 
 @dataclass(frozen=True)

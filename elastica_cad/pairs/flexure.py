@@ -282,6 +282,8 @@ class Flexure:
         if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
             raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
         object.__setattr__(self, "label", require_name(self.label, "the label"))
+        states = tuple(require_name(name, "the name of a state") for name in self.state_names)
+        object.__setattr__(self, "state_names", states)
         if not self.ignore_limits:
             for fault in self._faults():
                 raise fault

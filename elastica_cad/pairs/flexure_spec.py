@@ -11,7 +11,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet, require_flat
+from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.pairs.flexure import Flexure, Pad
 from elastica_cad.pairs.matching import MatchedPair, matched_pair, same_way
 from elastica_cad.pairs.two_state_rods import Objective, PairLimits, State, TwoStateRod, two_state_rod
@@ -123,6 +123,8 @@ class FlexureSpec(EqualByValue):
     def __post_init__(self) -> None:
         require_declared(FlexureSpec, vars(self))
         require_flat(Sheet.of(self.sheet))
+        for name in ("label", "first_state", "second_state"):
+            object.__setattr__(self, name, require_name(getattr(self, name), name))
         if self.first_state and self.first_state == self.second_state:
             raise InputError(
                 "Both states have the name {name}. Use two names ({fields}).",

@@ -149,6 +149,7 @@ test_unknown_name_offers_near_ones = refusal_test(
     ({"density_range": (700.0, 800.0)}, "write a range that contains density = 680"),
     ({"density_range": (700.0,)}, "two numbers, the lowest first"),
     ({"name": " "}, "the name of a sheet is"),
+    ({"name": "\u200b"}, "the name of a sheet is ''"),
 ])  # fmt: skip
 def test_impossible_sheets_are_refused(change, words):
     with pytest.raises(InputError, match=words):
@@ -335,6 +336,14 @@ def test_a_sheet_of_a_file(tmp_path):
         Sheet.named(str(path))
     with pytest.raises(InputError, match="there is no sheet 'third'"):
         Sheet.named(f"{path}:third")
+
+
+@pytest.mark.parametrize("typed", ["Tr\u00e4ger 1", "Tra\u0308ger\u00a01", "Tr\u00e4\u00adger 1"])
+def test_a_sheet_is_found_by_its_name_however_it_is_written(typed, tmp_path, monkeypatch):
+    path = written(tmp_path, f'[sheets."Tra\u0308ger\u00a01"]\n{ENTRY}')
+    monkeypatch.setenv("ELASTICA_SHEETS", str(path))
+    assert [*load_sheets(path)] == [Sheet.named(typed).name] == ["Tr\u00e4ger 1"]
+    assert Sheet.named(f"{path}:{typed}") == Sheet.named(typed)
 
 
 def test_a_sheets_file_of_a_windows_editor_is_read(tmp_path):

@@ -298,6 +298,19 @@ def test_a_longer_pad_keeps_its_holes_apart_in_a_thick_holder(clip, depth):
         replace(thick, pad=Pad(length=longer - 0.1)).holder()
 
 
+def test_names_are_cleaned_before_the_part_is_computed(stand):
+    asked = FlexureSpec(arch(8), arch(-6.5), POM, label="a\u00a0b", first_state="e\u0301", second_state="\u200bdown")
+    assert (asked.label, asked.first_state, asked.second_state) == ("a b", "é", "down")
+    assert replace(stand, state_names=("e\u0301", "so\u00adft")).state_names == ("é", "soft")
+    for name in ("label", "first_state", "second_state"):
+        with pytest.raises(InputError, match=r"contains '\\u202e' between 'a' and 'b'"):
+            replace(asked, **{name: "a\u202eb"})
+    with pytest.raises(InputError, match=r"contains '\\n'"):
+        replace(stand, state_names=("a\nb", ""))
+    with pytest.raises(InputError, match="Both states have the name é"):
+        replace(asked, second_state="é")
+
+
 def test_states_have_names_in_the_holder_and_the_warnings(stand):
     named = replace(stand, state_names=("reading", ""))
     assert [text.text for text in named.holder().texts] == ["reading", "2"]

@@ -11,6 +11,7 @@ import FreeCAD as App
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.words import report_warning
 
+from elastica_cad._text import plain_name
 from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import reason, write_atomically
 from elastica_cad.mechanics.sheets import (
@@ -152,7 +153,7 @@ def sheet_from_text(name: str, text: str) -> Sheet:
     import tomllib
 
     try:
-        return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[name]
+        return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[plain_name(name)]
     except (tomllib.TOMLDecodeError, RecursionError, KeyError) as error:
         raise InputError(
             "The sheet {name!r} stored in this document cannot be read. Choose another sheet.", name=name
