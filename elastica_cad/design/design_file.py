@@ -360,7 +360,7 @@ def _read_strips(top: Table, reader: Reader, slips: Slips) -> tuple[list[StripEn
             try:
                 strip_table.scope = strip_table.within(table.data.get("let", {}))
                 label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
-                strip_table.where = f"{where} ({label})"
+                strip_table.where = f"{where} ({label if label.isprintable() else quoted(label)})"
                 entries.append(read_strip(strip_table, label, reader, section))
             except InputError as problem:
                 if section is None:

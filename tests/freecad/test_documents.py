@@ -596,7 +596,11 @@ def test_sheets_on_a_disk_that_nobody_may_write_to(monkeypatch):
 
 def test_a_stored_sheet_is_found_whatever_spaces_its_name_had():
     own = Sheet("my\u00a0board", thickness=1.1, youngs_modulus=4000, density=700, max_strain=0.02)
-    assert library.sheet_called("my\u00a0board", own.toml()) == library.sheet_called("my board", own.toml()) == own
+    assert (
+        library.sheet_called("my\u00a0board", own.toml())
+        == library.sheet_called("my board", own.toml())
+        == own
+    )
 
 
 def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):

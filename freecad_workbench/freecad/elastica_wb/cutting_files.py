@@ -127,11 +127,10 @@ def write_cutting_files(
         files.append(
             File("cut-list.csv", lambda path: write_text(path, _cut_list_csv(cuts, printed, cut_from)))
         )
-        flexures = list(filter(is_flexure, sources))
-        words = distinct(file_word(obj.Label) for obj in flexures)
         files += [
             File(f"{word}-travel.csv", partial(write_text, text=flexure_of(obj).force_csv()))
-            for word, obj in zip(words, flexures, strict=True)
+            for word, obj in bodies.items()
+            if is_flexure(obj)
         ]
     numbers = count()
     done = lambda *_: go_on(step, next(numbers), "no file was written")  # noqa: E731

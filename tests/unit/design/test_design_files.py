@@ -177,6 +177,13 @@ def test_patterns_are_cut_once(read):
     assert [piece.count for piece in model.pieces] == [20]
 
 
+@pytest.mark.parametrize("sign", ["\\n", "\\u202e", "\\u2028"])
+def test_a_refused_label_is_named_in_one_line(read, sign):
+    with pytest.raises(InputError) as refused:
+        read(HEAD + f'[[strips]]\n{ARC}label = "a{sign}b"\n')
+    assert str(refused.value).isprintable()
+
+
 def test_own_sheets_extras_and_base(read):
     sheet = (
         "[sheets.felt]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n"

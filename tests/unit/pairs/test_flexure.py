@@ -299,7 +299,9 @@ def test_a_longer_pad_keeps_its_holes_apart_in_a_thick_holder(clip, depth):
 
 
 def test_names_are_cleaned_before_the_part_is_computed(stand):
-    asked = FlexureSpec(arch(8), arch(-6.5), POM, label="a\u00a0b", first_state="e\u0301", second_state="\u200bdown")
+    asked = FlexureSpec(
+        arch(8), arch(-6.5), POM, label="a\u00a0b", first_state="e\u0301", second_state="\u200bdown"
+    )
     assert (asked.label, asked.first_state, asked.second_state) == ("a b", "é", "down")
     assert replace(stand, state_names=("e\u0301", "so\u00adft")).state_names == ("é", "soft")
     for name in ("label", "first_state", "second_state"):
