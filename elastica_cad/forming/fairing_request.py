@@ -202,7 +202,7 @@ class Smoothing:
                 else note(
                     "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
                     "by at most {far:.2g}; the drawn curve needs a stiffness ratio of {ratio:.3g}. Set {field} to "
-                    "limit or prevent this.",
+                    "limit this.",
                     far=Length(self.moved), ratio=before, field=FieldName("smooth"), severity=severity,
                 )
             )  # fmt: skip
@@ -232,7 +232,7 @@ def check_smooth(smooth: object) -> float | None:
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
-            "{field} is {smooth}: give a distance from 0 (no smoothing) to {largest_smooth:g}",
+            "{field} is {smooth}: give a distance from 0 to {largest_smooth:g}",
             field=FieldName("smooth"),
             smooth=smooth,
             largest_smooth=Length(LARGEST_SMOOTH),

@@ -1,12 +1,14 @@
 """A sketched spline is smoothed by its continuity: strip, overlay and check show the same curve."""
 
+import re
+
 import FreeCAD as App
 import numpy as np
 import Part
 import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-from freecad.elastica_wb.features import strip
-from freecad.elastica_wb.features.strip_properties import spec_of
+from freecad.elastica_wb.features import flexure, strip
+from freecad.elastica_wb.features.strip_properties import FIELDS, PROPERTIES, spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 
 from elastica_cad.forming import fairing_request
@@ -37,6 +39,22 @@ def test_the_distance_counts_although_the_curve_is_kept_as_drawn_without_it(docu
     assert made.Deviation.Value == 0
     change(made, Smooth=0.05)
     assert 0 < made.Deviation.Value <= 0.05
+
+
+def test_no_help_of_an_option_gives_0_a_meaning_where_0_is_the_default():
+    """A property has no state without a value: 0 stands for the default of an optional field."""
+    fields = [*FIELDS.values(), *(field for _, field in flexure.FIELDS.values())]
+    helps = [field.help for field in fields if field.default is None]
+    assert len(helps) > 5
+    assert [words for words in helps if re.search(r"\b0\b", words)] == []
+
+
+def test_the_help_of_smooth_names_the_distance_of_0(document, drawn):
+    (text,) = (entry.help for entry in PROPERTIES if entry.name == "Smooth")
+    within = float(re.search(r"; 0 removes only .* within ([\d.]+) mm", text)[1])
+    made = new(strip.create, document, drawn(WAVY, 3))
+    assert made.Smooth.Value == 0
+    assert 0 < made.Deviation.Value <= within
 
 
 @pytest.mark.parametrize("as_drawn", [True, False])

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Largest distance by which smoothing may move the curve; 0 removes only steps and corners, within 0.1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Keep the curve as drawn, if Smooth is 0</source>
         <translation type="unfinished"></translation>
     </message>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Largest distance by which smoothing may move the curve; 0 removes only steps and corners, within 0.1 mm</source>
+        <translation>Größter Abstand, um den das Glätten die Kurve bewegen darf; 0 entfernt nur Stufen und Ecken, innerhalb von 0,1 mm</translation>
+    </message>
+    <message>
         <source>Keep the curve as drawn, if Smooth is 0</source>
         <translation>Kurve wie gezeichnet lassen, wenn Smooth 0 ist</translation>
     </message>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Largest distance by which smoothing may move the curve; 0 removes only steps and corners, within 0.1 mm</source>
+        <translation>光顺时曲线可移动的最大距离；0 表示仅消除台阶和尖角，移动不超过 0.1 mm</translation>
+    </message>
+    <message>
         <source>Keep the curve as drawn, if Smooth is 0</source>
         <translation>Smooth 为 0 时保持所绘曲线</translation>
     </message>

@@ -57,7 +57,8 @@ EXAMPLES = {
 """Examples for properties whose lines are tables of a design file."""
 
 OWN_BOXES = (
-    "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
+    "curve", "smooth", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports",
+    "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
 """Keys that do not correspond to a single property. Special functions read them."""
@@ -102,6 +103,12 @@ SHEET_PROPERTIES = (
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
     Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
+    Property(
+        "Length",
+        "Smooth",
+        "Curve",
+        "Largest distance by which smoothing may move the curve; 0 removes only steps and corners, within 0.1 mm",
+    ),
     Property("Bool", "AsDrawn", "Curve", "Keep the curve as drawn, if Smooth is 0"),
     Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
     Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
@@ -529,7 +536,7 @@ READ_STRIP: dict[str, Callable[[Any], Any]] = {
     "max_width": _max_width,
     "shop": _shop,
     "compensate": _compensate,
-    "smooth": lambda obj: 0.0 if obj.AsDrawn and not obj.Smooth.Value else None,
+    "smooth": lambda obj: obj.Smooth.Value or (0.0 if obj.AsDrawn else None),
     "loads": _loads,
     "ends": _ends,
 }

@@ -86,6 +86,7 @@ STRIP = Layout(
     },
     PROPERTIES,
     {
+        "AsDrawn": lambda obj: not obj.Smooth.Value,
         "MaxWidth": _has_value("Style", "Plain"),
         "OuterWidth": _has_value("Style", *STYLES[1:]),
         "Columns": _has_value("Style", "Perforated"),
