@@ -104,6 +104,11 @@ def check_drag(found, folder):
     )
     assert found["pole"] != found["start pole"]
     assert found["state"] == ["Up-to-date"]
+    (moved, faces, volume), (moved_after, faces_after, volume_after) = found["smoothed"]
+    assert 0 < moved <= 0.1
+    assert 0 < moved_after <= 0.1
+    assert faces_after == faces, "a dragged pole leaves the faces as they are"
+    assert [volume, volume_after] == pytest.approx([1, 1], rel=1e-6)
     before, after = found["ratio"]
     assert before != pytest.approx(after, rel=1e-3)
     assert found["pole after undo"] == pytest.approx(found["start pole"], abs=1e-9)

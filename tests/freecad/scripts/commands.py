@@ -520,6 +520,15 @@ def model_commands():
     App.closeDocument(document.Name)
 
 
+def smoothed_body(feature):
+    """How far smoothing moved the curve; kinds of the faces; and the volume, as a fraction of the core's."""
+    from freecad.elastica_wb.features import strip
+
+    core, shape = strip.strip_of(feature), feature.Shape
+    kinds = [type(face.Surface).__name__ for face in shape.Faces]
+    return feature.Deviation.Value, kinds, shape.Volume / (core.area * core.sheet.thickness)
+
+
 def dragging():
     """A pole of a spline is dragged by the mouse in the open sketch; the overlay follows."""
     from freecad.elastica_wb.features import strip
@@ -527,10 +536,11 @@ def dragging():
 
     document = App.newDocument("Drag")
     document.UndoMode = 1
-    drawn = sketch(document, WAVE)
+    drawn = sketch(document, [(1.5 * x, 1.5 * y) for x, y in WAVE], degree=3)  # as the sketcher draws
     feature = strip.create(document, drawn)
     feature.Sheet = "card-200gsm"
     document.recompute()
+    answers["smoothed"] = [smoothed_body(feature)]
     Gui.ActiveDocument.setEdit(drawn.Name)
     until(lambda: live.session() is not None)
     fit("Top")
@@ -559,6 +569,7 @@ def dragging():
     until(lambda: session.overlay.shown()["width"])
     answers["pole"] = tuple(drawn.Geometry[0].getPole(3))
     answers["state"] = feature.State
+    answers["smoothed"].append(smoothed_body(feature))
     answers["ratio"] = (ratio, feature.Ratio)
     answers["sentence after"] = session.sentence
     answers["overlay after"] = session.overlay.shown()
