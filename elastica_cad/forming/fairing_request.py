@@ -11,7 +11,7 @@ from elastica_cad.geometry.fairing import Fairing, fair_curve, round_corners, us
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD
 from elastica_cad.mechanics.equilibrium_check import examine
-from elastica_cad.mechanics.least_ratio import rod_of_request
+from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
     NaturalCurvature,
@@ -19,7 +19,6 @@ from elastica_cad.mechanics.loads import (
     require_natural_curvature,
     require_supports,
 )
-from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.theorem1 import (
     KINK_SHARE,
@@ -123,8 +122,7 @@ class Smoothing:
 
     def _weightless_rod_on(self, curve: PlaneCurve) -> Rod | None:
         try:
-            supports = self.supports or Supports()
-            return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
+            return optimal_rod(curve, supports=self.supports, natural_curvature=self.natural_curvature)
         except ElasticaError:
             return None
 

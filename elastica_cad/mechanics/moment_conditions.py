@@ -615,11 +615,15 @@ class RodRequest(EqualByValue):
         """Curve that is the requested rest shape."""
         return self.curve
 
-    @cached_property
+    @property
     def check(self) -> EquilibriumCheck:
         """Result of the check of Theorem 1; under forces between the ends, inflections need not be on a line."""
-        if self.known_check is not None:
-            return self.known_check
+        # a known check takes no lock: up to Python 3.11 all requests share one, which is held here while a curve
+        # is smoothed, and smoothing solves rods itself
+        return self._examined if self.known_check is None else self.known_check
+
+    @cached_property
+    def _examined(self) -> EquilibriumCheck:
         return self.examined()
 
     def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:

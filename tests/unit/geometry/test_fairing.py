@@ -1,10 +1,13 @@
 """When a curve is smoothed, and that it stays within a tolerance measured from both sides."""
 
+from threading import Event, Thread
+
 import numpy as np
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, check_equilibrium, optimal_rod
-from elastica_cad.forming import smooth_curve
+from elastica_cad.forming import fairing_request, smooth_curve
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.fairing import (
     fair_curve,
     smooth_for_corners,
@@ -284,3 +287,31 @@ def test_a_curve_without_kinks_stays_within_the_tolerance():
     smooth = PlaneCurve.spline([(0, 0), (30, 60), (80, 70), (120, 40), (160, 10)], degree=4)
     assert not smooth.breaks
     assert fair_curve(smooth, 0.1).moved <= 0.1
+
+
+def test_a_curve_is_checked_while_another_thread_smooths_one(monkeypatch):
+    """Up to Python 3.11 a cached property has one lock for all objects; two of them stopped FreeCAD for ever."""
+    smooths, checks = Event(), Event()
+    examined = RodSpec.examined
+
+    def examine(spec, *tolerance):
+        checks.set()
+        return examined(spec, *tolerance)
+
+    def fair(*arguments):
+        smooths.set()
+        checks.wait(60)
+        return fair_curve(*arguments)
+
+    monkeypatch.setattr(RodSpec, "examined", examine)
+    monkeypatch.setattr(fairing_request, "fair_curve", fair)
+    first, second = RodSpec(ARCH), RodSpec(S_NODE)
+    threads = [
+        Thread(target=work, daemon=True) for work in (lambda: first.curve_to_bend, lambda: second.check)
+    ]
+    threads[0].start()
+    assert smooths.wait(60)
+    threads[1].start()
+    for thread in threads:
+        thread.join(60)
+    assert not any(thread.is_alive() for thread in threads)
