@@ -25,8 +25,9 @@ from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.kit.kit import can_draw, left_out
+from elastica_cad.mechanics.rod import camber_of
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
-from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
+from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
 from elastica_cad.refusals import Length, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
@@ -147,7 +148,7 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     answer({"batten": report})
     plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
     say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {number_text(strip.mass, '.4g')} g"))
-    camber = _camber_text(depth, place, float(np.hypot(*(rod.position[-1] - rod.position[0]))))
+    camber = _camber_text(depth, place, float(np.hypot(*rod.chord)))
     far = number_text(glued.deviation, ".2g")
     say_row(Row("Camber", f"{camber}; the glued plies are at most {far} mm from the planed batten"))
     if not glued.settled:

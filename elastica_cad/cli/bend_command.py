@@ -521,7 +521,7 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
 
 
 def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:
-    distances = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
+    distances = [np.hypot(*shape.chord) for shape in shapes]
     return {
         "ends apart mm": [f"{distance:.2f}" for distance in distances],
         "smallest radius mm": [_smallest_radius(shape) for shape in shapes],

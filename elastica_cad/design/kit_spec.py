@@ -144,18 +144,22 @@ class Cutting:
             "marks": self.marks,
         }
 
-    def kerf_note(self, sheets: Iterable[Sheet]) -> Refusal | None:
-        """Return a note if the files for these sheets do not compensate the kerf, or None."""
+    def kerf_note(self, sheets: Iterable[Sheet], *, of_sheet: bool = True) -> Refusal | None:
+        """Return a note if the files for these sheets do not compensate the kerf, or None.
+
+        `of_sheet` states whether the front end takes the word "sheet" for the kerf.
+        """
         kerfs = [sheet.kerf for sheet in sheets if sheet.kind != ROD_KIND]
         if self.kerf != 0 or not kerfs:
             return None
         kerf = max(kerfs)
         return note(
-            "The files do not compensate the kerf, which makes parts {kerf} narrower and slots wider. Set {field} "
-            "to sheet, unless the laser program compensates it." if kerf else
-            "The files do not compensate the kerf, which makes parts narrower and slots wider. Set {field} to the "
-            "width of the cut, unless the laser program compensates it.",
-            kerf=Length(kerf), field=FieldName("cut.kerf"),
+            "The files do not compensate the kerf, which makes parts {kerf} narrower and slots wider. Accuracy "
+            "assumes a compensated kerf. Set {field} to {value}, unless the laser program compensates it."
+            if kerf else
+            "The files do not compensate the kerf, which makes parts narrower and slots wider. Accuracy assumes a "
+            "compensated kerf. Set {field} to the width of the cut, unless the laser program compensates it.",
+            kerf=Length(kerf), field=FieldName("cut.kerf"), value="sheet" if of_sheet else Length(kerf),
         )  # fmt: skip
 
 
@@ -289,6 +293,7 @@ class KitSpec:
         A cutting service gets no bar, because it calibrates its own machine.
         """
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
+        from elastica_cad.strip.lettering import engraved_names
         from elastica_cad.strip.pieces import Piece
 
         sheets = [
@@ -297,7 +302,11 @@ class KitSpec:
         pieces = []
         if self.coupon:
             names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
-            pieces += [Piece(name, coupon_drawing(s), s) for name, s in zip(names, sheets, strict=True)]
+            # a number in place of the name of a sheet could be that of a strip
+            pieces += [
+                Piece(name, coupon_drawing(s, label=engraved_names([s.name], {s.name: name})[s.name]), s)
+                for name, s in zip(names, sheets, strict=True)
+            ]
         if self.reference_bar is not None and sheets and not self.cutting.service:
             pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
         return tuple(pieces)

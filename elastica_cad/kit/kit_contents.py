@@ -26,7 +26,7 @@ from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
 from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
-from elastica_cad.model.plates import BasePlate, tips_below
+from elastica_cad.model.plates import BasePlate, numbered, tips_below
 from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import FieldName, Length, Listed, note, number_text, sentences
 from elastica_cad.strip.clamp_errors import can_snap
@@ -127,7 +127,8 @@ def kit_contents(
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for request in spec.holders:
-        new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
+        made, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
+        new_holders = numbered(model.placed, made, (*model.plates, *holders))
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
         cut = tuple(
             replace(piece, name=f"{model.name}-{piece.name}")

@@ -579,7 +579,7 @@ class Movement:
     @classmethod
     def of(cls, rods: Sequence[Rod]) -> "Movement":
         """Return the movement of the ends from the successive shapes of a rod."""
-        steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
+        steps = np.diff([rod.chord for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
         travel = np.append(0.0, np.cumsum(norm(steps)))

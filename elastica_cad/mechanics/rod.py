@@ -544,6 +544,11 @@ class Rod:
         """Length of the rod, mm."""
         return float(self.s[-1])
 
+    @property
+    def chord(self) -> FloatArray:
+        """Vector (2,), mm, from the start to the end."""
+        return np.asarray(self.position[-1] - self.position[0])
+
     def __repr__(self) -> str:
         carries = "" if self.gravity is None else ", with weight"
         return f"<Rod of {self.length:.4g} mm, ratio {self.ratio:.4g}, {self.s.size} nodes{carries}>"
@@ -888,3 +893,15 @@ def as_bent(rod: Rod) -> Rod:
         force=rod.force / least, bending_stiffness=B and B * least,
         compression=None if rod.compression is None else rod.compression.scaled(least),
     )  # fmt: skip
+
+
+def camber_of(rod: Rod) -> tuple[float, float]:
+    """Return the largest distance from the chord and its position, as fractions of the chord.
+
+    The result is the vertex of a parabola through three nodes.
+    """
+    size, points = float(rod.chord @ rod.chord), rod.position - rod.position[0]
+    along, off = points @ rod.chord / size, np.abs(points @ left_of(rod.chord)) / size
+    k = int(np.clip(off.argmax(), 1, off.size - 2))
+    a, b, c = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
+    return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))

@@ -15,12 +15,12 @@ from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm, unit
+from elastica_cad.geometry.plane_points import norm, unit
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import Gravity, Supports, Weight
-from elastica_cad.mechanics.rod import Rod, csv_text
+from elastica_cad.mechanics.rod import Rod, camber_of, csv_text
 from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.model.leaf_stack import LeafStack
 from elastica_cad.refusals import FieldName, Length, note
@@ -318,7 +318,7 @@ class Batten:
     @property
     def chord(self) -> float:
         """Distance between the pressed ends, mm."""
-        return float(norm(self.strip.rod.position[-1] - self.strip.rod.position[0]))
+        return float(norm(self.strip.rod.chord))
 
     @property
     def end_force(self) -> float:
@@ -377,20 +377,6 @@ def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int
 def _gravity_across(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
     """Return gravity perpendicular to the chord of a batten that bulges to the left (`side` 1) or right (-1)."""
     return Gravity(1.0, (0.0, -side if bulging == "up" else side))
-
-
-def camber_of(rod: Rod) -> tuple[float, float]:
-    """Return the largest distance from the chord and its position, as fractions of the chord.
-
-    The result is the vertex of a parabola through three nodes.
-    """
-    chord = rod.position[-1] - rod.position[0]
-    size = float(chord @ chord)
-    along = (rod.position - rod.position[0]) @ chord / size
-    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / size
-    k = int(np.clip(off.argmax(), 1, off.size - 2))
-    a, b, c = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
-    return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))
 
 
 def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:

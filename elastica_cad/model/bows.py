@@ -18,7 +18,7 @@ from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.elements import ElementForce, Tie
 from elastica_cad.mechanics.loads import Supports, require_curve
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod import Rod, camber_of
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
@@ -72,7 +72,7 @@ class Bow:
     @property
     def cord(self) -> float:
         """Length of the cord, mm."""
-        return float(norm(_chord(self.strip.rod)))
+        return float(norm(self.strip.rod.chord))
 
     @property
     def pull(self) -> float:
@@ -87,7 +87,7 @@ class Bow:
     @property
     def end_angles(self) -> FloatArray:
         """Angles (2,), rad, of the bow at its start and end, measured from the direction from start to end."""
-        x, y = _chord(self.strip.rod)
+        x, y = self.strip.rod.chord
         turn = self.strip.rod.angle[[0, -1]] - np.arctan2(y, x)
         return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
 
@@ -116,7 +116,7 @@ class Bow:
                     "The cord cannot be shortened by {percent:g} %. Give at least 0 and less than 100 %.",
                     percent=100 * share,
                 )
-        return bend_strip(self.strip, [rod.position[0] + (1 - share) * _chord(rod) for share in shares])
+        return bend_strip(self.strip, [rod.position[0] + (1 - share) * rod.chord for share in shares])
 
 
 def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: Any) -> Bow:
@@ -204,20 +204,8 @@ def _least_beside(sheet: Sheet | str, shop: FabricationLimits | None) -> float:
 
 
 def rise_of(rod: Rod) -> float:
-    """Return the largest distance, mm, of a rod from the line between its ends.
-
-    The result is the vertex of a parabola through three nodes.
-    """
-    chord = _chord(rod)
-    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / norm(chord)
-    k = int(np.clip(off.argmax(), 1, off.size - 2))
-    before, here, after = off[k - 1 : k + 2]
-    bent = before - 2 * here + after
-    return float(here - (after - before) ** 2 / (8 * bent) if bent else here)
-
-
-def _chord(rod: Rod) -> FloatArray:
-    return np.asarray(rod.position[-1] - rod.position[0])
+    """Return the largest distance, mm, of a rod from the line between its ends."""
+    return camber_of(rod)[0] * float(norm(rod.chord))
 
 
 def _has_constant_section(

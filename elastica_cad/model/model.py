@@ -21,7 +21,7 @@ from elastica_cad.model.held_tabs import held_shapes
 from elastica_cad.model.interlocking import Joint, interlock
 from elastica_cad.model.nesting import NestedSheet, nest_pieces
 from elastica_cad.model.plate_pairs import end_plates, facing_plates
-from elastica_cad.model.plates import BasePlate, Ring, RingOptions, base_plate
+from elastica_cad.model.plates import BasePlate, Ring, RingOptions, base_plate, numbered
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import compensate_widths
@@ -238,6 +238,7 @@ class Model:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", require_placed(self.placed))
+        object.__setattr__(self, "plates", numbered(self.placed, self.plates))
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
         object.__setattr__(self, "name", require_name(self.name, "the model's name"))
         if not self.placed:

@@ -1,6 +1,6 @@
 """Slotted plates that hold tabs: base plates, rings and caps."""
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Any, Literal, Self, TypeAlias, TypeVar
@@ -39,7 +39,7 @@ from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, engra
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.solids import FlatSolid, convex_corners
-from elastica_cad.strip.strip import Placed, require_placed
+from elastica_cad.strip.strip import Placed, engraved_labels, require_placed
 from elastica_cad.strip.uncuttable_parts import (
     FabricationLimits,
     Fault,
@@ -202,6 +202,8 @@ class BasePlate:
         True if the tabs are glued at their angle, with feet (gussets).
     options : PlateOptions or None
         Options with which the plate was checked.
+    number : str
+        Number that is engraved in place of the name, or "" to choose it if the name cannot be engraved.
     """
 
     sheet: Sheet
@@ -214,6 +216,7 @@ class BasePlate:
     holes: tuple[Path, ...] = ()
     glued: bool = False
     options: PlateOptions | None = None
+    number: str = ""
 
     @property
     def _opening_and_holes(self) -> tuple[Path, ...]:
@@ -340,7 +343,7 @@ class BasePlate:
     def engraved(self) -> str:
         """Engraved name: the name, or a number that no strip in the plate has, if it has other letters."""
         strips = (slot.name.rpartition(":")[0] for slot in self.slots)
-        return engraved_names([*strips, self.name])[self.name]
+        return self.number or engraved_names([*strips, self.name])[self.name]
 
     def _name_inside_slots(self) -> tuple[Text, ...]:
         loops, corners = self._opening_and_holes, [slot.corners for slot in self.slots]
@@ -409,6 +412,26 @@ class BasePlate:
 def tabs_of(plate: BasePlate) -> list[PlacedTab]:
     """Return the tabs in the slots of a plate."""
     return [slot.tab for slot in plate.slots if slot.tab is not None]
+
+
+Part = TypeVar("Part")
+
+
+def numbered(
+    placed: Sequence[Placed], parts: Sequence[Part], others: Iterable[object] = ()
+) -> tuple[Part, ...]:
+    """Return the parts of a model with a different engraved text for each name of a plate.
+
+    These texts also differ from those of the strips and of the `others`, which are further parts of the model.
+    """
+    plates = [part for part in (*others, *parts) if isinstance(part, BasePlate)]
+    texts = engraved_labels(placed, ((plate.name, plate.number) for plate in plates))
+    return tuple(
+        replace(part, number=texts[part.name])
+        if isinstance(part, BasePlate) and texts[part.name] != (part.number or part.name)
+        else part
+        for part in parts
+    )
 
 
 def options_of(plate: BasePlate) -> PlateOptions:

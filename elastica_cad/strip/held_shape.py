@@ -25,7 +25,7 @@ do not meet exactly."""
 
 def closes(rod: Rod) -> bool:
     """Return True if the ends of a rod meet and have the same direction."""
-    gap = float(norm(rod.position[-1] - rod.position[0]))
+    gap = float(norm(rod.chord))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_FRACTION * rod.length and abs(turn) <= CORNER_RAD
 

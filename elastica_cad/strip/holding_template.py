@@ -125,8 +125,7 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
     """
     require_record(strip, Strip, "what is held", "a Strip, as make_strip makes one")
     rod = strip.rod
-    chord = rod.position[-1] - rod.position[0]
-    line = np.degrees(np.arctan2(chord[1], chord[0]))
+    line = np.degrees(np.arctan2(*rod.chord[::-1]))
     first, last = (
         HeldEnd(
             np.array(rod.position[k]),
@@ -282,8 +281,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
     actions = [*rod.acting, *_forces_of_masses(strip)]
     if not actions:
         return ()
-    chord = rod.position[-1] - rod.position[0]
-    chord /= norm(chord) or 1.0
+    chord = rod.chord / (norm(rod.chord) or 1.0)
     axes = np.column_stack([chord, left_of(chord)])
     for action in actions:
         letter = ELEMENT_LETTERS[type(action.element)]
@@ -449,5 +447,5 @@ def holding_template(strip: Strip) -> Drawing:
 
 def _is_upside_down(strip: Strip) -> bool:
     rod = strip.rod
-    x, _ = rod.position[-1] - rod.position[0]
+    x, _ = rod.chord
     return round(upward(heights_of_marks(rod.position, rod.s)) * float(x), 6) < 0

@@ -104,9 +104,9 @@ def _without_accents(text: str) -> str:
 def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None) -> dict[str, str]:
     """Return the text that is engraved for each name: the name itself, or a number.
 
-    A name has a number if the alphabet lacks one of its letters, or if an earlier name is equal without its
-    accents. No number is the text of another name. `given` maps names to texts that are engraved in place of a
-    number.
+    A name has a number if the alphabet lacks one of its letters, or if an earlier name or a given text is equal
+    without its accents. No number is the text of another name. `given` maps names to texts that are engraved in
+    place of a number.
 
     Examples
     --------
@@ -115,7 +115,8 @@ def engraved_names(names: Iterable[str], given: Mapping[str, str] | None = None)
     """
     texts = {name: _without_accents(name) for name in names}
     given = given or {}
-    taken, seen = {*texts.values(), *given.values()}, set[str]()
+    seen = set(given.values())
+    taken = seen.union(texts.values())
     numbers = (str(number) for number in count(1) if str(number) not in taken)
     engraved = {}
     for name, text in texts.items():

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import norm, turn_between
+from elastica_cad.geometry.plane_points import norm, turn_between, unit
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import number_text
 from elastica_cad.report_rows import Row, warning_row
@@ -181,9 +181,8 @@ class Measuring:
         if loaded.gravity is not None:
             moments.append(("thinner sheet", np.zeros(n)))
         owners, columns = zip(*moments, strict=True)
-        chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
-        apart[owners.index("ends apart")] = chord / norm(chord)
+        apart[owners.index("ends apart")] = unit(design.chord)
         if loaded.gravity is not None:  # weight / E I is proportional to 1 / thickness^2
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moved = shape_responses(loaded, np.column_stack(columns), loads, apart)

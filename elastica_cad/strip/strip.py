@@ -1,7 +1,7 @@
 """Flat strip with the stiffness of a rod: outline, strain, mass, reactions, warnings, and position in space."""
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from importlib import import_module
@@ -1113,7 +1113,7 @@ def require_placed(placed: object) -> tuple[Placed, ...]:
     members = several("placed", placed, Placed, "Placed", PLACED_BY)
     marks, numbered = engraved_labels(members), dict[int, Strip]()
     for strip in {id(member.strip): member.strip for member in members}.values():
-        if strip.engrave is None and strip.engraved != marks[strip.label]:
+        if strip.engrave is None and strip.label != marks[strip.label]:
             numbered[id(strip)] = replace(strip, engrave=marks[strip.label])
     new = (numbered.get(id(member.strip)) for member in members)
     return tuple(
@@ -1122,10 +1122,14 @@ def require_placed(placed: object) -> tuple[Placed, ...]:
     )
 
 
-def engraved_labels(placed: Sequence[Placed]) -> dict[str, str]:
-    """Return, by label, the text that is engraved on other parts for a strip: the label, or a number."""
-    given = {member.strip.label: member.strip.engrave for member in placed if member.strip.engrave}
-    return engraved_names((member.strip.label for member in placed), given)
+def engraved_labels(placed: Sequence[Placed], others: Iterable[tuple[str, str]] = ()) -> dict[str, str]:
+    """Return, by label, the text that is engraved on other parts for a strip: the label, or a number.
+
+    `others` are the names of other parts, which have different texts. Each name is followed by the text that is
+    engraved for the part already, or by "".
+    """
+    named = [*((member.strip.label, member.strip.engrave) for member in placed), *others]
+    return engraved_names((name for name, _ in named), {name: text for name, text in named if text})
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:

@@ -356,8 +356,7 @@ def bend_strip(
     if not rods:
         raise InputError("the path is empty: give the positions to which the end is moved")
     B = strip.bending_stiffness
-    end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
-    designed = strip.rod.position[-1] - strip.rod.position[0]
+    end = np.array([rod.chord for rod in rods])
     movement = Movement.of([strip.rod, *rods])
     start_force, end_force = B * np.stack([rod.support_forces for rod in rods], axis=1)
     moment = np.array([rod.moment for rod in rods])
@@ -370,7 +369,7 @@ def bend_strip(
         travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=dot(end_force, _path_directions(end, designed)),
+        force_along=dot(end_force, _path_directions(end, strip.rod.chord)),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=strain,
         stress=strain * [layer.sheet.youngs_modulus for layer in layers],

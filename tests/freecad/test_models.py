@@ -355,6 +355,12 @@ def test_numbers_of_single_strips_and_of_models_differ(document, standing, named
     write_cutting_files([named, *standing], tmp_path, kinds=("csv",))
     with (tmp_path / "cut-list.csv").open(newline="", encoding="utf-8") as file:
         assert {row["engraved_number"] for row in csv.DictReader(file)} == {"", "1", "2", "3"}
+    rings = [new(baseplate.create_rings, document, [named]) for _ in range(2)]
+    for feature, label in zip(rings, ("\u73af", "\u5e95"), strict=True):
+        change(feature, Label=label)
+    called = [cut.piece.called for cut in cuts_of([*rings, named])]
+    words = ["\u73af-start", "\u73af-end", "\u5e95-start", "\u5e95-end"]
+    assert called[:-2] == [f"{number} = {word}" for number, word in enumerate(words, 2)]
 
 
 @pytest.mark.campaign

@@ -187,6 +187,10 @@ def test_a_drag_and_every_command(tmp_path):
     assert "elasto-gravity length" in found["coupon"]
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert found["marked"] == [True, False]
+    uncut = "Accuracy assumes a compensated kerf. Set Kerf to "
+    assert uncut in found["kerf not compensated"]
+    assert "compensate" not in found["kerf compensated"]
+    assert found["kerf compensated"].splitlines()[-1] == found["kerf not compensated"].splitlines()[-1]
     assert "exists already" in found["export refused"]
     assert "allow overwriting" in found["export refused"]
     assert found["about an axis"][1]

@@ -19,7 +19,10 @@ from hypothesis import strategies as st
 import elastica_cad as ec
 from elastica_cad import InputError, save_model
 from elastica_cad._text import distinct, file_word, plain_name
+from elastica_cad.design.kit_spec import HolderSpec, KitSpec
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.assembly import list_assembly_steps
+from elastica_cad.model.plate_pairs import end_plates
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 ARCH = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.3, 3.1), SHEET, max_width=30, label="A")
@@ -218,6 +221,28 @@ def test_labels_that_differ_are_engraved_differently_everywhere(labels, tmp_path
     report = json.loads((tmp_path / "模型.json").read_text(encoding="utf-8"))
     assert [part["engraved"] for part in report["parts"]] == [strip.engraved for strip in model.strips]
     assert "模型.json" in saved.files
+
+
+@pytest.mark.parametrize(
+    ("rings", "base", "texts"),
+    [("环", "底板", ["1", "2", "3", "4", "5"]), ("Ring", "1", ["1", "2", "Ring-end", "Ring-start", "3"])],
+)
+def test_plates_of_a_model_have_different_numbers(rings, base, texts):
+    """The model has plates of its own, and its kit adds a plate. A coupon has no number of a strip."""
+    sheet = replace(SHEET, name="桦木")
+    placed = [upright(replace(arch(label), sheet=sheet), 40.0 * k) for k, label in enumerate("左右")]
+    model = ec.Model(placed, plates=end_plates(placed, "mdf-3", name=rings))
+    request = HolderSpec("base", ec.Sheet.named("mdf-3"), {"name": base})
+    contents = kit_contents(model, KitSpec(holders=(request,), coupon=True))
+    plates = [*contents.model.plates, *contents.holders]
+    assert [part.engraved for part in (*contents.model.strips, *plates)] == texts
+    for plate, text in zip(plates, texts[2:], strict=True):
+        assert text in {drawn.text for drawn in plate.drawing.texts}
+    names = ["左", "右", *(plate.name for plate in model.plates), f"model-{base}"]
+    pairs = [f"{text} = {name}" for text, name in zip(texts, names, strict=True) if text.isdecimal()]
+    assert any(message.endswith(f": {', '.join(pairs)}") for message in contents.notes)
+    (coupon,) = (piece for piece in contents.pieces if piece.name == "coupon")
+    assert "coupon" in {text.text for text in coupon.drawing.texts}
 
 
 def test_mates_and_equal_labels_have_the_same_numbers():

@@ -304,6 +304,7 @@ def coupon_command(document):
 def export_command(strip):
     choose(strip)
     panel = open_panel("Elastica_Export")
+    answers["kerf not compensated"] = panel.form.message.text()
     panel.form.folder.setText(str(OUT / "files"))
     panel.form.dxf.setChecked(bool(answers["ezdxf"]))
     assert panel.accept()
@@ -312,6 +313,9 @@ def export_command(strip):
     panel = open_panel("Elastica_Export")
     panel.form.folder.setText(str(OUT / "bare"))
     panel.form.marks.setChecked(False)
+    fill(panel, kerf=0.2)
+    panel.now()
+    answers["kerf compensated"] = panel.form.message.text()
     assert panel.accept()
     answers["marked"] = [
         b"MARK" in next((OUT / name).glob("*.svg")).read_bytes() for name in ("files", "bare")

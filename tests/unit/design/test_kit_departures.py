@@ -83,21 +83,24 @@ def test_a_model_reports_tipping_and_loads_as_a_strip_does(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("sheet", "cut", "told"),
+    ("sheet", "cut", "told", "value"),
     [
-        ("birch-plywood-0.8", "", "parts 0.15 mm narrower and slots wider. Set cut.kerf to sheet, unless"),
-        ("pom-3", "", "parts narrower and slots wider. Set cut.kerf to the width of the cut, unless"),
-        ("birch-plywood-0.8", "[cut]\nkerf = 0.2\n", None),
-        ("birch-plywood-0.8", "[cut]\nkerf = 'sheet'\n", None),
+        ("birch-plywood-0.8", "", "parts 0.15 mm narrower and slots wider. ", "sheet"),
+        ("pom-3", "", "parts narrower and slots wider. ", "the width of the cut"),
+        ("birch-plywood-0.8", "[cut]\nkerf = 0.2\n", None, None),
+        ("birch-plywood-0.8", "[cut]\nkerf = 'sheet'\n", None, None),
     ],
 )
-def test_a_model_reports_a_kerf_that_is_not_compensated(tmp_path, sheet, cut, told):
+def test_a_model_reports_a_kerf_that_is_not_compensated(tmp_path, sheet, cut, told, value):
     arch = "curve = { spline = [[0, 0], [400, 300], [900, 500], [1400, 300], [1800, 0]] }"
     nest, strip = "[nest]\nsheet_size = [2500, 400]", f"[[strips]]\nlabel = 'arch'\n{arch}"
     text = f"sheet = '{sheet}'\nmax_width = 40\n{cut}{nest}\n{strip}\n"
     notes = [note for note in contents_of(tmp_path, text).report["reports"] if "kerf" in note]
     assert len(notes) == (told is not None)
     assert all(f"The files do not compensate the kerf, which makes {told}" in note for note in notes)
+    assert all(
+        f"Accuracy assumes a compensated kerf. Set cut.kerf to {value}, unless" in note for note in notes
+    )
 
 
 def test_rods_that_are_sawn_have_no_kerf(tmp_path):

@@ -24,6 +24,7 @@ from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad._text import distinct
 from elastica_cad.errors import InputError
+from elastica_cad.model.plates import numbered
 from elastica_cad.refusals import note, sentences
 from elastica_cad.strip.pieces import Piece, count_pieces
 from elastica_cad.strip.strip import Placed, Strip, require_placed
@@ -70,8 +71,8 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
         The sources contain nothing to cut, or an object that failed.
     """
     counts = counted(sources)
-    strips = _numbered_strips(counts)
-    cuts = [(cut, count) for obj, count in counts.items() for cut in _cuts(obj, strips)]
+    parts = _numbered_parts(counts)
+    cuts = [(cut, count) for obj, count in counts.items() for cut in _cuts(obj, parts)]
     if not cuts:
         raise InputError("there is nothing to cut: select strips, models or base plates")
     names = distinct(cut.piece.name for cut, _ in cuts)
@@ -131,16 +132,24 @@ def is_cut(obj: Any) -> bool:
     return is_strip(obj) or is_model(obj) or is_plate(obj) or is_flexure(obj)
 
 
-def _numbered_strips(objects: Iterable[Any]) -> dict[Any, Strip]:
-    """Return the strips outside models. Their engraved numbers differ from each other and from those in models."""
+def _numbered_parts(objects: Iterable[Any]) -> dict[Any, Any]:
+    """Return the strips outside models, and the plates and spacers of base plates and rings.
+
+    Their engraved numbers differ from each other and from those in models.
+    """
     objects = [obj for obj in objects if not why_left_out(obj)]
     single = [obj for obj in objects if is_strip(obj)]
     in_models = [placed for obj in objects if is_model(obj) for placed in model_of(obj).placed]
     placed = require_placed([*in_models, *(Placed(strip_of(obj)) for obj in single)])
-    return dict(zip(single, (item.strip for item in placed[len(in_models) :]), strict=True))
+    parts = dict(zip(single, (item.strip for item in placed[len(in_models) :]), strict=True))
+    plates = list[Any]()
+    for obj in filter(is_plate, objects):
+        parts[obj] = numbered(placed, plates_of(obj), plates)
+        plates += parts[obj]
+    return parts
 
 
-def _cuts(obj: Any, strips: Mapping[Any, Strip]) -> list[Cut]:
+def _cuts(obj: Any, parts: Mapping[Any, Any]) -> list[Cut]:
     lost = why_left_out(obj)
     if lost:
         raise InputError(lost)
@@ -149,7 +158,7 @@ def _cuts(obj: Any, strips: Mapping[Any, Strip]) -> list[Cut]:
         strips = [part.strip for part in model.parts for _ in part.strip.layers]
         return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
     if is_plate(obj):
-        return [Cut(piece) for piece in count_pieces(plate.piece for plate in plates_of(obj))]
+        return [Cut(piece) for piece in count_pieces(plate.piece for plate in parts[obj])]
     if is_flexure(obj):
         part = flexure_of(obj)
         drawings = drawings_of(part, obj.EngravedText or obj.Label)
@@ -157,7 +166,7 @@ def _cuts(obj: Any, strips: Mapping[Any, Strip]) -> list[Cut]:
             Cut(Piece(name, replace(drawing, name=name), part.sheet, obj.Quantity))
             for name, drawing in drawings
         ]
-    strip, name = strips[obj], obj.EngravedText or obj.Label
+    strip, name = parts[obj], obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [
         Cut(

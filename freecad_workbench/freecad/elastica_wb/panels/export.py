@@ -26,6 +26,7 @@ from freecad.elastica_wb.host.qt import QtWidgets
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.panel import Panel
 
+from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import CURVES
 from elastica_cad.formats.dxf_drawing import DXF_VERSIONS
@@ -63,7 +64,6 @@ class ExportPanel(Panel):
         words = left_out + [message for obj in cut for message in later_feature_messages(obj)]
         words += [message for obj in cut if is_model(obj) for message in overlaps_of(obj)]
         words += pre_bend_messages_of(cuts)
-        words += map(_piece_line, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
                 translate(
@@ -73,7 +73,20 @@ class ExportPanel(Panel):
             )
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
+        self.words = words
+        self.watch("kerf")
+        self.changed()
+
+    def changed(self) -> None:
+        """Show the messages on the parts, whether the kerf is compensated, and the sizes of the parts."""
+        words = [*self.words, *self._kerf_notes(), *map(_piece_line, self.pieces)]
         self.show_message(sentences(words, "\n"))
+
+    def _kerf_notes(self) -> list[str]:
+        text = Cutting(kerf=self.value("kerf")).kerf_note(
+            [piece.sheet for piece in self.pieces], of_sheet=False
+        )
+        return [] if text is None else [text]
 
     def browse(self, *_: Any) -> None:
         """Let the user choose the folder."""
@@ -128,7 +141,7 @@ class ExportPanel(Panel):
             )
         preferences.put("ExportFolder", str(folder))
         if self.written:
-            show_files(self.written, pre_bend_messages_of(cuts_of(self.strips)))
+            show_files(self.written, [*self._kerf_notes(), *pre_bend_messages_of(cuts_of(self.strips))])
 
 
 def _usual_folder(document: Any) -> str:
