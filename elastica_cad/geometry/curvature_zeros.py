@@ -24,7 +24,7 @@ _EPS = float(np.finfo(float).eps)
 _DEGREE = 11
 
 _FOLLOWED = 1e-13
-"""A polynomial represents a function if its last two Chebyshev coefficients are below this fraction of `size`."""
+"""A polynomial represents a function if its last two Chebyshev coefficients are below this fraction of its size."""
 
 _FOLLOWED_NOISE = 1e-12
 """Coefficients below this fraction of the size of the function are rounding errors."""
@@ -120,9 +120,10 @@ def function_zero_places(
         t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
         values = sampled(function, t)
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
-        done = (
-            (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS) | (np.abs(values).max(axis=1) <= _FLAT * size)
-        )
+        largest = np.abs(values).max(axis=1)
+        # large values have rounding errors above those of the typical size
+        followed = tail <= _FOLLOWED * np.maximum(size, largest)
+        done = followed | (cuts == _MOST_CUTS) | (largest <= _FLAT * size)
         pieces.append((low[done], values[done]))
         low, high, cuts = low[~done], high[~done], cuts[~done] + 1
         middle = (low + high) / 2
@@ -131,8 +132,8 @@ def function_zero_places(
     starts, values = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     order = np.argsort(starts)
     starts, values = starts[order], values[order]
-    flat = np.abs(values).max(axis=1) <= _FLAT * size
-    noise = np.full(starts.size, _FOLLOWED_NOISE * size)
+    largest = np.abs(values).max(axis=1)
+    flat, noise = largest <= _FLAT * size, _FOLLOWED_NOISE * np.maximum(size, largest)
     joined = _smooth_between(starts, edges, smooth)
     return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
 

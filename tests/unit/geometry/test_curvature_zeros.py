@@ -1,3 +1,5 @@
+import tracemalloc
+
 import numpy as np
 import pytest
 from scipy.interpolate import make_interp_spline
@@ -266,3 +268,19 @@ def test_weights_that_leave_the_shape_leave_the_places_of_a_curvature(uneven):
         assert [z.kind for z in found] == [z.kind for z in expected]
         assert len(expected) == np.count_nonzero(np.diff(np.sign(sampled - level)))
         np.testing.assert_allclose([z.s for z in found], [z.s for z in expected], atol=1e-7)
+
+
+def test_places_of_a_small_curvature_on_a_sharply_bent_curve_take_little_memory():
+    """The rounding errors in sharp bends are large for a small curvature, so their spans were halved 12 times."""
+    points = np.cumsum(np.random.default_rng(7).normal(0, 0.02, (30, 2)), axis=0)
+    sharp = PlaneCurve.spline(points, degree=5)
+    level = 1e-3 * np.abs(sharp.curvature_at(np.linspace(*sharp.domain, 2001))).max()
+    tracemalloc.start()
+    places = sharp.curvature_equals(level / 10)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(places) > 5
+    np.testing.assert_allclose(
+        sharp.curvature_at(np.array([place.t for place in places])), level / 10, rtol=1e-6
+    )
+    assert peak < 10e6
