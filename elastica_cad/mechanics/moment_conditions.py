@@ -61,7 +61,7 @@ from elastica_cad.mechanics.minimax_lp import (
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
-from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels
+from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels, nearest_of
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Listed, Span, note
@@ -724,7 +724,7 @@ class ConditionedRows:
         pin or tie at an inflection exerts no force normal to the strip, because the stiffness would jump there.
         """
         t = np.array([z.t for z in self.check.zeros])
-        at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
+        at = nearest_of(self.panels.edges, t)
         rows = [self.rows.edge_moment[at]]
         # exclude the starts of straight tails, where an element may push although the stiffness does not jump
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)

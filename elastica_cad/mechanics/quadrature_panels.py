@@ -188,8 +188,14 @@ def cut_into_panels(
         cut = cut.chosen(rough, tail[rough]).into(parts)
 
 
-def _distances_from_nearest(t: FloatArray, places: list[float]) -> FloatArray:
-    return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
+def nearest_of(places: FloatArray, t: FloatArray) -> IntArray:
+    """Return the indices (n,) of the sorted places (k,) that are nearest to parameters `t` (n,)."""
+    return ((places[1:] + places[:-1]) / 2).searchsorted(t)
+
+
+def _distances_from_nearest(t: FloatArray, sorted_places: list[float]) -> FloatArray:
+    places = np.array(sorted_places or [np.inf])
+    return np.asarray(np.abs(t - places[nearest_of(places, t)]))
 
 
 def _without_close_neighbours(places: list[float], close: float) -> list[float]:
@@ -282,7 +288,7 @@ def _evaluated(
 ) -> tuple[_Nodes, FloatArray]:
     """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
-    `zeros` and `orders` (k,) are parameters and orders of the zeros of curvature minus natural curvature.
+    `zeros` (k,) are the sorted parameters of the zeros of curvature minus natural curvature, `orders` their orders.
     """
     half = (cut.right - cut.left)[:, None] / 2
     from_left = half * FROM_LEFT
@@ -296,7 +302,7 @@ def _evaluated(
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
         slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
-        nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
+        nearest = nearest_of(zeros, ends)
         double = orders[nearest] == 2
         # at a double zero, the computed slope is a rounding error, so subtract it from slopes nearby
         if double.any():
@@ -313,7 +319,7 @@ def _evaluated(
     functions = np.empty((2, *t.shape))
     functions[0], functions[1] = stretch, 1.0
     if zeros.size:
-        pole = np.abs(zeros[:, None] - middle).argmin(axis=0)
+        pole = nearest_of(zeros, middle)
         functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
         functions[1, beside] = (

@@ -11,6 +11,9 @@ Each trial of a change bends a strip again, in a time and a memory that grow wit
 MOST_CORNERS = 100
 """Largest number of corners of a curve for which the nearest curve is tried without a request."""
 
+MOST_INFLECTIONS = 500
+"""Largest number of inflections of a curve for which a rail, pin or tie is sought without a request."""
+
 
 def not_tried(curve: PlaneCurve) -> Refusal | None:
     """Return why nothing is computed for a curve without a request, or None for a curve of usual size."""

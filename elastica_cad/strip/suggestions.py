@@ -22,7 +22,7 @@ from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
-from elastica_cad.mechanics.trials import MOST_CORNERS, not_tried
+from elastica_cad.mechanics.trials import MOST_CORNERS, MOST_INFLECTIONS, not_tried
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
@@ -358,6 +358,8 @@ def _moved_points(spec: StripSpec) -> Iterator[Change]:
 def _support(spec: StripSpec) -> Iterator[Change]:
     with suppress(ElasticaError):
         curve = spec.rod_spec.curve_to_bend
+        if len(spec.rod_spec.check.zeros) > MOST_INFLECTIONS:
+            return
         if element := suggest_support(curve, spec.supports, spec.natural_curvature, spec.between):
             yield Change("between", element)
 

@@ -1,5 +1,7 @@
 """Panels integrate and interpolate to rounding error, also beside zeros of the curvature."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -94,3 +96,14 @@ def test_a_zero_beside_a_knot_asks_for_a_few_panels_on_its_other_side():
     t = knot - np.geomspace(1e-6, 0.3, 200)
     exact = (curve.evaluate(t) - point) @ normal / curve.curvature_at(t)
     np.testing.assert_allclose(quotient.at(*panels.locate(t)), exact, rtol=1e-8)
+
+
+def test_the_memory_of_panels_does_not_grow_with_the_square_of_the_inflections():
+    zigzag = PlaneCurve.spline([(3 * k, 60 * (k % 2)) for k in range(1500)], degree=4)
+    zeros = [zero.t for zero in zigzag.curvature_zeros]
+    tracemalloc.start()
+    panels = cut_into_panels(zigzag, zeros)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert panels.count > len(zeros) > 1400
+    assert peak < 2e4 * panels.count

@@ -8,6 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import write_curves
 from elastica_cad.mechanics import trials
+from elastica_cad.strip import suggestions
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.suggestions import suggest
 from tests.command_line import run
@@ -109,6 +110,18 @@ def test_no_change_of_a_curve_of_very_many_pieces_is_tried(monkeypatch, tmp_path
     write_curves([wave], tmp_path / "wave.json")
     checked = run("check", tmp_path / "wave.json", code=1).output
     assert re.search(r"^Change +Not tried, because the curve has 3 pieces, more than 2\.", checked, re.M)
+
+
+def test_no_support_is_sought_for_a_curve_of_very_many_inflections(monkeypatch):
+    wave = ec.PlaneCurve.spline(
+        [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
+    )
+    spec = ec.StripSpec(wave, "birch-plywood-0.8", max_width=25)
+    with pytest.raises(ec.NotRealizable) as refusal:
+        spec.make()
+    for most, fields in ((2, ["between"]), (1, [])):
+        monkeypatch.setattr(suggestions, "MOST_INFLECTIONS", most)
+        assert [found.change.field for found in suggest(spec, refusal.value, ["between"])] == fields
 
 
 def test_a_tight_curve_gets_another_sheet_or_size_once_with_the_width_it_needs():
