@@ -1,3 +1,5 @@
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,17 @@ pytestmark = pytest.mark.core
 
 def line(*points):
     return (Edge.polyline(points),)
+
+
+def test_the_memory_of_points_on_a_long_polyline_does_not_grow_with_the_square_of_its_vertices():
+    places = np.arange(2000.0)
+    edge = Edge.polyline(np.column_stack([places, places % 2]))
+    tracemalloc.start()
+    points = edge.at(places)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    np.testing.assert_allclose(points, edge.points, atol=1e-12)
+    assert peak < 5e6
 
 
 def test_ends_within_tolerance_join_and_others_do_not():

@@ -2,12 +2,13 @@
 
 import subprocess
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
 
 from elastica_cad import _compiled_scipy as compiled_scipy
-from elastica_cad.geometry.splines import bezier_spans, spline_through
+from elastica_cad.geometry.splines import adaptive_spline, bezier_spans, spline_through
 
 pytestmark = pytest.mark.core
 
@@ -78,3 +79,15 @@ def test_a_single_span_is_its_control_points(degree):
     places = np.linspace(*spans.edges, 23)
     ours, theirs = spans.basis(places) @ controls, BSpline(knots, controls, degree)(places)
     assert np.abs(ours - theirs).max() < 1e-14 * np.abs(theirs).max() * 10
+
+
+def test_the_memory_of_many_breaks_and_knots_does_not_grow_with_their_product():
+    places = np.linspace(0.0, 1.0, 2002)[1:-1]
+    tracemalloc.start()
+    _, coefficients = adaptive_spline(
+        np.zeros_like, (0.0, 1.0), degree=1, tolerance=1.0, breaks=[(x, 0) for x in places[::2]], knots=places
+    )
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(coefficients) == 2002
+    assert peak < 10e6
