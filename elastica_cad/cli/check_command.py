@@ -269,13 +269,14 @@ class _Check:
         least = report["sheets"][0]
         if (
             least["scale"] <= 1
-            or not_tried(self.requested.curve)
             or report["unit_question"]
             or self.smooth is not None
             or self.natural_curvature
             or self.between
         ):
             return ""
+        if reason := not_tried(self.requested.curve):
+            return reason
         spec = common_request(self.requested.curve, self.supports).changed(
             sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
         )

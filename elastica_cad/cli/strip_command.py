@@ -43,6 +43,7 @@ from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.theorem1 import outlier_message
+from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, Listed, is_reported, note
 from elastica_cad.report_rows import Row, in_order
@@ -254,6 +255,9 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
         return
     with suppress(NotConvergedError):
         if not not_computed_row(strip) and strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
+            if reason := not_tried(strip.rod.curve):
+                yield Row("Change", reason)
+                return
             better = compensate_within(strip, result.spec.shop)
             # compensation reduces the computed deviation, but it can increase the expected deviation, which
             # includes errors of the sheet and of the cut

@@ -82,7 +82,11 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     if rod.discrete.unstable_modes:
         return None
     if reason := not_tried(rod.curve):
-        return note("The effect of the weight is not computed. {reason}", reason=reason, severity="warning")
+        return note(
+            "The effect of the weight is not computed, because the curve has {pieces} pieces, more than {most}. "
+            "Draw the curve with fewer points.",
+            **reason.values, severity="warning",
+        )  # fmt: skip
     try:
         bent = bent_under(strip, gravity)
     except InputError:  # `bend` refuses a straight strip whose ends are as far apart as the strip is long

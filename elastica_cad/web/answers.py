@@ -38,6 +38,7 @@ from elastica_cad.mechanics.sheets import Sheet, cut_sheets
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
+from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.model.assembly import assembly_parts
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
@@ -447,7 +448,6 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
         spec = _spec(request)
     except ElasticaError as problem:
         return {"cures": list(_removals(request, problem.refusal.changes))}
-    changes = []
     try:
         spec.make()
     except ElasticaError as problem:
@@ -459,7 +459,8 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
             }
             for suggestion in suggest(spec, problem, sheet_size=_sheet_size_of_model(request["design"]))
         ]
-    return {"cures": changes}
+        return {"cures": changes, "reason": not_tried(spec.curve)}
+    return {"cures": []}
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:

@@ -112,6 +112,9 @@ def test_changes_by_mouse(tmp_path):
     words, visible, offered = found["none"]
     assert words.startswith("No change was found")
     assert (visible, offered) == (True, [])
+    words, visible, offered = found["not tried"]
+    assert words.startswith("Not tried, because the curve has 1 pieces, more than 0.")
+    assert (visible, offered) == (True, [])
 
 
 @pytest.mark.campaign

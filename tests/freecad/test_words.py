@@ -43,12 +43,13 @@ SPOKEN = """
     mechanics/equilibrium_check.py mechanics/least_ratio.py mechanics/loads.py
     mechanics/moment_conditions.py mechanics/newton_continuation.py mechanics/optimal_balance.py
     mechanics/section_limits.py mechanics/sideways.py mechanics/stability.py mechanics/theorem1.py
+    mechanics/trials.py
     model/collisions.py model/fixtures.py model/held_tabs.py model/interlocking.py model/model.py
     model/nesting.py model/plate_holes.py model/plate_pairs.py model/plates.py model/rocking.py pairs/flexure.py
     pairs/matching.py pairs/pair_check.py pairs/pushed_rod.py
     pairs/summary.py refusals.py
     strip/as_made.py strip/bent_boundary.py strip/drawing.py strip/held_shape.py strip/lamination.py
-    strip/layers.py strip/makeable_strip.py strip/outline.py strip/perforation.py strip/slots.py
+    strip/layers.py strip/makeable_strip.py strip/outline.py strip/own_weight.py strip/perforation.py strip/slots.py
     strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/summary.py strip/tab_seats.py
     strip/uncuttable_parts.py web/answers.py
 """

@@ -12,6 +12,7 @@ import trimesh
 
 import elastica_cad as ec
 from elastica_cad.cli import main
+from elastica_cad.mechanics import trials
 from elastica_cad.mechanics.sheets import cut_sheets
 from elastica_cad.strip.suggestions import suggest
 from elastica_cad.strip.summary import strain_rows, strip_rows
@@ -433,6 +434,14 @@ def test_each_change_that_helps_makes_the_strip(drawn, fields):
         for k, request in enumerate(suggestion.requests):
             made = answer({"do": "strip", "design": drawn | {"strips": cure["strips"]}, "strip": k})
             assert made["length"] == pytest.approx(request.make().rod.length, abs=0.01)
+
+
+def test_the_page_gets_the_reason_why_no_change_is_tried(monkeypatch):
+    assert answer({"do": "cures", "design": wave()})["reason"] is None
+    monkeypatch.setattr(trials, "MOST_PIECES", 1)
+    found = answer({"do": "cures", "design": wave()})
+    assert found["cures"] == []
+    assert found["reason"].startswith("Not tried, because the curve has 2 pieces, more than 1.")
 
 
 def test_a_strip_that_can_be_made_needs_no_change():

@@ -95,6 +95,14 @@ def test_a_search_without_result_ends_with_a_sentence(server, tmp_path, width):
         assert is_in_view(studio, ".offers p")
 
 
+def test_a_curve_of_very_many_pieces_has_the_reason_why_no_change_is_offered(server, tmp_path, width):
+    x = np.linspace(0.0, 2900.0, 2010)
+    many = design(np.column_stack([x, 60 * np.sin(x / 132)]).round(3).tolist())
+    with screen(server, tmp_path, width, link(many), "de") as studio:
+        studio.until(lambda: "Nicht versucht, weil die Kurve 2006 Stücke hat" in studio.text(".offers"))
+        assert is_in_view(studio, ".offers p")
+
+
 def test_a_far_nearest_curve_is_offered(server, tmp_path, width):
     with screen(server, tmp_path, width, link(design(ZIGZAG))) as studio:
         studio.until(lambda: studio.all(".cure"))

@@ -434,7 +434,7 @@ class Studio {
     this.offers.replaceChildren(html("p", {}, `${this.t("Searching for changes that help")} …`));
     const answer = await this.channel.ask({ do: "cures", design, strip });
     if (!answer || !same(design, this.design) || strip !== this.strip) return;
-    if (!answer.cures?.length) return this.offers.replaceChildren(html("p", {}, this.t("No change was found that makes the strip possible. Follow the instruction above.")));
+    if (!answer.cures?.length) return this.offers.replaceChildren(html("p", {}, answer.reason ?? this.t("No change was found that makes the strip possible. Follow the instruction above.")));
     this.offers.replaceChildren(...answer.cures.map(({ text, effect, strips, removed }) => {
       const change = (one) => {
         if (strips) one.strips.splice(strip, 1, ...strips);

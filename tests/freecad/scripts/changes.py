@@ -29,6 +29,8 @@ from inside import (
     window,
 )
 
+from elastica_cad.mechanics import trials
+
 ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
 
 
@@ -93,6 +95,15 @@ def work():
     until(lambda: panel().form.searching.text() != answers["searching"], 120)
     answers["none"] = [panel().form.searching.text(), panel().form.searching.isVisible(), suggestions()]
     picture("none.png")
+    button("Cancel")
+
+    trials.MOST_PIECES = 0
+    strip.Sheet, strip.MaxWidth = "pom-0.5", 26
+    document.recompute()
+    open_panel("Elastica_Edit", strip)
+    until(lambda: panel().form.searching.text() not in (answers["searching"], answers["none"][0]), 120)
+    answers["not tried"] = [panel().form.searching.text(), panel().form.searching.isVisible(), suggestions()]
+    picture("not-tried.png")
     button("Cancel")
 
 

@@ -17,6 +17,7 @@ from elastica_cad.cli.options import option_name
 from elastica_cad.cli.settings import CommandKeys, parsed_settings
 from elastica_cad.cli.strip_options import OPTIONS
 from elastica_cad.cli.suggestions import cures_of
+from elastica_cad.mechanics import trials
 from elastica_cad.strip import suggestions
 from tests.command_line import run, suggested_commands
 
@@ -572,6 +573,17 @@ def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, f
     assert all(not noise or any(said.startswith(smoothed) for said in one["notes"]) for one in answers)
 
 
+def test_a_check_of_points_of_very_many_pieces_smooths_nothing(tmp_path, monkeypatch):
+    x = np.linspace(0.0, 400.0, 30)
+    y = 8 * np.random.default_rng(3).normal(size=30)
+    np.savetxt(tmp_path / "rough.csv", np.column_stack([x, y]), delimiter=",")
+    assert "even if it is smoothed within" in run("check rough.csv", cwd=tmp_path, code=1).output
+    monkeypatch.setattr(trials, "MOST_PIECES", 2)
+    checked = run("check rough.csv", cwd=tmp_path, code=1).output
+    assert "even if it is smoothed" not in checked
+    assert re.search(r"^Change +Not tried, because the curve has", checked, re.M)
+
+
 def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     x = np.linspace(0.0, 400.0, 40)
@@ -596,7 +608,7 @@ def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
     assert told == [0, 2]
 
 
-def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp_path):
+def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp_path, monkeypatch):
     """The key `length` counts the straight ends, which become tabs."""
     (tmp_path / "u.svg").write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">'
@@ -608,6 +620,8 @@ def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp
     made = run(f"{command} --no-pictures", cwd=tmp_path)
     assert "Strain      1.54 %" in made.stdout
     assert "! Strain" not in made.output
+    monkeypatch.setattr(trials, "MOST_PIECES", 0)
+    assert re.search(r"^Change +Not tried, because", run("check u.svg", cwd=tmp_path).stdout, re.M)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.formats import curves_json
+from elastica_cad.mechanics import trials
 from tests.command_line import run
 
 
@@ -327,7 +328,7 @@ def test_output_folder_that_is_a_file(drawn, tmp_path):
 
 
 @pytest.mark.campaign
-def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
+def test_a_strip_that_strays_is_told_what_compensates(tmp_path, monkeypatch):
     path = tmp_path / "arch.json"
     path.write_text(curves_json([ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])]))
     asked = (
@@ -344,6 +345,9 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path):
     left = float(
         re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", told, re.MULTILINE)[1]
     )
+    monkeypatch.setattr(trials, "MOST_PIECES", 0)
+    untried = run(*asked, "-o", tmp_path / "untried").stdout
+    assert re.search(r"^Change +Not tried, because the curve has \d pieces", untried, re.MULTILINE)
     made_up = run(*asked, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"^Accuracy +about ([\d.]+) mm", made_up, re.MULTILINE)[1]) == left
     assert "--compensate" not in made_up

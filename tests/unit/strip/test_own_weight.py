@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import cumulative_trapezoid, solve_bvp
 
 import elastica_cad as ec
+from elastica_cad.mechanics import trials
 from tests.command_line import run
 
 ARCH = [(50, 0), (250, 300), (950, 300), (1150, 0)]
@@ -57,6 +58,15 @@ def test_the_strip_command_states_how_far_the_weight_moves_a_long_arch(tmp_path)
     far = float(re.search(r"moves the strip by ([\d.]+) mm .* set --gravity", printed).group(1))
     assert far == pytest.approx(sagged(strip), rel=0.05)
     assert STANDS not in run(f"strip arch.svg {options} --gravity -o heavy", cwd=tmp_path).output
+
+
+def test_the_weight_of_a_curve_of_very_many_pieces_has_one_sentence(tmp_path, monkeypatch):
+    monkeypatch.setattr(trials, "MOST_PIECES", 0)
+    (tmp_path / "arch.svg").write_text(SVG)
+    options = "--sheet birch-plywood-0.8 --max-width 60 --no-step --no-pictures"
+    printed = run(f"strip arch.svg {options} -o out", cwd=tmp_path).output
+    assert STANDS not in printed
+    assert re.search(r"The effect of the weight is not computed, because the curve has \d+ pieces", printed)
 
 
 def test_a_suggestion_that_collapses_under_its_weight_states_it(tmp_path):

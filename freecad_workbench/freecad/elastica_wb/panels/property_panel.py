@@ -41,6 +41,7 @@ from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad._text import html_text
 from elastica_cad.mechanics.sheets import hex_color
+from elastica_cad.mechanics.trials import not_tried
 from elastica_cad.refusals import Refusal, note
 from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
@@ -371,7 +372,7 @@ class PropertyPanel(Panel):
         elif self._searched is self._refused:
             self._tried = self._search.result()
             self._suggest()
-            self.form.searching.setText(worded(NONE_FOUND))
+            self.form.searching.setText(worded(not_tried(self._refused.curve) or NONE_FOUND))
             self.form.searching.setVisible(not self._suggested)
 
     def _preview(self, number: int | None) -> None:
