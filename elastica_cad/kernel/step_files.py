@@ -287,8 +287,11 @@ def _step_text(name: str) -> bytes:
     An apostrophe is written as \\X\\27, because OpenCASCADE cannot read a doubled one before a bracket.
     """
     plain = name.replace("\\", "\\\\").replace("'", "\\X\\27")
-    in_hex = lambda signs: signs[0].encode("utf-16-be", "surrogatepass").hex().upper()  # noqa: E731
-    return re.sub("[^ -~]+", lambda signs: f"\\X2\\{in_hex(signs)}\\X0\\", plain).encode()
+
+    def in_hex(signs: re.Match[str]) -> str:
+        return f"\\X2\\{signs[0].encode('utf-16-be', 'surrogatepass').hex().upper()}\\X0\\"
+
+    return re.sub("[^ -~]+", in_hex, plain).encode()
 
 
 def _is_elementary(shape: Shape) -> bool:
