@@ -1,12 +1,14 @@
 """Strips of sketched cubics, which are smoothed: faces, dimensions and volumes while poles of the sketch move."""
 
+from collections.abc import Iterator
+from contextlib import suppress
 from functools import cache
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
 import numpy as np
-import Part
 import pytest
 import TechDraw  # noqa: F401 - pages need it loaded
 from freecad.elastica_wb.features import flat, strip
@@ -18,11 +20,11 @@ MOVES, WIDTH_MM = 5, 40.0
 
 
 @cache
-def cubics(count: int) -> list[np.ndarray]:
+def cubics(number: int) -> list[np.ndarray]:
     """Poles of cubics as FreeCAD draws them, which strips can take wherever a pole was moved by 2 mm."""
     rng = np.random.default_rng(7)
     found: list[np.ndarray] = []
-    while len(found) < count:
+    while len(found) < number:
         n, span, kind = 4 + len(found) % 5, rng.uniform(300, 600), rng.integers(2)
         t = np.linspace(0, 1, n)
         wave = np.sin((1 + kind) * np.pi * t) + rng.uniform(-0.1, 0.1, n)
@@ -39,8 +41,8 @@ def is_bendable(poles: np.ndarray) -> bool:
     return check_equilibrium(curve).realizable and optimal_rod(curve).ratio < 6
 
 
-def uniform_knots(count: int) -> np.ndarray:
-    return np.concatenate([np.zeros(3), np.arange(count - 2.0), np.full(3, count - 3.0)])
+def uniform_knots(poles: int) -> np.ndarray:
+    return np.concatenate([np.zeros(3), np.arange(poles - 2.0), np.full(3, poles - 3.0)])
 
 
 def overall_dimension(document: Any, part: Any) -> Any:
@@ -54,14 +56,20 @@ def overall_dimension(document: Any, part: Any) -> Any:
     view.Source, view.Direction, view.XDirection = [part], App.Vector(0, 0, 1), App.Vector(1, 0, 0)
     view.ScaleType, view.Scale = "Custom", 1.0
     document.recompute()
-    count = len(Part.makeCompound(view.getVisibleEdges()).Edges)
-    x = [view.getVertexByIndex(k).Point.x for k in range(count)]  # around the outline, as many as edges
+    x = list(places_of_vertices(view))
     dimension = document.addObject("TechDraw::DrawViewDimension", "Overall")
     dimension.Type = "DistanceX"
     dimension.References2D = [(view, f"Vertex{k}") for k in (int(np.argmin(x)), int(np.argmax(x)))]
     page.addView(dimension)
     document.recompute()
     return dimension
+
+
+def places_of_vertices(view: Any) -> Iterator[float]:
+    """Yield x of every vertex; those of the outline, and since FreeCAD 1.1 others between them."""
+    with suppress(ValueError):
+        for k in count():
+            yield view.getVertexByIndex(k).Point.x
 
 
 def places(shape: Any) -> list[str]:
