@@ -14,7 +14,7 @@ import numpy as np
 
 import elastica_cad as ec
 from elastica_cad.design.design_file import read_design
-from elastica_cad.forming import nearest_search, rod_solution
+from elastica_cad.form_finding import nearest_search, rod_solution
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NUMBERS = Path(__file__).with_name("models_in_numbers.md")

@@ -33,9 +33,9 @@ NAMES = {
         "mechanics.tolerance_study",
     ),
     "The nearest rod": (
-        "nearest_rod", "nearest_rods", "forming.stream_nearest_rods", "NearestRod", "Status",
+        "nearest_rod", "nearest_rods", "form_finding.stream_nearest_rods", "NearestRod", "Status",
         "Limits", "Keep", "Box", "HalfPlane",
-        "forming.smooth_curve",
+        "form_finding.smooth_curve",
     ),
     "Strips": (
         "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot",

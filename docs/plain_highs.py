@@ -6,7 +6,7 @@ import highspy
 import numpy as np
 
 import elastica_cad as ec
-from elastica_cad.published.sampled_lp import sampled_stiffness
+from elastica_cad.paper.sampled_lp import sampled_stiffness
 
 TOLERANCE = 1e-10  # of both; HiGHS' own default leaves a ratio uncertain by 1e-7
 

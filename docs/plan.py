@@ -28,10 +28,10 @@ FLOORS = (
     ("elastica_cad.design", "design files, reports"),
     ("elastica_cad.model", "several strips"),
     ("elastica_cad.pairs", "two rest shapes"),
-    ("elastica_cad.published", "the paper's own"),
+    ("elastica_cad.paper", "the paper's own"),
     ("elastica_cad.formats", "files in and out"),
     ("elastica_cad.strip", "flat parts and bodies"),
-    ("elastica_cad.forming", "curves that can be made"),
+    ("elastica_cad.form_finding", "curves that can be made"),
     ("elastica_cad.mechanics", "rods"),
     ("elastica_cad.geometry", "curves and paths"),
 )
@@ -40,10 +40,10 @@ FLOORS = (
 BESIDE = {"plot", "build123d", "cadquery", "kernel"}
 """Packages that share a line of the drawing with the one before."""
 
-DIVIDED = ("geometry", "mechanics", "forming", "strip", "formats", "model", "pairs", "design", "published")
+DIVIDED = ("geometry", "mechanics", "form_finding", "strip", "formats", "model", "pairs", "design", "paper")
 """Packages that are drawn with their modules."""
 
-FIRST = ("geometry", "mechanics", "forming", "strip", "formats")
+FIRST = ("geometry", "mechanics", "form_finding", "strip", "formats")
 """The part to read first: nothing in it needs the packages above it."""
 
 WAY = {
@@ -51,7 +51,7 @@ WAY = {
     2: ("formats.dxf_curves", "the drawing is read: splines stay splines"),
     3: ("strip.strip_spec", "the request, a StripSpec, is made"),
     4: ("mechanics.equilibrium_check", "Theorem 1: can it be bent, and if not, where"),
-    5: ("forming.nearest_search", "if the curve may change: the nearest within limits"),
+    5: ("form_finding.nearest_search", "if the curve may change: the nearest within limits"),
     6: ("mechanics.least_ratio", "the stiffness with the least ratio"),
     7: ("mechanics.rod", "the rod: shape, stiffness, moment and force"),
     8: ("strip.drawing", "stiffness is width: outline, marks, kerf"),

@@ -10,9 +10,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from elastica_cad.forming.limits import Limits  # noqa: E402  # the checkout's
-from elastica_cad.forming.meridians import meridian  # noqa: E402
-from elastica_cad.forming.nearest_search import nearest_rod  # noqa: E402
+from elastica_cad.form_finding.limits import Limits  # noqa: E402  # the checkout's
+from elastica_cad.form_finding.meridians import meridian  # noqa: E402
+from elastica_cad.form_finding.nearest_search import nearest_rod  # noqa: E402
 from elastica_cad.mechanics.discrete_rod import DiscreteRod  # noqa: E402
 from elastica_cad.mechanics.least_ratio import optimal_rod  # noqa: E402
 from elastica_cad.mechanics.stability import stability_determinant  # noqa: E402

@@ -1,13 +1,13 @@
 from elastica_cad import (
     design as design,
     formats as formats,
-    forming as forming,
+    form_finding as form_finding,
     geometry as geometry,
     mechanics as mechanics,
     model as model,
     pairs as pairs,
     plot as plot,
-    published as published,
+    paper as paper,
     strip as strip,
 )
 from elastica_cad.errors import (
@@ -34,13 +34,18 @@ from elastica_cad.strip.travel import bend_strip as bend_strip
 from elastica_cad.model.bows import bow as bow
 from elastica_cad.files import read_curves as read_curves, read_model as read_model, save as save
 from elastica_cad.formats.curve_writer import write_curves as write_curves
-from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
-from elastica_cad.forming.many_rods import nearest_rods as nearest_rods
+from elastica_cad.form_finding.limits import (
+    Box as Box,
+    HalfPlane as HalfPlane,
+    Keep as Keep,
+    Limits as Limits,
+)
+from elastica_cad.form_finding.many_rods import nearest_rods as nearest_rods
 from elastica_cad.pairs.matching import matched_pair as matched_pair
-from elastica_cad.forming.nearest_record import NearestRod as NearestRod, Status as Status
-from elastica_cad.forming.nearest_search import nearest_rod as nearest_rod
-from elastica_cad.forming.meridians import meridian as meridian, meridian_through as meridian_through
-from elastica_cad.forming.splitting import split as split
+from elastica_cad.form_finding.nearest_record import NearestRod as NearestRod, Status as Status
+from elastica_cad.form_finding.nearest_search import nearest_rod as nearest_rod
+from elastica_cad.form_finding.meridians import meridian as meridian, meridian_through as meridian_through
+from elastica_cad.form_finding.splitting import split as split
 from elastica_cad.geometry.plane_curve import PlaneCurve as PlaneCurve
 from elastica_cad.geometry.projective_maps import four_point_map as four_point_map
 from elastica_cad.geometry.frame import Frame as Frame

@@ -22,7 +22,7 @@ from elastica_cad.formats.source_file import name_source, require_file
 from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.section_spec import Surface
+    from elastica_cad.form_finding.section_spec import Surface
     from elastica_cad.model.model import Model
     from elastica_cad.pairs.flexure import Flexure
     from elastica_cad.strip.drawing import Drawing

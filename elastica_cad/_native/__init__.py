@@ -75,7 +75,7 @@ def sensitivities(
     to_equilibrium: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
     """Return the derivatives of angles, moments and positions with respect to the unknowns of
-    `forming.rod_map.StripGrid.sensitivities`.
+    `form_finding.rod_map.StripGrid.sensitivities`.
     """
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + to_equilibrium
@@ -107,7 +107,7 @@ def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
     right: FloatArray, penalty: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
-    """Solve a quadratic program of `forming.quadratic_program`.
+    """Solve a quadratic program of `form_finding.quadratic_program`.
 
     Return the solution, True if the iteration converged, and the number of factorisations. The solution is x and
     the multipliers of the rows, lower bounds and upper bounds.

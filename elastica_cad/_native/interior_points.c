@@ -1,6 +1,6 @@
 /* Small convex quadratic programs by interior points with Mehrotra's predictor and corrector.
 
-   The same as in forming/optimizer/quadratic_program.py, where the method is explained. */
+   The same as in form_finding/quadratic_program.py, where the method is explained. */
 #include "loops.h"
 
 #include <math.h>

@@ -18,7 +18,7 @@
 #define MOST_ROWS 2         /* constraints of a mode */
 #define MOST_POLYNOMIALS 16 /* among which a mode is sought */
 
-/* A rod and the grid its derivatives are taken on: `MappedRod` and `StripGrid` of forming/nearest/rod_map.py. */
+/* A rod and the grid its derivatives are taken on: `MappedRod` and `StripGrid` of form_finding/rod_map.py. */
 typedef struct {
     Py_ssize_t nodes, coefficients;
     int heavy, closing;
@@ -27,7 +27,7 @@ typedef struct {
     const double *e, *carried_sums, *carried_slopes;
 } RodAt;
 
-/* `QuadraticProgram` of forming/optimizer/quadratic_program.py, every unknown with room between its bounds. */
+/* `QuadraticProgram` of form_finding/quadratic_program.py, every unknown with room between its bounds. */
 typedef struct {
     Py_ssize_t unknowns, rows;
     const double *hessian, *gradient, *lower, *upper, *A, *right, *price, *one_sided;
@@ -53,7 +53,7 @@ static inline double dot(Py_ssize_t n, const double *restrict a, const double *r
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/* Angles (nodes + 1,) and moments (nodes,) of a rod from its start: `shoot` of mechanics/rod/shooting.py. */
+/* Angles (nodes + 1,) and moments (nodes,) of a rod from its start: `shoot` of mechanics/shooting.py. */
 void shoot(Py_ssize_t nodes, const double *bend, const double *rest, const double *pull_x, const double *pull_y,
            double moment, double angle, double most_angle, double *angles, double *moments);
 

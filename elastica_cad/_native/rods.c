@@ -1,6 +1,6 @@
 /* The discrete rod (paper, section 7.1) from its start: shooting, and the derivatives of all it reaches.
 
-   The same recursions as mechanics/rod/shooting.py and forming/nearest/rod_map.py, where they are explained. */
+   The same recursions as mechanics/shooting.py and form_finding/rod_map.py, where they are explained. */
 #include "loops.h"
 
 #include <math.h>

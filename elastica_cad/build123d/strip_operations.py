@@ -28,7 +28,7 @@ from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.section_spec import SectionSpec
+    from elastica_cad.form_finding.section_spec import SectionSpec
     from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.model import Model
 

@@ -29,7 +29,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.section_spec import SectionSpec
+    from elastica_cad.form_finding.section_spec import SectionSpec
     from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.model import Model
 

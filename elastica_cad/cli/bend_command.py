@@ -38,12 +38,12 @@ from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
+from elastica_cad.form_finding.limits import Limits
+from elastica_cad.form_finding.nearest_record import NearestRod
+from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
+from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import File, text_file, write_files
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
-from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, has_snapped, is_snap_warning, part_of_change

@@ -23,9 +23,9 @@ from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
+from elastica_cad.form_finding.limits import FAR_SHARE, Limits
 from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
-from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text

@@ -37,9 +37,9 @@ from elastica_cad.cli.voice import answer, exit_code, say, say_row, say_step, vo
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
-from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
-from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.forming.straight_ends import StraightEnds
+from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
+from elastica_cad.form_finding.rod_spec import RodSpec
+from elastica_cad.form_finding.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports

@@ -19,8 +19,8 @@ from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
+from elastica_cad.form_finding.nearest_record import Status
 from elastica_cad.formats.drawn_file import CurveList
-from elastica_cad.forming.nearest_record import Status
 from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit

@@ -18,9 +18,9 @@ from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
+from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.formats.curve_writer import FitWarning, write_curves
 from elastica_cad.formats.write_files import File, write_files
-from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.geometry.projective_maps import four_point_map

@@ -25,14 +25,8 @@ from elastica_cad.design.sections_table import compose_section_design
 from elastica_cad.design.toml_text import seen_from
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.formats.mesh_files import read_sized_surface
-from elastica_cad.formats.point_files import read_path_points
-from elastica_cad.formats.source_file import require_file
-from elastica_cad.formats.write_files import File, text_file, write_files
-from elastica_cad.forming.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
-from elastica_cad.forming.section_spec import (
+from elastica_cad.form_finding.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
+from elastica_cad.form_finding.section_spec import (
     AlongPath,
     CornerSplit,
     ParallelCuts,
@@ -43,6 +37,12 @@ from elastica_cad.forming.section_spec import (
     Split,
     Surface,
 )
+from elastica_cad.formats.curve_writer import write_curves
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.mesh_files import read_sized_surface
+from elastica_cad.formats.point_files import read_path_points
+from elastica_cad.formats.source_file import require_file
+from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal

@@ -38,8 +38,8 @@ from elastica_cad.errors import (
     InputError,
     NotConvergedError,
 )
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.write_files import check_folder, text_file, write_files
-from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.theorem1 import outlier_message

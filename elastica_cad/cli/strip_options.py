@@ -32,7 +32,7 @@ from elastica_cad.design.records import CurveReader, Reader, paths_of, put
 from elastica_cad.design.strip_table import read_request
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import Change, InputError, rounded_up
-from elastica_cad.forming.limits import BOTH_ENDS
+from elastica_cad.form_finding.limits import BOTH_ENDS
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.strip.strip_spec import StripSpec

@@ -32,8 +32,8 @@ from elastica_cad.errors import (
     quoted,
     toml_slip,
 )
+from elastica_cad.form_finding.limits import Keep, Limits
 from elastica_cad.formats.source_file import file_in, read_below, require_below, require_file
-from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
@@ -44,8 +44,8 @@ from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
     from elastica_cad.design.revolution_table import RevolutionTable
+    from elastica_cad.form_finding.section_lines import SectionCurve
     from elastica_cad.formats.mesh_files import SurfaceReader
-    from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.frames import Rib
     from elastica_cad.model.plates import Ring
 

@@ -18,7 +18,7 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
-from elastica_cad.words import Language
+from elastica_cad.translations import Language
 
 if TYPE_CHECKING:
     from elastica_cad.model.fixtures import EndFixture

@@ -19,7 +19,7 @@ from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
 from elastica_cad.model.spacers import Spacers
 from elastica_cad.strip.outline import StripEnd
-from elastica_cad.words import Language
+from elastica_cad.translations import Language
 
 Pair: TypeAlias = tuple[float, float]
 Names: TypeAlias = str | tuple[str, ...]

@@ -25,7 +25,7 @@ from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, cutting_keys
 from elastica_cad.design.tables import OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
-from elastica_cad.forming.limits import Limits
+from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports

@@ -9,9 +9,9 @@ import numpy as np
 from elastica_cad._values import is_whole, require_record, round_numbers
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import InputError, NotConvergedError, installed_version
+from elastica_cad.form_finding.fairing_request import Smoothing
+from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.formats.json_curves import curve_record
-from elastica_cad.forming.fairing_request import Smoothing
-from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import NOUNS, Tie
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.sideways import SidewaysStability

@@ -15,8 +15,8 @@ from elastica_cad.design.records import Reader, names_of
 from elastica_cad.design.strip_table import SHARED
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError, NotConvergedError, StrainError
-from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
+from elastica_cad.form_finding.fairing_request import smooth_curve
+from elastica_cad.form_finding.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.elements import PointForce

@@ -12,10 +12,8 @@ from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
-from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
-from elastica_cad.formats.source_file import file_in
-from elastica_cad.forming.section_lines import SectionCurve
-from elastica_cad.forming.section_spec import (
+from elastica_cad.form_finding.section_lines import SectionCurve
+from elastica_cad.form_finding.section_spec import (
     AlongPath,
     CornerSplit,
     ParallelCuts,
@@ -25,6 +23,8 @@ from elastica_cad.forming.section_spec import (
     SectionSpec,
     Split,
 )
+from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
+from elastica_cad.formats.source_file import file_in
 
 WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 

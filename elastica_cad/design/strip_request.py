@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie

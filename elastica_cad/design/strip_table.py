@@ -10,14 +10,14 @@ from elastica_cad.design.drawn_curves import read_drawn_curve
 from elastica_cad.design.records import Reader, fields_of, names_of
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.form_finding.limits import Keep, Limits
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.strip_spec import DOWN, StripSpec
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.section_lines import SectionCurve
+    from elastica_cad.form_finding.section_lines import SectionCurve
 
 Triple: TypeAlias = tuple[float, float, float]
 

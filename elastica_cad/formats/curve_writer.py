@@ -11,6 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path, several
 from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.formats.chains import curve_from_points, curve_from_run
 from elastica_cad.formats.drawing_files import encode_svg
 from elastica_cad.formats.drawing_style import EXACT, shape_paths
@@ -18,7 +19,6 @@ from elastica_cad.formats.dxf_drawing import encode_dxf
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import check_target, write_atomically
-from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.fairing import two_sided_distance
 from elastica_cad.geometry.path import Path as Chain
 from elastica_cad.geometry.plane_curve import PlaneCurve

@@ -10,9 +10,9 @@ import numpy as np
 from elastica_cad._process import interrupts_held
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, missing_library
+from elastica_cad.form_finding.plane_sections import Mesh, mesh_sections
+from elastica_cad.form_finding.section_spec import Surface
 from elastica_cad.formats.source_file import name_source, quiet_log, require_file
-from elastica_cad.forming.plane_sections import Mesh, mesh_sections
-from elastica_cad.forming.section_spec import Surface
 from elastica_cad.refusals import Length, note
 
 MESH_SUFFIXES = (".obj", ".stl", ".ply")

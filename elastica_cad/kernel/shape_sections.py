@@ -7,11 +7,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
+from elastica_cad.form_finding.plane_sections import refuse_odd_planes
+from elastica_cad.form_finding.section_lines import PlaneSection, collect_section, tidy_points
+from elastica_cad.form_finding.section_spec import Surface
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.placed_curve import JOIN, edge_chains
-from elastica_cad.forming.plane_sections import refuse_odd_planes
-from elastica_cad.forming.section_lines import PlaneSection, collect_section, tidy_points
-from elastica_cad.forming.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges

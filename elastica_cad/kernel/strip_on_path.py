@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from elastica_cad._values import is_number, is_one_of, is_series, several
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import plane_curve
@@ -32,7 +32,7 @@ from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.section_lines import SectionCurve
+    from elastica_cad.form_finding.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
@@ -222,7 +222,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 
     `planes` are planes of any CAD library, or a `SectionSpec`. `half` selects the parts with x >= 0.
     """
-    from elastica_cad.forming.section_spec import GivenCuts, SectionSpec
+    from elastica_cad.form_finding.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
 
     if not isinstance(planes, SectionSpec):
@@ -258,7 +258,7 @@ def section_requests(
 
 @lru_cache(maxsize=KEPT_REQUESTS)
 def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
-    from elastica_cad.forming.nearest_record import NearestRod
+    from elastica_cad.form_finding.nearest_record import NearestRod
 
     rod = solve_rod(spec.rod_spec)
     changed = rod.deviation if isinstance(rod, NearestRod) else 0.0

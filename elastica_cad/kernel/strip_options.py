@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from elastica_cad.forming.limits import Keep, Limits
+    from elastica_cad.form_finding.limits import Keep, Limits
     from elastica_cad.kernel.strip_body import Point
     from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
     from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight

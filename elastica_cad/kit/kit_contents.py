@@ -13,7 +13,7 @@ from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet

@@ -11,8 +11,8 @@ from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.files import step_trouble
+from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.formats.write_files import File, text_file, write_json
-from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import STATES, Flexure, State
 from elastica_cad.pairs.flexure_spec import FlexureSpec

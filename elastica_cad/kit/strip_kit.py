@@ -9,8 +9,8 @@ from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import request_record
 from elastica_cad.files import save, step_trouble
+from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.formats.write_files import File, text_file, write_json
-from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.mechanics.rod import Rod

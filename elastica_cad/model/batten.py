@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import numbers
 from elastica_cad.errors import FaultError, InputError, NotConvergedError
-from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
+from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve

@@ -12,8 +12,8 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record, several
 from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import FaultError, InputError
-from elastica_cad.forming.meridians import Meridian
-from elastica_cad.forming.meridians import meridian as make_meridian
+from elastica_cad.form_finding.meridians import Meridian
+from elastica_cad.form_finding.meridians import meridian as make_meridian
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.profile import Profile
@@ -282,7 +282,7 @@ def revolve(
 
     Examples
     --------
-    >>> from elastica_cad.forming.meridians import meridian_through
+    >>> from elastica_cad.form_finding.meridians import meridian_through
     >>> profile = meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
     >>> len(revolve(profile, 20, sheet="card-200gsm", rings="hdf-1.5").plates)
     2

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.pairs.flexure import Flexure, Pad

@@ -62,7 +62,7 @@ from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elem
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
-from elastica_cad.words import LANGUAGES, Language, Translated
+from elastica_cad.translations import LANGUAGES, Language, Translated
 
 A4 = np.array([595.0, 842.0])  # width and height of a page, points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # margin, heights of title and line, points

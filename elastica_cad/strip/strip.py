@@ -754,7 +754,7 @@ class Strip:
     def _bends_of(self, rod: Rod) -> Bends:
         if self.layout.stack is None:
             return bends_along(rod)
-        from elastica_cad.forming.leaf_ends import leaf_bends
+        from elastica_cad.form_finding.leaf_ends import leaf_bends
 
         s, bend = leaf_bends(rod, self.layout.stack)
         return Bends(bend, s)

@@ -13,12 +13,12 @@ from elastica_cad._types import EMPTY, Takes
 from elastica_cad._values import EqualByValue, is_number, is_one_of, is_series, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, InputError, refuse_unknown, rounded_up
-from elastica_cad.forming.fairing_request import Smoothing
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
-from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.forming.straight_ends import StraightEnds
+from elastica_cad.form_finding.fairing_request import Smoothing
+from elastica_cad.form_finding.limits import Keep, Limits
+from elastica_cad.form_finding.nearest_record import NearestRod
+from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
+from elastica_cad.form_finding.rod_spec import RodSpec
+from elastica_cad.form_finding.straight_ends import StraightEnds
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie, require_elements

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import Change, ElasticaError, StrainError, rounded_up
-from elastica_cad.forming.limits import FAR_SHARE
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.limits import FAR_SHARE
+from elastica_cad.form_finding.nearest_record import NearestRod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie

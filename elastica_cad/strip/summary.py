@@ -7,8 +7,8 @@ from functools import lru_cache
 import numpy as np
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.forming.limits import FAR_SHARE
-from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.form_finding.limits import FAR_SHARE
+from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation

@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
+from elastica_cad.form_finding.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
 from elastica_cad.geometry.plane_points import left_of, unit_vectors
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod

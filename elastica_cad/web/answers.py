@@ -19,9 +19,9 @@ from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
 from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
 from elastica_cad.files import read_curves
+from elastica_cad.form_finding.nearest_record import NearestRod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.source_file import read_below
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit_vectors
@@ -53,6 +53,7 @@ from elastica_cad.strip.styles import Bends, Plain
 from elastica_cad.strip.suggestions import Suggestion, instruction, suggest
 from elastica_cad.strip.summary import stability_row, strain_rows, strip_rows
 from elastica_cad.strip.travel import bend_strip
+from elastica_cad.translations import Language
 from elastica_cad.web.saved_design import (
     OF_MODELS,
     compose_design,
@@ -62,7 +63,6 @@ from elastica_cad.web.saved_design import (
     open_design,
     without_models,
 )
-from elastica_cad.words import Language
 
 Record = dict[str, Any]
 

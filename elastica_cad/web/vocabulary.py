@@ -10,9 +10,9 @@ from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.sheets import sheets_by_kind
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.translations import catalogue
 from elastica_cad.web.answers import CATALOGUES, DOWNLOADS
 from elastica_cad.web.saved_design import OF_MODELS
-from elastica_cad.words import catalogue
 
 
 def page_words() -> dict[str, Any]:

@@ -14,8 +14,8 @@ from typing import Any
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.refusals import Refusal, Wording
+from elastica_cad.translations import Translated
 from elastica_cad.web.answers import CATALOGUES, Download, answer, refused
-from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
 """Largest address space of a worker, bytes. A CAD kernel needs a third of this size."""

@@ -38,7 +38,7 @@ def surface(turns=96, rows=80):
         [np.column_stack([corner, corner + rows, corner + rows + 1]),
          np.column_stack([corner, corner + rows + 1, corner + 1])]
     )  # fmt: skip
-    return ec.forming.Mesh(points.reshape(-1, 3), faces)
+    return ec.form_finding.Mesh(points.reshape(-1, 3), faces)
 
 
 def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
@@ -47,9 +47,9 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
     Without `least_radius` the card may bend beyond what it bears, as in the paper; the strips' warnings say where.
     """
     mesh = mesh or surface()
-    planes = ec.forming.radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * np.arange(count) / count)
-    sections = ec.forming.mesh_sections(mesh.vertices, mesh.faces, planes, half=True)
-    curves, reports = ec.forming.section_curves(sections, tolerance=0.3)
+    planes = ec.form_finding.radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * np.arange(count) / count)
+    sections = ec.form_finding.mesh_sections(mesh.vertices, mesh.faces, planes, half=True)
+    curves, reports = ec.form_finding.section_curves(sections, tolerance=0.3)
     layers = ec.mechanics.LaminatedSection(BASE, CARD)
     hanging = layers.bending_stiffness(40.0, 20.0) / layers.weight_per_length(40.0, 20.0)
     limits = ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / least_radius if least_radius else None)

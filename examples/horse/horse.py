@@ -40,7 +40,7 @@ def surface(turns=80, rows=160):
     faces = np.concatenate(
         [np.column_stack([corner, far, far + 1]), np.column_stack([corner, far + 1, corner + 1])]
     )
-    return ec.forming.Mesh(points.reshape(-1, 3), faces)
+    return ec.form_finding.Mesh(points.reshape(-1, 3), faces)
 
 
 def half(line, side):
@@ -51,10 +51,10 @@ def half(line, side):
 
 def build(planes=PLANES):
     mesh = surface()
-    frames = ec.forming.parallel_planes((0, 0, 0), (1, 0, 0), 560 * (np.arange(planes) + 0.5) / planes)
-    sections = ec.forming.mesh_sections(mesh.vertices, mesh.faces, frames)
+    frames = ec.form_finding.parallel_planes((0, 0, 0), (1, 0, 0), 560 * (np.arange(planes) + 0.5) / planes)
+    sections = ec.form_finding.mesh_sections(mesh.vertices, mesh.faces, frames)
     halves = [half(section.line, side) for section in sections for side in (1, -1)]
-    curves, reports = ec.forming.section_curves(halves, tolerance=0.2)
+    curves, reports = ec.form_finding.section_curves(halves, tolerance=0.2)
     found = ec.nearest_rods(
         [c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / LEAST_RADIUS)
     )

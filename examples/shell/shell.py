@@ -23,7 +23,7 @@ def height(x, y):
 def planes():
     """Upright planes fanned out about the axis, over a sixth of the roof."""
     sixth = np.pi / 3
-    return ec.forming.radial_planes((0, 0, 0), (0, 0, 1), sixth * (np.arange(STRIPS) + 0.5) / STRIPS)
+    return ec.form_finding.radial_planes((0, 0, 0), (0, 0, 1), sixth * (np.arange(STRIPS) + 0.5) / STRIPS)
 
 
 def surface(rows=60, turns=120):
@@ -35,13 +35,13 @@ def surface(rows=60, turns=120):
         [np.column_stack([corner, corner + rows, corner + rows + 1]),
          np.column_stack([corner, corner + rows + 1, corner + 1])]
     )  # fmt: skip
-    return ec.forming.Mesh(points, faces)
+    return ec.form_finding.Mesh(points, faces)
 
 
 def build():
     mesh = surface()
-    sections = ec.forming.mesh_sections(mesh.vertices, mesh.faces, planes(), half=True)
-    curves, reports = ec.forming.section_curves(
+    sections = ec.form_finding.mesh_sections(mesh.vertices, mesh.faces, planes(), half=True)
+    curves, reports = ec.form_finding.section_curves(
         sections, tolerance=0.1, false_turn=0.0
     )  # gentle bends are meant
     found = ec.nearest_rods([c.curve for c in curves], ec.Limits(ratio=RATIO, margin=5.0))

@@ -8,7 +8,7 @@ from time import perf_counter
 import pytest
 
 from elastica_cad import Limits, PlaneCurve
-from elastica_cad.forming import stream_nearest_rods
+from elastica_cad.form_finding import stream_nearest_rods
 
 WORKERS = 2
 FEW, MANY, TEN_THOUSAND = 200, 600, 10_000

@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad import Gravity, PlaneCurve
 from elastica_cad.mechanics.minimax_lp import minimax_ratio
-from elastica_cad.published.sampled_lp import sampled_rows, sampled_stiffness
+from elastica_cad.paper.sampled_lp import sampled_rows, sampled_stiffness
 from tests.benchmarks.timing import seconds
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Limits, PlaneCurve, nearest_rod
-from elastica_cad.forming.rod_map import StiffnessBasis
+from elastica_cad.form_finding.rod_map import StiffnessBasis
 
 RATIO, NODES, COEFFICIENTS = 2.5, 201, 20
 QUIET = {"ipopt.print_level": 0, "print_time": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-10}

@@ -115,7 +115,7 @@ def test_unstable_s(benchmark, reference_data):
 
 
 def test_march_with_sensitivities(benchmark):
-    from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
+    from elastica_cad.form_finding.rod_map import StiffnessBasis, StripGrid
 
     grid = StripGrid(StiffnessBasis(38).at(np.linspace(0, 1, 201)), np.array([1.0, 2.0]))
     z = np.concatenate([np.full(38, 1.5), [4.0, 9.0, -7.0, 0.0, 0.0, 0.3, 1.0]])

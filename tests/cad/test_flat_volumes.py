@@ -5,7 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import Frame
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.strip import FlatSolid
 

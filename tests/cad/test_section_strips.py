@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import InputError, Limits
-from elastica_cad.forming.section_spec import ParallelCuts, PlaneSplit, SectionSpec
+from elastica_cad.form_finding.section_spec import ParallelCuts, PlaneSplit, SectionSpec
 from elastica_cad.kernel.strip_body import StripWarning
 from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 

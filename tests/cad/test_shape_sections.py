@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import InputError
-from elastica_cad.forming import parallel_planes, radial_planes, section_curves
+from elastica_cad.form_finding import parallel_planes, radial_planes, section_curves
 from elastica_cad.kernel.shape_sections import shape_sections
 
 

@@ -23,8 +23,8 @@ from elastica_cad import (
     make_strip,
     optimal_rod,
 )
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.brep_writer import boundary_brep
-from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry import Line
 from elastica_cad.strip import BentSolid, FlatSolid
 from elastica_cad.strip.bent_boundary import SpaceCurve, SpaceSurface

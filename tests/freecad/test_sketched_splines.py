@@ -11,7 +11,7 @@ from freecad.elastica_wb.features import flexure, strip
 from freecad.elastica_wb.features.strip_properties import FIELDS, PROPERTIES, spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 
-from elastica_cad.forming import fairing_request
+from elastica_cad.form_finding import fairing_request
 from tests.freecad.features import change, new
 
 WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -20)]

@@ -17,7 +17,7 @@ from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, strip_
 
 from elastica_cad import ElasticaError, Limits, PlaneCurve, Sheet, StripSpec, save
 from elastica_cad.errors import StrainError
-from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.form_finding.rod_spec import RodSpec
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

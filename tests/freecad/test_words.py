@@ -31,27 +31,24 @@ from tests.freecad.features import change
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
-CATALOGUES = ROOT / "elastica_cad" / "words"
+CATALOGUES = ROOT / "elastica_cad" / "translations"
 SPOKEN = """
-    _values.py design/kit_spec.py design/reports.py formats/chains.py formats/drawn_file.py
-    formats/edges.py formats/placed_curve.py formats/source_file.py formats/write_files.py
-    forming/fairing_request.py forming/limits.py forming/nearest_record.py forming/nearest_task.py
-    forming/plane_sections.py
-    forming/rod_spec.py forming/section_lines.py forming/splitting.py forming/straight_ends.py
-    geometry/measured_points.py geometry/nurbs_curve.py geometry/tangent_healing.py kit/kit_contents.py
-    mechanics/bending.py mechanics/between_clamps.py mechanics/calibration.py
-    mechanics/equilibrium_check.py mechanics/least_ratio.py mechanics/loads.py
+    _values.py design/kit_spec.py design/reports.py formats/chains.py formats/drawn_file.py formats/edges.py
+    formats/placed_curve.py formats/source_file.py formats/write_files.py form_finding/fairing_request.py
+    form_finding/limits.py form_finding/nearest_record.py form_finding/nearest_task.py
+    form_finding/plane_sections.py form_finding/rod_spec.py form_finding/section_lines.py
+    form_finding/splitting.py form_finding/straight_ends.py geometry/measured_points.py geometry/nurbs_curve.py
+    geometry/tangent_healing.py kit/kit_contents.py mechanics/bending.py mechanics/between_clamps.py
+    mechanics/calibration.py mechanics/equilibrium_check.py mechanics/least_ratio.py mechanics/loads.py
     mechanics/moment_conditions.py mechanics/newton_continuation.py mechanics/optimal_balance.py
     mechanics/section_limits.py mechanics/sideways.py mechanics/stability.py mechanics/theorem1.py
-    mechanics/trials.py
-    model/collisions.py model/fixtures.py model/held_tabs.py model/interlocking.py model/model.py
-    model/nesting.py model/plate_holes.py model/plate_pairs.py model/plates.py model/rocking.py pairs/flexure.py
-    pairs/matching.py pairs/pair_check.py pairs/pushed_rod.py
-    pairs/summary.py refusals.py
+    mechanics/trials.py model/collisions.py model/fixtures.py model/held_tabs.py model/interlocking.py
+    model/model.py model/nesting.py model/plate_holes.py model/plate_pairs.py model/plates.py model/rocking.py
+    pairs/flexure.py pairs/matching.py pairs/pair_check.py pairs/pushed_rod.py pairs/summary.py refusals.py
     strip/as_made.py strip/bent_boundary.py strip/drawing.py strip/held_shape.py strip/lamination.py
-    strip/layers.py strip/makeable_strip.py strip/outline.py strip/own_weight.py strip/perforation.py strip/slots.py
-    strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/summary.py strip/tab_seats.py
-    strip/uncuttable_parts.py web/answers.py
+    strip/layers.py strip/makeable_strip.py strip/outline.py strip/own_weight.py strip/perforation.py
+    strip/slots.py strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/summary.py
+    strip/tab_seats.py strip/uncuttable_parts.py web/answers.py
 """
 """Where the core makes what a user of the workbench or of the studio reads."""
 

@@ -19,7 +19,7 @@ from tests.house.name_lists import write_list
 ROOT = Path(__file__).resolve().parents[2]
 LISTS = ROOT / "tests" / "data" / "names"
 PACKAGES = (
-    "", ".geometry", ".mechanics", ".forming", ".strip", ".formats", ".model", ".pairs", ".design", ".plot",
+    "", ".geometry", ".mechanics", ".form_finding", ".strip", ".formats", ".model", ".pairs", ".design", ".plot",
 )  # fmt: skip
 
 

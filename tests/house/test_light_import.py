@@ -58,10 +58,10 @@ HEAVY = (
     "trimesh",
     "elastica_cad.design.revolution_table",
     "elastica_cad.design.sections_table",
-    "elastica_cad.forming.nearest_task",
+    "elastica_cad.form_finding.nearest_task",
     "elastica_cad.model.batten",
     "elastica_cad.pairs",
-    "elastica_cad.published",
+    "elastica_cad.paper",
 )
 
 

@@ -16,13 +16,13 @@ MOST = 81
 ROOMS = (
     "geometry",
     "mechanics",
-    "forming",
+    "form_finding",
     "strip",
     "formats",
     "model",
     "pairs",
     "design",
-    "published",
+    "paper",
     "plot",
 )
 FIXED = {

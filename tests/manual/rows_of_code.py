@@ -228,7 +228,7 @@ def _kinds(row, _):
 @asks("docs/freecad_tools/strip.md", "button", "change")
 def _changes(row, _):
     """Each button is a text of the workbench, with a value in place of each gap."""
-    texts = json.loads((ROOT / "elastica_cad" / "words" / "de.json").read_text(encoding="utf-8"))
+    texts = json.loads((ROOT / "elastica_cad" / "translations" / "de.json").read_text(encoding="utf-8"))
     patterns = (
         re.sub(r"\\\{[^}]*\\\}", r"\\S.*", re.escape(text)) for text in texts if re.match(r"\w{3}", text)
     )

@@ -88,7 +88,7 @@ def _left_out(row, _):
         proved_by(f"{VALIDATION}/test_creep.py::test_without_weight_the_shape_stays_and_the_forces_fall")
 
 
-NEAREST = "tests/unit/forming/test_nearest_rod.py"
+NEAREST = "tests/unit/form_finding/test_nearest_rod.py"
 TESTS_OF_TASKS = {
     "zeros of the curvature": "tests/unit/geometry/test_bernstein.py::test_all_roots_of_random_products",
     "crossings of curve and inflection line": f"{CHECK}::test_line_through_two_inflections_crossing_a_third_time",

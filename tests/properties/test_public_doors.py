@@ -19,7 +19,7 @@ from elastica_cad import ElasticaError
 
 pytestmark = pytest.mark.core
 
-FLOORS = ("geometry", "mechanics", "forming", "strip", "model", "pairs")
+FLOORS = ("geometry", "mechanics", "form_finding", "strip", "model", "pairs")
 ODD = (None, "x", object(), 10**400, (1, 2, 3))
 INNER = {
     "Box.clearance", "CollinearInflections.equations",

@@ -18,7 +18,7 @@ from elastica_cad import (
     save,
 )
 from elastica_cad.files import read_drawing
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 PRECISION = """<inkscape xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1">

@@ -35,7 +35,7 @@ def test_a_page_of_the_manual(tmp_path):
     """The site in English is built without a warning, names all public names, and its first tutorial is sound."""
     site = built(tmp_path / "site", "--english")
     shown = (site / "reference" / "python.html").read_text(encoding="utf-8")
-    packages = {"design", "formats", "forming", "geometry", "mechanics", "model", "pairs", "plot"}
+    packages = {"design", "formats", "form_finding", "geometry", "mechanics", "model", "pairs", "plot"}
     packages |= {"published", "strip"}
     assert [name for name in ec.__all__ if name not in packages and f'id="{name.lower()}"' not in shown] == []
     assert crawled(site, "--page", "tutorials/first_strip.html") == 1

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from elastica_cad import End, Supports, _native
-from elastica_cad.forming import rod_map
-from elastica_cad.forming.quadratic_program import QuadraticProgram, solve_quadratic
-from elastica_cad.forming.rod_map import StiffnessBasis
+from elastica_cad.form_finding import rod_map
+from elastica_cad.form_finding.quadratic_program import QuadraticProgram, solve_quadratic
+from elastica_cad.form_finding.rod_map import StiffnessBasis
 from elastica_cad.mechanics import DiscreteRod, discrete_rod
 from elastica_cad.mechanics.discrete_rod import node_weights
 

@@ -6,7 +6,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import InputError
 from elastica_cad.design import Cutting
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from elastica_cad.mechanics import bend_path
 from elastica_cad.model import BasePlate, PlateOptions, Rib
 from elastica_cad.strip import ENGRAVE, Measuring, Text

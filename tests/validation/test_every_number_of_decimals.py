@@ -10,7 +10,7 @@ import pytest
 
 from elastica_cad import InputError, PlaneCurve, check_equilibrium
 from elastica_cad.files import read_drawing
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 from tests.command_line import run
 

@@ -24,8 +24,8 @@ from elastica_cad import (
     optimal_rod,
     stability,
 )
-from elastica_cad.forming import LeafedRod, lay_leaves
-from elastica_cad.forming.leaf_ends import FINE_NODES, NODES, _Search, leaf_bends
+from elastica_cad.form_finding import LeafedRod, lay_leaves
+from elastica_cad.form_finding.leaf_ends import FINE_NODES, NODES, _Search, leaf_bends
 from elastica_cad.mechanics import LaidLeaves, LeavesLaw
 from tests.section_designs import camber_place, designs
 

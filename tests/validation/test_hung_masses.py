@@ -19,7 +19,7 @@ from elastica_cad import (
     make_strip,
     optimal_rod,
 )
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.mechanics import ThicknessLaw
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 

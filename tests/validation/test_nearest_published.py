@@ -20,7 +20,7 @@ from elastica_cad import (
     optimal_rod,
     stability,
 )
-from elastica_cad.forming import mesh_sections
+from elastica_cad.form_finding import mesh_sections
 from elastica_cad.mechanics import bend_path
 
 pytestmark = pytest.mark.core

@@ -10,7 +10,7 @@ from scipy.optimize import brentq, linprog
 from scipy.sparse import lil_matrix
 
 from elastica_cad import Gravity, PlaneCurve, Supports, optimal_rod
-from elastica_cad.published.sampled_lp import sampled_stiffness
+from elastica_cad.paper.sampled_lp import sampled_stiffness
 
 pytestmark = pytest.mark.core
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from elastica_cad import Frame
+from elastica_cad.form_finding import mesh_sections, radial_planes, section_curves
 from elastica_cad.formats import read_mesh
-from elastica_cad.forming import mesh_sections, radial_planes, section_curves
 
 UNIT = 60.0  # mm per mesh unit
 

@@ -9,7 +9,7 @@ from elastica_cad import PlaneCurve, check_equilibrium, optimal_rod, stability
 from elastica_cad.geometry import EndPositions, EndTangents, FixedLength, InflectionsOnLine, Spline
 from elastica_cad.geometry.path import distances
 from elastica_cad.mechanics import InflectionLine
-from elastica_cad.published import enforce_constraints, optimize_ratio, recover_stability
+from elastica_cad.paper import enforce_constraints, optimize_ratio, recover_stability
 
 pytestmark = pytest.mark.core
 

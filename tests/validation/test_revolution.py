@@ -7,7 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import InputError, NotConvergedError, meridian, meridian_through
-from elastica_cad.forming import meridians as meridian_module
+from elastica_cad.form_finding import meridians as meridian_module
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core

@@ -5,7 +5,7 @@ import pytest
 
 from elastica_cad import Profile, Rod, Supports, bend, check_equilibrium, optimal_rod
 from elastica_cad.files import read_drawing
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from tests.validation.test_every_number_of_decimals import smooth_path, written
 
 pytest.importorskip("cssselect2")

@@ -44,7 +44,7 @@ WHOLE_S = 300.0
 """Processor seconds of the whole bank, about twice."""
 
 IMPORTED = (
-    "geometry", "mechanics", "forming", "strip", "formats", "model", "pairs", "design",
+    "geometry", "mechanics", "form_finding", "strip", "formats", "model", "pairs", "design",
     "cli", "kit", "files", "plot",
 )  # fmt: skip
 """What is imported before lines are counted."""

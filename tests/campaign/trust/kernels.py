@@ -81,7 +81,7 @@ def ask_here(cases, seed):
 
 def ask_programs(rng, case):
     """A program with rows that say the same, say nothing, or hold no number."""
-    from elastica_cad.forming import quadratic_program as programs
+    from elastica_cad.form_finding import quadratic_program as programs
 
     p, m = int(rng.integers(1, 40)), int(rng.integers(0, 60))
     J, A = rng.normal(size=(int(rng.integers(1, 2 * p + 1)), p)), rng.normal(size=(m, p))

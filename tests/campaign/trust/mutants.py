@@ -31,7 +31,7 @@ from tests.campaign.trust.equivalent import Bank, asked_bank, gather_bank
 from tests.campaign.trust.verdicts import summary
 
 ROOT = Path(__file__).resolve().parents[3]
-FLOORS = ("geometry", "mechanics", "forming", "strip", "formats", "model", "pairs", "design")
+FLOORS = ("geometry", "mechanics", "form_finding", "strip", "formats", "model", "pairs", "design")
 FIRST_S, LONG_S = 5.0, 24.0
 """Processor seconds of the tests of a mutant as they take without a change: a quick look, then a long one."""
 

@@ -31,14 +31,14 @@ from tests.properties.test_public_doors import INNER, example_calls
 FLOORS = (
     "geometry",
     "mechanics",
-    "forming",
+    "form_finding",
     "strip",
     "formats",
     "model",
     "pairs",
     "design",
     "plot",
-    "published",
+    "paper",
 )
 FRONT_ENDS = ("build123d", "cadquery")
 LONGEST_S, MOST_MIB = 10, 1536

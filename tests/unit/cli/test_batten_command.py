@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from elastica_cad import NotConvergedError, PlaneCurve, Sheet, StripSpec
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import BattenSpec, bench_drawing

@@ -23,7 +23,7 @@ from elastica_cad import (
 )
 from elastica_cad.design.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.mechanics import LeavesLaw, RestCurvature, ThicknessLaw
 from elastica_cad.strip import TSlot
 from tests.command_line import run

@@ -9,7 +9,7 @@ import elastica_cad as ec
 from elastica_cad import InputError, NotConvergedError
 from elastica_cad.design import read_design
 from elastica_cad.kit.kit_contents import kit_contents
-from elastica_cad.words import Translated
+from elastica_cad.translations import Translated
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
 POINTS = "points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, '100 + 40']]"

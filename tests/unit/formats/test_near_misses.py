@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import optimal_rod, read_curves
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ import pytest
 
 from elastica_cad import ElasticaError, InputError, check_equilibrium
 from elastica_cad.files import read_drawing
-from elastica_cad.forming import smooth_curve
-from elastica_cad.forming.fairing_request import SEEN
+from elastica_cad.form_finding import smooth_curve
+from elastica_cad.form_finding.fairing_request import SEEN
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("cssselect2")

@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad import InputError, check_equilibrium, read_curves
 from elastica_cad.files import read_drawing
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("cssselect2")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import InputError, read_curves
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 
 ARCH = "M20 90C45 30 120 30 150 90"
 WAVE = "M20 20C60 60 110 -20 150 20"

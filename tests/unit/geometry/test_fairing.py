@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, check_equilibrium, optimal_rod
-from elastica_cad.forming import fairing_request, smooth_curve
-from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.form_finding import fairing_request, smooth_curve
+from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.geometry.fairing import (
     fair_curve,
     smooth_for_corners,

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import PlaneCurve, check_equilibrium
-from elastica_cad.forming import smooth_curve
+from elastica_cad.form_finding import smooth_curve
 from elastica_cad.geometry.fairing import round_corners
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance, estimate_noise
 

@@ -9,7 +9,7 @@ from scipy.optimize import linprog
 
 from elastica_cad.mechanics import minimax_lp
 from elastica_cad.mechanics.minimax_lp import least_variation, minimax_ratio
-from elastica_cad.published.sampled_lp import sampled_stiffness
+from elastica_cad.paper.sampled_lp import sampled_stiffness
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core

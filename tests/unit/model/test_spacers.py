@@ -10,7 +10,7 @@ from shapely.geometry import MultiPoint, Polygon
 import elastica_cad as ec
 from elastica_cad import InputError, Tab
 from elastica_cad.design import read_design
-from elastica_cad.forming import meridian_through
+from elastica_cad.form_finding import meridian_through
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model import PlateHoles, add_spacers, plate_pair, revolve
 from elastica_cad.model.plate_pairs import end_plates

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, StripSpec
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.plot import canvas
 from elastica_cad.plot.drawing_process import DrawingProcess, drawing_process

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Path, Perforated, PlaneCurve, Sheet, Slot, Strip, optimal_rod
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.form_finding.fairing_request import smooth_curve
 from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.geometry.splines import SplineFunction, interpolated, interpolation_sites
 from elastica_cad.strip import flat_pattern

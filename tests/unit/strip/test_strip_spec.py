@@ -24,7 +24,7 @@ from elastica_cad import (
     Weight,
     make_strip,
 )
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.mechanics import PolynomialLaw
 
 POLES = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

@@ -18,18 +18,18 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.chains import join_runs
-from elastica_cad.formats.edges import Edge
-from elastica_cad.formats.source_file import check_places
-from elastica_cad.forming.plane_sections import mesh_sections
-from elastica_cad.forming.section_lines import (
+from elastica_cad.form_finding.plane_sections import mesh_sections
+from elastica_cad.form_finding.section_lines import (
     PlaneSection,
     SectionCurve,
     SectionLine,
     collect_section,
     section_curves,
 )
-from elastica_cad.forming.section_spec import parallel_planes, planes_along, radial_planes
+from elastica_cad.form_finding.section_spec import parallel_planes, planes_along, radial_planes
+from elastica_cad.formats.chains import join_runs
+from elastica_cad.formats.edges import Edge
+from elastica_cad.formats.source_file import check_places
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.refusals import Length, Refusal, note
 

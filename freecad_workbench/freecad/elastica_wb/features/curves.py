@@ -32,7 +32,7 @@ from freecad.elastica_wb.host.words import report
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.section_lines import AT_TWO_PLACES, SectionCurve
+from elastica_cad.form_finding.section_lines import AT_TWO_PLACES, SectionCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod

@@ -28,8 +28,8 @@ from elastica_cad.design.strip_table import StripKeys, read_fields, read_request
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import BOTH_ENDS
-from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.form_finding.limits import BOTH_ENDS
+from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, Gravity, PointMass, Supports
 from elastica_cad.mechanics.sheets import Sheet

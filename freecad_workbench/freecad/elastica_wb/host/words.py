@@ -27,7 +27,7 @@ from elastica_cad.refusals import (
     Refusal,
     Span,
 )
-from elastica_cad.words import Translated
+from elastica_cad.translations import Translated
 
 NAMES = {
     "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",

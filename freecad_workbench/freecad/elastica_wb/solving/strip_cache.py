@@ -19,10 +19,10 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_called
 
 from elastica_cad.errors import ElasticaError, NotConvergedError
-from elastica_cad.forming.editable_curve import coarse_curve
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import solve_rod
-from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.form_finding.editable_curve import coarse_curve
+from elastica_cad.form_finding.nearest_record import NearestRod
+from elastica_cad.form_finding.rod_solution import solve_rod
+from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature

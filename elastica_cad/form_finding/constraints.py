@@ -1,0 +1,631 @@
+"""Constraints of the nearest rod: limits to meet, and properties of the drawn curve to keep."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.form_finding.limits import ActiveLimit, Box, HalfPlane, LimitUnit
+from elastica_cad.form_finding.rod_map import MappedRod, SectionScale, Sensitivities
+from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.mechanics.discrete_rod import DiscreteRod
+from elastica_cad.refusals import note
+
+# largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
+# threads at 64 rows
+MOST_ROWS = 56
+
+STRAIN_TITLE = "the strain limit of the sheet (use a thinner sheet)"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Constraint(ABC):
+    """Constraint of the search for the nearest rod: k values that depend on the rod.
+
+    The values are scaled so that a large violation is about 1.
+
+    Attributes
+    ----------
+    name : str
+        Name in messages.
+    title : str or None
+        Name in suggestions to relax the constraint; "" if it cannot be relaxed. By default, `name`.
+    unit : "number", "length", "angle" or ""
+        Unit of the limit; see `ActiveLimit`.
+    one_sided : bool
+        True if the values must be at least 0; False if they must be 0.
+    penalty : float
+        Upper bound of the penalty for a violation of 1.
+    near_balance_only : bool
+        True if the constraint is only meaningful for rods nearly in equilibrium.
+    """
+
+    name: str = ""
+    title: str | None = None
+    unit: LimitUnit = ""
+    one_sided: bool = False
+    penalty: float = 100.0
+    near_balance_only: bool = False
+
+    def bound(self, size: float) -> float | None:  # noqa: ARG002 - used by `CurvatureLimit`
+        """Return the limit in its unit if it is one number. `size` is the length of the target, mm."""
+        return None
+
+    def slope(self, size: float) -> float:
+        """Return the change of the values if the limit is relaxed by 1 in its unit."""
+        return 1 / size if self.unit == "length" else 1.0
+
+    def binding(self, values: FloatArray, multipliers: FloatArray, size: float, per: float) -> ActiveLimit:
+        """Return the effect of the constraint on the distance.
+
+        `values` and `multipliers` (k,) belong to the nearest rod, `per` is the decrease of the distance, mm, by a
+        unit decrease of the objective.
+        """
+        if self.one_sided:
+            broken, total = np.maximum(-values, 0), float(np.abs(multipliers).sum())
+        else:
+            broken, total = np.abs(values), float(np.linalg.norm(multipliers))
+        title = note(self.name if self.title is None else self.title)
+        return ActiveLimit(
+            self.name, self.bound(size), per * total * self.slope(size), float(broken.max(initial=0.0)),
+            title, self.unit,
+        )  # fmt: skip
+
+    @abstractmethod
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the k values for a rod, as an array (k,)."""
+
+    @abstractmethod
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices (j,) and derivatives (j, p) of the values that a step may violate.
+
+        The derivatives are with respect to the p unknowns of the search.
+        """
+
+
+def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
+    """Return at most MOST_ROWS of the `indices` into `urgency` (n,), such as violations of a limit at n nodes.
+
+    Up to half of the result are local maxima of `urgency`, and the others are evenly spaced. If a step violates
+    the limit at an omitted index, the index is a local maximum in the next call.
+    """
+    if indices.size <= MOST_ROWS:
+        return indices
+    high = np.concatenate([[-np.inf], urgency, [-np.inf]])
+    peak = (urgency >= high[:-2]) & (urgency >= high[2:])
+    selected = np.zeros(indices.size, dtype=bool)
+    selected[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
+    remaining = np.flatnonzero(~selected)
+    selected[remaining[:: -(-remaining.size // (MOST_ROWS - selected.sum()))]] = True
+    return indices[selected]
+
+
+def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    return np.arange(rows.shape[0]), rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndPosition(Constraint):
+    """Condition that the last node of the rod is at `target`."""
+
+    name: str = "end position"
+    title: str | None = ""
+    unit: LimitUnit = "length"
+    target: tuple[float, float] = (0.0, 0.0)
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the position (2,) of the last node relative to the target."""
+        return np.asarray(rod.position[-1] - self.target)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and the derivatives of both coordinates: see `Constraint.rows`."""
+        return _all_rows(sensitivities.position[-1])
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndAngle(Constraint):
+    """Condition that the angle at the end of the rod is `target`, rad."""
+
+    name: str = "end tangent"
+    unit: LimitUnit = "angle"
+    target: float = 0.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the difference between the end angle and the target (1,), rad."""
+        return rod.all_angles[-1:] - self.target
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the end angle: see `Constraint.rows`."""
+        return _all_rows(sensitivities.angles[-1:])
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndMoment(Constraint):
+    """Condition that the moment is 0 at an end that is free to turn."""
+
+    name: str = "free end angle"
+    title: str | None = ""
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the moment at the last node divided by `scale` (1,)."""
+        return rod.moments[-1:] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the scaled moment: see `Constraint.rows`."""
+        return _all_rows(sensitivities.moments[-1:] / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndForce(Constraint):
+    """Condition that the force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
+
+    name: str = "free end position"
+    title: str | None = ""
+    axis: int = 0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the force at the end along the axis, divided by `scale` (1,)."""
+        return rod.all_forces[-1:, self.axis] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the scaled force: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        n = rod.tangents.shape[0]
+        weights = np.zeros((n, 2))
+        weights[-1, self.axis] = 1
+        row = sensitivities.along_forces(weights)
+        row += sensitivities.last_load_row(self.axis)
+        return _all_rows(row[None] / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Through(Constraint):
+    """Condition that the rod passes through `target`, near the fraction `place` (0..1) of the rod's length."""
+
+    name: str = "points"
+    title: str | None = "the kept points"
+    unit: LimitUnit = "length"
+    target: tuple[float, float] = (0.0, 0.0)
+    place: float = 0.5
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the signed distance of the rod from the target, along the normal of the rod (1,)."""
+        share, nodes, normal = self._foot(rod)
+        off = share @ rod.position[nodes] - self.target
+        return np.array([normal @ off])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the signed distance: see `Constraint.rows`."""
+        share, nodes, normal = self._foot(sensitivities.rod)
+        return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
+
+    def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
+        foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
+            self, lambda: self._find_foot(rod.position)
+        )
+        return foot
+
+    def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
+        n = position.shape[0] - 1
+        window = np.arange(n + 1)
+        window = window[np.abs(window / n - self.place) < 0.15]
+        off = position[window] - self.target
+        nearest = int(window[np.argmin((off**2).sum(axis=1))])
+        first = int(np.clip(nearest - 1, 0, n - 3))
+        nodes = slice(first, first + 4)
+        off = position[nodes] - self.target
+        u = float(nearest - first)
+        for _ in range(8):
+            share, slope = _cubic_weights(u)
+            along = slope @ off
+            u -= float(along @ (share @ off) / (along @ along))
+            u = min(max(u, -0.5 if first == 0 else 0.0), 3.0)
+        share, slope = _cubic_weights(u)
+        x, y = slope @ off
+        return share, nodes, np.array([-y, x]) / hypot(x, y)
+
+
+@dataclass(frozen=True, kw_only=True)
+class InflectionLine(Constraint):
+    """Condition that the moment is 0 on the line through `point` along `direction`.
+
+    Without weight, the moment is an affine function of the position in the whole plane.
+    """
+
+    name: str = "inflection line"
+    title: str | None = "the inflection line"
+    point: tuple[float, float] = (0.0, 0.0)
+    direction: tuple[float, float] = (1.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the moment at `point` and its derivative along the line, both divided by `scale` (2,)."""
+        (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
+        return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and the derivatives of both values: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        u = sensitivities.grid.unknowns
+        rows = np.zeros((2, sensitivities.angles.shape[1]))
+        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
+        off = self.point - rod.position[0]
+        rows[0, u.moment] = 1
+        rows[0, u.force] = [-off[1], off[0]]
+        rows[0, u.position] = -b
+        rows[1, u.force] = [-self.direction[1], self.direction[0]]
+        return _all_rows(rows / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfMirror(Constraint):
+    """Condition that the rod is symmetric about an axis.
+
+    The middle of the rod then crosses the axis at a right angle, and the force there is normal to the axis.
+    """
+
+    name: str = "symmetry"
+    title: str | None = "the symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    axis: tuple[float, float] = (0.0, 1.0)
+    angle: float = 0.0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the distance from the axis, the error of the angle, and the scaled force along the axis (3,)."""
+        nodes, edges = _middle(rod)
+        normal = left_of(self.axis)
+        off = rod.position[nodes].mean(axis=0) - self.centre
+        turn = rod.angles[edges].mean() - self.angle
+        return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and the derivatives of all three values: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        nodes, edges = _middle(rod)
+        normal = left_of(self.axis)
+        weights = np.zeros_like(rod.tangents)
+        weights[edges] = np.asarray(self.axis) / len(edges) / self.scale
+        return _all_rows(
+            np.array(
+                [
+                    normal @ sensitivities.position[nodes].mean(axis=0),
+                    sensitivities.angles[1:-1][edges].mean(axis=0),
+                    sensitivities.along_forces(weights),
+                ]
+            )
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfTurn(Constraint):
+    """Condition that the rod is symmetric under rotation by 180 degrees.
+
+    The middle of the rod is then at the centre, and the moment there is 0.
+    """
+
+    name: str = "symmetry"
+    title: str | None = "the symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the two offsets of the middle from the centre, and the scaled moment there (3,)."""
+        nodes, _ = _middle(rod)
+        off = rod.position[nodes].mean(axis=0) - self.centre
+        return np.append(off, rod.moments[nodes].mean() / self.scale)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and the derivatives of all three values: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        nodes, _ = _middle(rod)
+        moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
+        return _all_rows(np.vstack([sensitivities.position[nodes].mean(axis=0), moment]))
+
+
+def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
+    n = rod.tangents.shape[0]
+    nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
+    return sorted(nodes), sorted(edges)
+
+
+_CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
+"""Matrix (4, 4) that maps values at 0, 1, 2, 3 to the coefficients of the cubic through them."""
+
+
+def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
+    return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
+
+
+# values above this fraction of a limit enter the quadratic program, because a step may violate the limit
+_NEAR = 0.6
+_STEP = 1e-5  # relative change of the stiffness in finite differences of the strain
+# reserve in `LargestSection.values`, because the curvature can be larger between nodes
+_SAFETY_SHARE = 0.01
+# relative change of stiffness and curvature in finite differences; smaller changes could fall on a kink
+_TANGENT_STEP = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarginLimit(Constraint):
+    """Condition that the stability margin, divided by the least stiffness, is at least `limit`."""
+
+    limit: float
+    name: str = "margin"
+    title: str | None = "the stability margin"
+    unit: LimitUnit = "number"
+    one_sided: bool = True
+    penalty: float = 1.0
+    near_balance_only: bool = True
+
+    @property
+    def scale(self) -> float:
+        """Difference between limit and margin that is scaled to a violation of 1."""
+        return max(10.0, abs(self.limit))
+
+    def bound(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
+        """Return the limit of the margin."""
+        return self.limit
+
+    def slope(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
+        """Return the change of the value by a unit change of the limit."""
+        return 1 / self.scale
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """Return the rod with its tangent stiffness: the derivative of the moment by the curvature.
+
+        The tangent stiffness resists small disturbances. For Hooke's law it equals the stiffness.
+        """
+        return rod
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return (margin - limit times least stiffness) / scale, as an array (1,)."""
+        mu = self.disturbed(rod).margin.value
+        return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
+        rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
+        u = sensitivities.grid.unknowns
+        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
+        by_stiffness, by_moment = self.chained(rod, d.stiffness)
+        if by_moment is not None:
+            row += by_moment @ sensitivities.moments
+        by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
+        row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
+        row[u.length] += d.length
+        return _all_rows(row[None] / self.scale)
+
+    def chained(
+        self,
+        rod: MappedRod,  # noqa: ARG002 - used by `FollowedMarginLimit`
+        by_tangent: FloatArray,
+    ) -> tuple[FloatArray, FloatArray | None]:
+        """Convert derivatives (n+1,) by the tangent stiffness to derivatives by stiffness and by moment.
+
+        `by_tangent` are the derivatives of the margin by the tangent stiffness. The second result is None if
+        the moment has no effect.
+        """
+        return by_tangent.copy(), None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowedMarginLimit(MarginLimit):
+    """Limit of the stability margin for sections whose stiffness depends on the curvature.
+
+    The margin depends on the tangent stiffness. The tangent stiffness exceeds the stiffness if a strip stiffens
+    as it bends, and is less if a pre-bent strip is bent straight.
+
+    Attributes
+    ----------
+    rest : float or (n+1,) array
+        Natural curvature times the length of the target.
+    size : float
+        Length of the target, the unit of length of the search, mm.
+    """
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """Return the rod with its tangent stiffness in place of its stiffness."""
+
+        def with_tangent_stiffness() -> DiscreteRod:
+            K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
+            return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
+
+        tangent_rod: DiscreteRod = rod.remembered(
+            (FollowedMarginLimit, id(self.section)), with_tangent_stiffness
+        )
+        return tangent_rod
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""
+        K, bend = rod.stiffness, _bend(rod, self.size)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
+        stiffer, softer, more, less = self.section.tangent(
+            K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
+        )
+        by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
+        by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
+        return by_stiffness - by_moment * rod.moments / K, by_moment
+
+
+@dataclass(frozen=True, kw_only=True)
+class LargestSection(Constraint):
+    """Condition that no section of the bent strip exceeds the largest section that the section law allows."""
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+    name: str = "largest section"
+    title: str | None = ""
+    one_sided: bool = True
+    penalty: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return allowed stiffness / present stiffness - 1 - reserve at the nodes (n+1,)."""
+        most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
+        return most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return indices and derivatives of the values at nodes near the largest section: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
+        near = thin_rows(np.flatnonzero(values < _NEAR), -values)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
+        by_stiffness = -by_moment * rod.moments / K - (1 + _SAFETY_SHARE + values) / K
+        return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)
+
+
+def _nodal_rows(
+    sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
+) -> FloatArray:
+    grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
+    rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
+    return np.asarray(rows)
+
+
+def _bend(rod: MappedRod, size: float) -> FloatArray:
+    """Return the change of curvature at the nodes (n+1,), 1/mm. `size` is the unit of length of the rod, mm."""
+    return rod.moments / rod.stiffness / size
+
+
+@dataclass(frozen=True, kw_only=True)
+class BendLimit(Constraint):
+    """Condition that the change of curvature at every node is at most its limit."""
+
+    one_sided: bool = True
+    penalty: float = 1.0
+
+    @abstractmethod
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """Return 1 / (curvature limit * length of the target) at nodes of this `stiffness` (n+1,)."""
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
+        return 1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and derivatives of the values at nodes near the limit: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness, rod.moments
+        share = self.share(K)
+        slope = (self.share(K * (1 + _STEP)) - self.share(K * (1 - _STEP))) / (2 * _STEP * K)
+        by_stiffness = np.abs(M) * (share / K - slope) / K
+        return near, _nodal_rows(sensitivities, near, -np.sign(M) * share / K, by_stiffness)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurvatureLimit(BendLimit):
+    """Condition that the change of curvature at every node is at most the constant `limit`.
+
+    `limit` is a curvature times the length of the target.
+    """
+
+    limit: float
+    name: str = "curvature"
+    title: str | None = "the curvature limit"
+    unit: LimitUnit = "number"
+
+    def bound(self, size: float) -> float:
+        """Return the limit of the curvature, 1/mm."""
+        return self.limit / size
+
+    def slope(self, size: float) -> float:
+        """Return the change of the values by a change of the limit by 1/mm."""
+        return size / self.limit
+
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """Return 1 / `limit` at the nodes (n+1,)."""
+        return np.full(stiffness.shape, 1 / self.limit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainLimit(BendLimit):
+    """Condition that the strain at every node is within its limit."""
+
+    section: SectionScale
+    strain: float | None
+    size: float
+    name: str = "strain"
+    title: str | None = STRAIN_TITLE
+    unit: LimitUnit = "number"
+
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """Return the strain, divided by the strain limit, for a curvature changed by 1 / length of the target.
+
+        The result (n+1,) is for nodes of this `stiffness` (n+1,).
+        """
+        return self.section.strain(stiffness, self.strain) / self.size
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeepOut(Constraint):
+    """Condition that all nodes are outside a region, which is given in mm.
+
+    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are not checked, because they
+    can be on the border.
+    """
+
+    region: HalfPlane | Box
+    size: float
+    origin: tuple[float, float]
+    kept: tuple[bool, bool] = (False, False)
+    name: str = "keep-out"
+    title: str | None = "the keep-out regions"
+    unit: LimitUnit = "length"
+    one_sided: bool = True
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return the distances of the nodes from the region (n+1,), divided by `size`."""
+        return self._clearance(rod)[0]
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the indices and derivatives of the values at nodes near the region: see `Constraint.rows`."""
+        rod = sensitivities.rod
+        value, gradient = self._clearance(rod)
+        near = thin_rows(np.flatnonzero(value < 0.1), -value)
+        d = sensitivities.position[near]
+        return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
+
+    def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+        value, gradient = self.region.clearance(rod.position * self.size + self.origin)
+        value = value / self.size
+        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
+        return value, gradient
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeastStiffness(Constraint):
+    """Condition that the least stiffness of the rod is 1, so that bounds are multiples of the least stiffness."""
+
+    name: str = "stiffness bounds"
+    title: str | None = "the stiffness bounds"
+    one_sided: bool = True
+    penalty: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Return 1 minus the least stiffness (1,).
+
+        The constraint requires values of at least 0. The bounds of the coefficients keep the value at most 0.
+        """
+        return np.array([1 - rod.stiffness.min()])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Return the index and the derivatives of the value: see `Constraint.rows`."""
+        grid, rod = sensitivities.grid, sensitivities.rod
+        row = np.zeros((1, sensitivities.angles.shape[1]))
+        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        return _all_rows(row)

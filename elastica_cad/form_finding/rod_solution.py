@@ -1,0 +1,109 @@
+"""Solution of a request for a rod: the rod that takes the curve, or the nearest rod within limits."""
+
+from dataclasses import replace
+from typing import Any
+
+from elastica_cad._values import require_record
+from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
+from elastica_cad.form_finding.nearest_record import NearestRod, Status
+from elastica_cad.form_finding.rod_spec import RodSpec
+from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
+from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.optimal_balance import OverloadError
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import PlainSection, WidthRange
+from elastica_cad.mechanics.theorem1 import crossing_notes
+from elastica_cad.refusals import FieldName, Length, note
+
+
+def solve_rod(spec: RodSpec) -> Rod | NearestRod:
+    """Return the rod that is at rest in the curve, or the nearest rod if the curve may change.
+
+    Raises
+    ------
+    NotRealizable
+        No rod takes the curve, and the curve may not change.
+    InputError, NotConvergedError
+        See `optimal_rod`, `optimal_laminate` and `nearest_rod`.
+    """
+    curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
+    if (spec.between or spec.point_forces) and (spec.may_change or layers is not None):
+        raise InputError(
+            "A strip with rails, pins, ties or point forces must be of one sheet and follow the drawn curve "
+            "exactly. Leave out the backing and {limits}, or these elements.",
+            limits=FieldName("limits"),
+        )
+    weight = _weight_on(spec.weight, curve.length / spec.curve.length)
+    smoothed: Any = {"curve": curve, "smooth": 0.0, "weight": weight}
+    if spec.may_change:
+        from elastica_cad.form_finding.nearest_search import find_nearest
+
+        return find_nearest(replace(spec, **smoothed))
+    if layers is not None and spec.gravity is not None:
+        gravity = filled_gravity(layers.section, spec.gravity.direction)
+        return laminate_of_request(replace(spec, **smoothed, gravity=gravity), layers).rod
+    bounds: Any = {} if widths is None else widths.stiffness
+    try:
+        rod = rod_of_request(replace(spec, **smoothed, known_check=spec.check, drawn=spec.curve, **bounds))
+    except OverloadError as error:
+        raise (error if widths is None else _overload_refusal(widths, error)) from None
+    return rod if widths is None else _with_widest(rod, widths)
+
+
+def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
+    if weight is None:
+        return None
+    return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
+
+
+WIDTH_TOLERANCE_MM = 0.1
+"""Difference between the largest width and `max_width`, mm, above which a warning is added."""
+
+
+def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
+    widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
+    if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
+        return rod
+    warning = note(
+        "The load on the strip determines its width: the widest place is {widest:.4g} wide, not {largest:g} "
+        "({field}).",
+        field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
+    )  # fmt: skip
+    return replace(rod, warnings=(*rod.warnings, warning))
+
+
+def _overload_refusal(widths: WidthRange, error: OverloadError) -> InputError:
+    needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
+    changes, otherwise = [Change("max_width", needed)], ""
+    if error.thickening is not None:
+        thickness = rounded_up(error.thickening * widths.sheet.thickness, 4)
+        changes.append(Change("thickness", thickness))
+        otherwise = note(", or use a sheet {thickness:.4g} thick or thicker", thickness=Length(thickness))
+    return InputError(
+        "No strip between {least:.4g} and {largest:.4g} wide carries this load. Set {field} to {needed:.4g} "
+        "or more{otherwise}.",
+        field=FieldName("max_width"),
+        least=Length(widths.least),
+        largest=Length(widths.largest or 0.0),
+        needed=Length(needed),
+        otherwise=otherwise,
+        where={"field": "max_width"},
+        changes=changes,
+    )
+
+
+def accepted_rod(result: Rod | NearestRod) -> Rod:
+    """Return the rod of a result, with the warnings of the search, and of a curve that crosses itself.
+
+    Raises
+    ------
+    NotMetError
+        No rod near the curve meets the limits. The message has suggestions.
+    """
+    if isinstance(result, Rod):
+        return result
+    require_record(result, NearestRod, "what was found", "a Rod or NearestRod")
+    if not result.met:
+        raise NotMetError(str(result))
+    rod, status = result.rod, () if result.status is Status.MET else (result.status.value,)
+    return replace(rod, warnings=(*rod.warnings, *crossing_notes(rod.curve), *status))
