@@ -65,7 +65,7 @@ class TabSeat:
 
     Examples
     --------
-    >>> seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
+    >>> seat = TabSeat.pocket(length=10, thickness=0.8, clearance=0.15)
     >>> [round(float(np.degrees(turn)), 2) for turn in seat.turning]
     [-1.72, 1.72]
     """
@@ -87,14 +87,14 @@ class TabSeat:
             object.__setattr__(self, side, edges.reshape(-1, 2))
 
     @classmethod
-    def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
-        """Return a straight pocket around the tab, with a gap of `play` mm on each face."""
+    def pocket(cls, length: float, thickness: float, clearance: float, *, name: str = "pocket") -> "TabSeat":
+        """Return a straight pocket around the tab, with a gap of `clearance` mm on each face."""
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
-        if not (is_number(play) and play >= 0):
-            raise InputError(f"{name}: play (the clearance of the tab) is {play!r} mm: give 0 or more")
+        if not (is_number(clearance) and clearance >= 0):
+            raise InputError(f"{name}: clearance is {clearance!r} mm: give 0 or more")
         into = np.linspace(0.0, length, WALL_PLACES)
-        half = np.full(into.size, thickness / 2 + play)
+        half = np.full(into.size, thickness / 2 + clearance)
         return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
 
     @cached_property
@@ -409,7 +409,7 @@ def rest_in_seats(
         raise NotConvergedError(
             problem.without_room(q)
             if penalty > OVERLAP_PENALTY and problem.walls(q)[1].min() < -OVERLAP_FRACTION * design.length
-            else "the strip is loose in its holders and finds no rest position: reduce the play, or hold the "
+            else "the strip is loose in its holders and finds no rest position: reduce the clearance, or hold the "
             "tabs with screws or glue"
         )
     poses = [EndPose(), EndPose()]
@@ -467,7 +467,7 @@ class _ContactProblem:
         end = "end" if seated_end.index else "start"
         return note(
             "the tab at the {end} does not fit into its {seat}: in every position the tab overlaps the "
-            "material by at least {depth:.2g}. Increase the clearance (`play`)",
+            "material by at least {depth:.2g}. Increase the clearance",
             end=end, seat=seated_end.seat.name, depth=Length(-gap),
         )  # fmt: skip
 

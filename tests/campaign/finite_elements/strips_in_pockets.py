@@ -65,5 +65,5 @@ def held_in_pockets(strip: Strip, folder: Path, *, name: str, size: float = SIZE
     )
     strayed = body.nodes + answer.displacement - on_curve(curve, body.nodes)
     _, middle = middle_line(body, strayed, length)
-    seat = TabSeat.pocket(length=depth, thickness=sheet.thickness, play=PLAY_MM)
+    seat = TabSeat.pocket(length=depth, thickness=sheet.thickness, clearance=PLAY_MM)
     return Held(name, length, float(np.hypot(*middle.T).max()), strip.held(seat, seat).deviation)
