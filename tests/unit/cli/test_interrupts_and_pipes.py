@@ -7,6 +7,7 @@ import pytest
 
 from elastica_cad import cli
 from elastica_cad._process import interrupts_held
+from elastica_cad.cli.commands import elastica
 from elastica_cad.cli.voice import Voice, progress_shown
 
 
@@ -78,10 +79,10 @@ def test_ctrl_c_while_a_class_is_made_ends_the_command_without_a_traceback(monke
         def __set_name__(self, owner, name):
             raise KeyboardInterrupt
 
-    def interrupted(*_):
+    def interrupted(**_):
         type("Imported", (), {"place": Pressed()})
 
-    monkeypatch.setattr(cli, "_run", interrupted)
+    monkeypatch.setattr(elastica, "main", interrupted)
     with pytest.raises(SystemExit) as ended:
         cli.main(["--version"])
     assert ended.value.code == 130

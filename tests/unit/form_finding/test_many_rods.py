@@ -19,7 +19,7 @@ from elastica_cad import (
     nearest_rod,
     nearest_rods,
 )
-from elastica_cad.form_finding import many_rods, stream_nearest_rods
+from elastica_cad.form_finding import stream_nearest_rods
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
@@ -170,16 +170,23 @@ def test_a_stream_whose_worker_dies_goes_on():
     assert [found[i].status for i in range(3)] == [Status.MET, Status.FAILED, Status.FAILED]
 
 
-def test_a_list_keeps_any_number_of_workers_busy(monkeypatch):
-    """Each task waits until as many have begun as there are workers."""
-    begun = Barrier(WORKERS)
-    failed = NearestRod.failure(ARCHES[0], "", None, None)
+FAILED = NearestRod.failure(ARCHES[0], "", None, None)
+BEGUN = Barrier(WORKERS)
 
-    def attempted(_):
-        begun.wait(timeout=20)
-        return failed
 
-    monkeypatch.setattr(many_rods, "_attempted", attempted)
-    with ThreadPoolExecutor(WORKERS) as executor:
+class Together(ThreadPoolExecutor):
+    """Answers every task with a failure, once as many have begun as there are workers."""
+
+    def submit(self, fn, /, *_):
+        del fn
+        return super().submit(self.answered)
+
+    def answered(self):
+        BEGUN.wait(timeout=20)
+        return FAILED
+
+
+def test_a_list_keeps_any_number_of_workers_busy():
+    with Together(WORKERS) as executor:
         answers = nearest_rods(ARCHES[:1] * WORKERS, Limits(ratio=1.3), executor=executor)
-    assert all(near is failed for near in answers)
+    assert all(near is FAILED for near in answers)

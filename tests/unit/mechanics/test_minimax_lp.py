@@ -34,7 +34,7 @@ def ellipse_rows(n, a=2.0, b=1.0):
 def solver(request, monkeypatch):
     """The exchange of vertices as usual, or HiGHS in its place, which inside FreeCAD is scipy's."""
     if request.param != "exchanged":
-        monkeypatch.setattr(minimax_lp.MinimaxProgram, "_exchanged", lambda _: None)
+        monkeypatch.setattr(minimax_lp, "METHOD", minimax_lp.Exchange(most=0))
     if request.param == "scipy":
         monkeypatch.setitem(sys.modules, "highspy", None)
 
@@ -148,8 +148,9 @@ def test_least_variation_is_that_of_the_program_as_it_is_written(numbers, seed):
 def test_highs_is_silent():
     """Of late it prints its name as it is made, past Python, into what programs read."""
     words = (
-        "import numpy as np; from elastica_cad.mechanics.minimax_lp import _by_highs; "
-        "_by_highs(np.eye(2), np.ones(2))"
+        "import numpy as np; from elastica_cad.mechanics import minimax_lp; "
+        "minimax_lp.METHOD = minimax_lp.Exchange(most=0); "
+        "minimax_lp.minimax_ratio(np.linspace((1, -1, 1), (1, 1, 2), 9))"
     )
     ran = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)
     assert ran.stdout == ran.stderr == ""
