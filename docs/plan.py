@@ -19,6 +19,7 @@ ROOTS = {
 
 FLOORS = (
     ("elastica_cad.cli", "command line"),
+    ("elastica_cad.web", "the page"),
     ("elastica_cad.kit", "a folder of files for a strip or a model"),
     ("elastica_cad.files", "format by file name"),
     ("elastica_cad.plot", "pictures (matplotlib)"),
@@ -42,9 +43,6 @@ BESIDE = {"plot", "build123d", "cadquery", "kernel"}
 
 DIVIDED = ("geometry", "mechanics", "form_finding", "strip", "formats", "model", "pairs", "design", "paper")
 """Packages that are drawn with their modules."""
-
-FIRST = ("geometry", "mechanics", "form_finding", "strip", "formats")
-"""The part to read first: nothing in it needs the packages above it."""
 
 WAY = {
     1: ("cli", "options and file names become one request"),
@@ -221,16 +219,16 @@ def packages() -> str:
 
 
 def reading_order() -> str:
-    """The modules of the part to read first, in the order of their imports, with the first line of each."""
+    """The modules of every package, in the order of their imports, with the first line of each."""
     files = modules()
     lines = []
-    for package in FIRST:
-        lines += [f"\n### {package}\n\n| module | what it holds |", "| --- | --- |"]
-        inside = ranks(parts_of(f"elastica_cad.{package}"))
+    for floor, _ in reversed(FLOORS):
+        inside = ranks(parts_of(floor))
+        if not inside:
+            continue
+        lines += [f"\n### {floor.partition('.')[2]}\n\n| module | what it holds |", "| --- | --- |"]
         for name in sorted(inside, key=lambda name: (inside[name], name)):
-            text = ast.get_docstring(
-                ast.parse(files[f"elastica_cad.{package}.{name}"].read_text(encoding="utf-8"))
-            )
+            text = ast.get_docstring(ast.parse(files[f"{floor}.{name}"].read_text(encoding="utf-8")))
             title = (text or "").split("\n", maxsplit=1)[0].replace("|", "\\|")
             lines.append(f"| `{name}` | {title} |")
     return "\n".join(lines) + "\n"
