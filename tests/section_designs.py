@@ -16,7 +16,7 @@ from elastica_cad import (
     nearest_rod,
     optimal_rod,
 )
-from elastica_cad.mechanics import LaminatedSection, RoundLaw, ThicknessLaw, WidthLaw, optimal_laminate
+from elastica_cad.mechanics import LaminatedSection, PlainSection, RoundLaw, ThicknessLaw, optimal_laminate
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.012)
 RUBBERY = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05, poisson_ratio=0.4)
@@ -46,7 +46,7 @@ class Design:
         if self.law in ("rod", "tube"):
             return RoundLaw(sheet, 1.0, 8.0, bore=0.7 if self.law == "tube" else 0.0)
         sheet = sheet if self.law == "plate" else Sheet("even", 2.0, 5000.0, 1200.0, 0.05, poisson_ratio=0.0)
-        return WidthLaw(sheet, 5.0, 120.0)
+        return PlainSection(sheet, 5.0, 120.0)
 
     def rod(self):
         gravity = Gravity(1.0) if self.heavy else None

@@ -57,7 +57,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length as MmLength
@@ -282,7 +282,7 @@ def _initial_strip(curve: Path | None, chosen: dict[str, Any], settings: dict[st
     if curve is None:
         sheet, widest = requested_sheet(chosen), chosen["max_width"]
         rod = Rod.straight(
-            chosen["straight"], gravity=_gravity(chosen), section=WidthLaw.as_plate(sheet, widest)
+            chosen["straight"], gravity=_gravity(chosen), section=PlainSection.as_plate(sheet, widest)
         )
         return Strip(rod, sheet, max_width=widest)
     table = given_of(chosen, ("sheet", "thickness", "max_width", "smooth"))

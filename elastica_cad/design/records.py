@@ -30,7 +30,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, Section, ThicknessLaw
 from elastica_cad.refusals import Either
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
@@ -119,7 +119,7 @@ def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
 BY_KIND: dict[Record, dict[str, Record]] = {
     Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
-    BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
+    Section: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
 """Kinds of a record, by the value of the key `kind`. The first kind is the default."""
 
@@ -385,7 +385,7 @@ def title(record: Record) -> str:
     """
     word = word_of(record)
     kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")
-    return f"{'law' if 'law' in kinds else kinds} {word}" if word else name_of(record)
+    return f"{kinds} {word}" if word else name_of(record)
 
 
 def described(record: Record) -> list[dict[str, Any]]:

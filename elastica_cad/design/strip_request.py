@@ -24,7 +24,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.optimal_balance import carried_weight, refuse_below_limits
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import PlainSection, WidthLaw
+from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import NominalRatio, Sheet
 from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.strip.held_shape import MakingTolerance
@@ -42,10 +42,10 @@ RECORDS = {
     for record in (
         End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Pin,
         Plain, PointForce, PointMass, Profile, Rail, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab,
-        ThicknessLaw, Tie, TSlot, Weight, WidthLaw,
+        ThicknessLaw, Tie, TSlot, Weight,
     )
-}  # fmt: skip
-"""Record classes in a request, by their names in a report."""
+} | {"WidthLaw": PlainSection}  # fmt: skip
+"""Record classes in a request, by their names in a report. A name does not change with its class."""
 
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
 """Fields of `StripSpec` without effect on a finished strip."""

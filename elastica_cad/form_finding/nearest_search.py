@@ -42,7 +42,7 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, require_section
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, Section, require_section
 from elastica_cad.refusals import note
 
 
@@ -424,7 +424,7 @@ def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float
         return None
 
 
-def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
+def _rod_on_curve(request: RodSpec, section: Section | None) -> Rod:
     return rod_of_request(replace(request, section=section, samples=None))
 
 
@@ -479,7 +479,7 @@ def nearest_rod(
     measure: Measure = "mean",
     samples: int = SEARCH_SAMPLES,
     coefficients: int | None = None,
-    section: BoundedLaw | None = None,
+    section: Section | None = None,
     natural_curvature: NaturalCurvature = 0.0,
     start: NearestRod | None = None,
 ) -> NearestRod:
@@ -512,7 +512,7 @@ def nearest_rod(
     coefficients : int
         Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each
         half turn of the curve.
-    section : BoundedLaw, optional
+    section : Section, optional
         Section law, as in `optimal_rod`. The limits of the section also limit the stiffness ratio. With
         gravity, the rod carries the weight of its sections, and only the direction of gravity has an effect.
         `limits.sheet` limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_w
 from elastica_cad.mechanics.loads import Supports, Weight
 from elastica_cad.mechanics.optimal_balance import tangent_weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
-from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.refusals import BareLength, Length
 
 
@@ -87,12 +87,12 @@ class SectionScale:
         Largest K.
     """
 
-    law: BoundedLaw
+    law: Section
     scale: float
     ratio: float
 
     @classmethod
-    def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
+    def of(cls, law: Section, limits: Limits, *, heavy: bool) -> "SectionScale":
         """Return the relation between E I and K for a section law. A `heavy` rod gets the largest scale.
 
         Without weight, the shape does not depend on the scale. The scale then allows the largest curvature, because

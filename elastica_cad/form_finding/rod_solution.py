@@ -3,6 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from elastica_cad._values import require_record
 from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.form_finding.nearest_record import NearestRod, Status
@@ -11,7 +13,7 @@ from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_reque
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import PlainSection, WidthRange
+from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.theorem1 import crossing_notes
 from elastica_cad.refusals import FieldName, Length, note
 
@@ -42,7 +44,7 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     if layers is not None and spec.gravity is not None:
         gravity = filled_gravity(layers.section, spec.gravity.direction)
         return laminate_of_request(replace(spec, **smoothed, gravity=gravity), layers).rod
-    bounds: Any = {} if widths is None else widths.stiffness
+    bounds: Any = {} if widths is None else _stiffness_limits(widths)
     try:
         rod = rod_of_request(replace(spec, **smoothed, known_check=spec.check, drawn=spec.curve, **bounds))
     except OverloadError as error:
@@ -56,13 +58,25 @@ def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
     return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
 
 
+WIDTH_SHARE = 1e-6
+"""Relative increase of the least width, so that rounding errors do not make a strip narrower than the limit."""
+
+
+def _stiffness_limits(widths: PlainSection) -> dict[str, float]:
+    """Return arguments of `optimal_rod`: bending stiffnesses, N mm2, by name."""
+    if np.isinf(widths.largest):
+        return {"bending_stiffness": widths.rigidity * widths.least * (1 + WIDTH_SHARE)}
+    limits = {"least_stiffness": widths.least, "largest_stiffness": widths.largest}
+    return {name: widths.rigidity * width for name, width in limits.items() if width}
+
+
 WIDTH_TOLERANCE_MM = 0.1
 """Difference between the largest width and `max_width`, mm, above which a warning is added."""
 
 
-def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
-    if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
+def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
+    widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / widths.rigidity
+    if np.isinf(widths.largest) or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
     warning = note(
         "The load on the strip determines its width: the widest place is {widest:.4g} wide, not {largest:g} "
@@ -72,8 +86,8 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
     return replace(rod, warnings=(*rod.warnings, warning))
 
 
-def _overload_refusal(widths: WidthRange, error: OverloadError) -> InputError:
-    needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
+def _overload_refusal(widths: PlainSection, error: OverloadError) -> InputError:
+    needed = rounded_up(error.needed / widths.rigidity, 4)
     changes, otherwise = [Change("max_width", needed)], ""
     if error.thickening is not None:
         thickness = rounded_up(error.thickening * widths.sheet.thickness, 4)
@@ -84,7 +98,7 @@ def _overload_refusal(widths: WidthRange, error: OverloadError) -> InputError:
         "or more{otherwise}.",
         field=FieldName("max_width"),
         least=Length(widths.least),
-        largest=Length(widths.largest or 0.0),
+        largest=Length(widths.largest),
         needed=Length(needed),
         otherwise=otherwise,
         where={"field": "max_width"},

@@ -11,7 +11,7 @@ from elastica_cad.form_finding.limits import Keep, Limits, Measure
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import LaminateLayers
 from elastica_cad.mechanics.moment_conditions import RodRequest
-from elastica_cad.mechanics.sections import WidthRange
+from elastica_cad.mechanics.sections import PlainSection
 
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
@@ -30,8 +30,8 @@ class RodSpec(RodRequest):
         Layers of a laminate that carries its own weight.
     smooth : float, optional
         Largest distance that smoothing may move the curve, mm: see `smooth_curve`.
-    widths : WidthRange, optional
-        Limits of the width of a solid strip that carries loads.
+    widths : PlainSection, optional
+        Section with limits of its width, for a solid strip that carries loads.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
     """
@@ -40,7 +40,7 @@ class RodSpec(RodRequest):
     keep: Keep | None = None
     layers: LaminateLayers | None = None
     smooth: float | None = None
-    widths: WidthRange | None = None
+    widths: PlainSection | None = None
     weights: Weights = None
     measure: Measure = "mean"
     coefficients: int | None = None

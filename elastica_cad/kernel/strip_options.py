@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from elastica_cad.kernel.strip_body import Point
     from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
     from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
-    from elastica_cad.mechanics.stiffness_law import BoundedLaw
+    from elastica_cad.mechanics.stiffness_law import Section
     from elastica_cad.strip.held_shape import MakingTolerance
     from elastica_cad.strip.outline import Tab
     from elastica_cad.strip.slots import Slot
@@ -78,7 +78,7 @@ class StripOptions(TypedDict, total=False):
     ]
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[
-        "BoundedLaw | None",
+        "Section | None",
         "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]

@@ -46,7 +46,6 @@ from elastica_cad.mechanics.sections import (
     crack_energy as crack_energy,
     PerforatedSection as PerforatedSection,
     PlainSection as PlainSection,
-    WidthLaw as WidthLaw,
 )
 from elastica_cad.mechanics.sheets import (
     load_sheets as load_sheets,
@@ -68,12 +67,12 @@ from elastica_cad.mechanics.stability_limits import (
     StabilityLimit as StabilityLimit,
 )
 from elastica_cad.mechanics.stiffness_law import (
-    BoundedLaw as BoundedLaw,
     LaidLeaves as LaidLeaves,
     Leaf as Leaf,
     LeavesLaw as LeavesLaw,
     RoundLaw as RoundLaw,
-    StiffnessLaw as StiffnessLaw,
+    Section as Section,
+    SectionLayer as SectionLayer,
     ThicknessLaw as ThicknessLaw,
 )
 from elastica_cad.mechanics.support_search import suggest_support as suggest_support

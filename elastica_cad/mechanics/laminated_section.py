@@ -7,29 +7,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_positive
+from elastica_cad._values import EqualByValue, is_number, numbers, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.loads import Weight
-from elastica_cad.mechanics.section_limits import LIMIT_SLACK, LayerStrain, ScaleRange, matched, positive
-from elastica_cad.mechanics.sections import areal_weight, layer_strain
+from elastica_cad.mechanics.section_limits import LIMIT_SLACK, ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import PLAUSIBLE, Sheet
-from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
+from elastica_cad.mechanics.stiffness_law import Section, SectionLayer, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
 """Relative tolerance of the limits on stiffness, larger than the error 1e-6 of the stiffness between nodes."""
 
 
-@dataclass(frozen=True)
-class LaminatedSection:
+@dataclass(frozen=True, eq=False)
+class LaminatedSection(EqualByValue, Section):
     """Two rectangular layers glued together, with the exact bending stiffness about the common neutral axis.
 
-    The base (width w1, thickness h1) is the outline; the backing (w2 <= w1, h2) adds stiffness. Each layer has
-    its own Young's modulus E_i along the strip, because the grain of plywood may be parallel or perpendicular to
-    it. The paper's formula (section 8.1) keeps the neutral axis of the base, and its stiffness is 12 to 37 % too
-    low at h1/h2 = 1/2. With A_i = E_i w_i h_i and d = (h1 + h2)/2, the bending stiffness is
+    The base (width w1, thickness h1) is the outline; the backing (w2 <= w1, h2) adds stiffness, and its width is
+    the parameter of the section. Each layer has its own Young's modulus E_i along the strip, because the grain of
+    plywood may be parallel or perpendicular to it. The paper's formula (section 8.1) keeps the neutral axis of
+    the base, and its stiffness is 12 to 37 % too low at h1/h2 = 1/2. With A_i = E_i w_i h_i and d = (h1 + h2)/2,
+    the bending stiffness is
 
         E I = (A1 h1^2 + A2 h2^2) / 12 + d^2 A1 A2 / (A1 + A2)
 
@@ -37,39 +37,51 @@ class LaminatedSection:
     ----------
     base, backing : Sheet
         Sheet of the base, and sheet of the layer that is glued on.
+    base_width : float or (n,) array
+        Width of the base, mm; set by `on`.
+    limits : (float, float)
+        Least and largest width of the backing, mm. With a finite largest width, `parameter` clips to the limits.
 
     Examples
     --------
     >>> card = Sheet("card", 1.0, 12.0, density=600.0, max_strain=0.01)
-    >>> section = LaminatedSection(card, card)
-    >>> section.bending_stiffness(10.0, [0.0, 10.0]).round(9).tolist()
+    >>> section = LaminatedSection(card, card).on(10.0)
+    >>> section.bending_stiffness([0.0, 10.0]).round(9).tolist()
     [10.0, 80.0]
-    >>> section.backing_width(10.0, 80.0).round(9).item()
+    >>> section.parameter(80.0).round(9).item()
     10.0
     """
 
     base: Sheet
     backing: Sheet
+    base_width: float | FloatArray = 1.0
+    limits: tuple[float, float] = (0.0, np.inf)
 
-    def on(self, base_width: ArrayLike) -> "BackingLaw":
-        """Return the stiffness law of backings on a base of the given width, mm; a number or (n,)."""
-        return BackingLaw(self, positive(base_width, "base width"))
+    def on(self, base_width: ArrayLike) -> "LaminatedSection":
+        """Return the section with a base of the given width, mm; a number or (n,)."""
+        return replace(self, base_width=positive(base_width, "base width"))
+
+    @property
+    def quantity(self) -> str:
+        """Name of the parameter: width of the backing."""
+        return "backing"
 
     @property
     def thickness(self) -> float:
         """Whole thickness, mm."""
         return self.base.thickness + self.backing.thickness
 
-    def bending_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the bending stiffness E I (n,), N mm2, for widths (n,), mm, of base and backing."""
-        return self._stiffness(*self._widths(base_width, backing_width))
+    def bending_stiffness(self, backing_width: ArrayLike) -> FloatArray:
+        """Return the bending stiffness E I (n,), N mm2, for widths (n,), mm, of the backing."""
+        return stack_stiffness(self._stack(*self._widths(backing_width)))
 
-    def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2."""
-        w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
-        w1, EI = matched(w1, EI)
-        least, most = self._stiffness(w1, 0.0 * w1), self._stiffness(w1, w1)
+        if np.isfinite(self.limits[1]):
+            EI = np.clip(EI, *self.bending_stiffness(np.array(self.limits)))
+        w1, EI = matched(positive(self.base_width, "base width"), EI)
+        least, most = (stack_stiffness(self._stack(w1, w2)) for w2 in (0.0 * w1, w1))
         _refuse_stations(
             least * (1 - _TOUCH_SHARE) > EI,
             EI,
@@ -80,9 +92,8 @@ class LaminatedSection:
             EI,
             "more than that of two full layers: widen the base or reduce the stiffness",
         )
-        A1, _ = self._axial_stiffness(w1, 0.0 * w1)
-        _, h2, d = self._heights
-        p = h2**2 / 12
+        A1 = self.base.youngs_modulus * self.base.thickness * w1
+        p, d = self.backing.thickness**2 / 12, self.thickness / 2
         # p x^2 + q x = D A1 for x = E A of the backing, A1 = E A of the base, and the missing stiffness D
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
@@ -90,80 +101,41 @@ class LaminatedSection:
         # avoid cancellation for both signs of q
         safe = np.where(q > 0, q + root, 1.0)
         x = np.where(q > 0, 2 * D * A1 / safe, (root - q) / (2 * p))
-        return np.minimum(x / (self.backing.youngs_modulus * h2), w1)
+        w2 = x / (self.backing.youngs_modulus * self.backing.thickness)
+        least_width, largest_width = self.limits
+        return np.clip(w2, least_width, np.minimum(largest_width, w1))
 
-    def stiffening(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
+    def stiffening(self, backing_width: ArrayLike) -> FloatArray:
         """Return the derivative (n,) of E I by the width of the backing, N mm; always positive."""
-        w1, w2 = self._widths(base_width, backing_width)
-        A1, A2 = self._axial_stiffness(w1, w2)
-        _, h2, d = self._heights
-        per_width = self.backing.youngs_modulus * h2
-        return np.asarray(per_width * (h2**2 / 12 + (d * A1 / (A1 + A2)) ** 2))
+        h = self.backing.thickness
+        lever = self.thickness - h / 2 - self.neutral_axis(backing_width)
+        return np.asarray(self.backing.youngs_modulus * h * (h**2 / 12 + lever**2))
 
-    def neutral_axis(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
+    def neutral_axis(self, backing_width: ArrayLike) -> FloatArray:
         """Return the height (n,) of the neutral axis above the free face of the base, mm."""
-        w1, w2 = self._widths(base_width, backing_width)
-        A1, A2 = self._axial_stiffness(w1, w2)
-        h1, _, d = self._heights
-        return np.asarray(h1 / 2 + d * A2 / (A1 + A2))
+        return _axes_of(self._stack(*self._widths(backing_width)))[-1]
 
-    def distances(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return the distances (n,) of the outermost fibres of base and backing from the neutral axis, mm.
-
-        The distance for the backing is 0 at stations without a backing.
-        """
-        axis = self.neutral_axis(base_width, backing_width)
-        glue = np.abs(axis - self.base.thickness)
-        there = np.broadcast_to(np.asarray(backing_width, dtype=float) > 0, axis.shape)
-        return np.maximum(axis, glue), np.where(there, np.maximum(self.thickness - axis, glue), 0.0)
-
-    def strains(
-        self,
-        curvature: ArrayLike,
-        base_width: ArrayLike,
-        backing_width: ArrayLike,
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, LayerStrain]:
-        """Return the strains of base and backing from the distances of their fibres to the neutral axis.
-
-        Parameters
-        ----------
-        curvature : (n,) array_like
-            Curvature, 1/mm; its sign has no effect without a natural curvature.
-        base_width, backing_width : (n,) array_like
-            Widths of the layers, mm.
-        natural_curvature : float
-            Curvature of the unloaded laminate, 1/mm.
-        """
-        bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
-        outer, inner = self.distances(base_width, backing_width)
-        return layer_strain(self.base, outer, bend), layer_strain(self.backing, inner, bend)
-
-    def curvature_limit(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the largest change of curvature (n,), 1/mm, that both layers withstand."""
-        outer, inner = self.distances(base_width, backing_width)
-        return np.minimum(
-            self.base.max_strain / outer,
-            np.where(inner > 0, self.backing.max_strain / np.where(inner > 0, inner, 1.0), np.inf),
+    def layers(self, backing_width: ArrayLike) -> tuple[SectionLayer, SectionLayer]:
+        """Return base and backing. The distance for the backing is 0 at stations without a backing."""
+        w1, w2 = self._widths(backing_width)
+        h1, h2 = self.base.thickness, self.backing.thickness
+        axis = self.neutral_axis(w2)
+        glue = np.abs(axis - h1)
+        inner = np.where(w2 > 0, np.maximum(self.thickness - axis, glue), 0.0)
+        return (
+            SectionLayer(self.base, h1 * w1, np.maximum(axis, glue)),
+            SectionLayer(self.backing, h2 * w2, inner),
         )
 
-    def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the weight per length (n,), N/mm, which is linear in both widths (n,), mm."""
-        w1, w2 = self._widths(base_width, backing_width)
-        return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
-
-    def weight(
-        self, s: ArrayLike, base_width: ArrayLike, stiffness: ArrayLike, bending_stiffness: float
-    ) -> Weight:
+    def weight(self, s: ArrayLike, stiffness: ArrayLike, bending_stiffness: float) -> Weight:
         """Return the weight per length alpha(s) + beta(s) K, linearised at the given relative stiffness K.
 
         Parameters
         ----------
         s : (n,) array_like
             Arc length of the stations, mm.
-        base_width, stiffness : (n,) array_like
-            Width of the base, mm, and relative stiffness K.
+        stiffness : (n,) array_like
+            Relative stiffness K.
         bending_stiffness : float
             E I where K = 1, N mm2.
 
@@ -173,19 +145,14 @@ class LaminatedSection:
         method.
         """
         require_positive(bending_stiffness, "bending stiffness", "N mm2")
-        K, w1 = matched(positive(stiffness, "stiffness"), positive(base_width, "base width"))
-        w2 = self.backing_width(w1, bending_stiffness * K)
-        beta = areal_weight(self.backing) * bending_stiffness / self.stiffening(w1, w2)
-        alpha = self.weight_per_length(w1, w2) - beta * K
+        K = positive(stiffness, "stiffness")
+        w2 = self.parameter(bending_stiffness * K)
+        per_width = self.backing.specific_weight * self.backing.thickness
+        beta = per_width * bending_stiffness / self.stiffening(w2)
+        alpha = self.weight_per_length(w2) - beta * K
         return Weight(alpha=Profile.interpolate(s, alpha), beta=Profile.interpolate(s, beta))
 
-    def axial_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the axial stiffness E A (n,), N, for widths (n,), mm, of base and backing."""
-        return np.asarray(sum(self._axial_stiffness(*self._widths(base_width, backing_width))))
-
-    def scale_range(
-        self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
-    ) -> ScaleRange:
+    def scale_range(self, stiffness: ArrayLike, *, least_backing: float = 0.0) -> ScaleRange:
         """Return the scales c for which a laminate of bending stiffness c K can be built (paper, section 8.1).
 
         K is the relative stiffness. Everywhere the width of the backing is at least `least_backing` and at most
@@ -193,34 +160,29 @@ class LaminatedSection:
 
         Parameters
         ----------
-        base_width, stiffness : (n,) array_like
-            Width of the base, mm, and relative stiffness K.
+        stiffness : (n,) array_like
+            Relative stiffness K.
         least_backing : float
             Least width of backing that can be cut and glued, mm; on a narrower base, the backing has its full
             width.
         """
-        w1 = positive(base_width, "base width")
+        w1 = positive(self.base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
             raise InputError(f"least backing width is {least_backing!r}: give 0 or more, in mm")
-        return ScaleRange.of(
-            self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
-        )
+        least, most = (stack_stiffness(self._stack(w1, w2)) for w2 in (np.minimum(least_backing, w1), w1))
+        return ScaleRange.of(least, most, stiffness)
 
-    def thickness_ratio(
-        self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
-    ) -> float:
+    def thickness_ratio(self, stiffness: ArrayLike, *, least_backing: float = 0.0) -> float:
         """Return the largest ratio of base thickness to backing thickness that can be built with this base.
 
         Smaller ratios, with a thicker backing, are possible too. The result is inf if the thinnest
         backing that a sheet can be, a thousandth of a millimetre, is thick enough.
         """
-        K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
+        K = positive(stiffness, "stiffness")
 
         def feasible(thickness: float) -> bool:
             backing = replace(self.backing, thickness=thickness, thickness_range=None)
-            return (
-                LaminatedSection(self.base, backing).scale_range(w1, K, least_backing=least_backing).feasible
-            )
+            return replace(self, backing=backing).scale_range(K, least_backing=least_backing).feasible
 
         thin, thick, _ = PLAUSIBLE["thickness_mm"]
         if feasible(thin):
@@ -231,7 +193,7 @@ class LaminatedSection:
                 "stiffness ratio of {given:.4g}, whatever the thickness of the backing: reduce "
                 "`least_backing`",
                 least_backing=Length(least_backing),
-                least=Length(w1.min()),
+                least=Length(np.min(self.base_width)),
                 given=K.max() / K.min(),
             )
         while thick / thin > 1 + 1e-12:
@@ -239,23 +201,11 @@ class LaminatedSection:
             thin, thick = (thin, middle) if feasible(middle) else (middle, thick)
         return self.base.thickness / thick
 
-    @property
-    def _heights(self) -> tuple[float, float, float]:
-        return self.base.thickness, self.backing.thickness, self.thickness / 2
+    def _stack(self, base_width: FloatArray, backing_width: FloatArray) -> list[tuple[Sheet, FloatArray]]:
+        return [(self.base, base_width), (self.backing, backing_width)]
 
-    def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
-        A1, A2 = self._axial_stiffness(w1, w2)
-        h1, h2, d = self._heights
-        return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
-
-    def _axial_stiffness(self, w1: FloatArray, w2: FloatArray) -> tuple[FloatArray, FloatArray]:
-        return (
-            self.base.youngs_modulus * self.base.thickness * w1,
-            self.backing.youngs_modulus * self.backing.thickness * w2,
-        )
-
-    def _widths(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        w1, w2 = matched(positive(base_width, "base width"), numbers(backing_width, "backing width"))
+    def _widths(self, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        w1, w2 = matched(positive(self.base_width, "base width"), numbers(backing_width, "backing width"))
         if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
             i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
             raise InputError(
@@ -268,67 +218,22 @@ class LaminatedSection:
         return w1, w2
 
 
-@dataclass(frozen=True, eq=False)
-class BackingLaw(FixedLaw):
-    """`BoundedLaw` of a laminate on a given base, with the width of the backing as parameter.
-
-    Attributes
-    ----------
-    section : LaminatedSection
-    base_width : (n,) array
-        Width of the base, mm.
-    limits : (float, float)
-        Least and largest width of the backing, mm. With a finite largest width, `parameter` clips to the limits.
-
-    Examples
-    --------
-    >>> card = Sheet("card", 1.0, 12.0, density=600.0, max_strain=0.01)
-    >>> LaminatedSection(card, card).on(10.0).parameter(80.0).round(9).item()
-    10.0
-    """
-
-    section: LaminatedSection
-    base_width: FloatArray
-    limits: tuple[float, float] = (0.0, np.inf)
-
-    @property
-    def quantity(self) -> str:
-        """Name of the parameter of the law: width of the backing."""
-        return "backing"
-
-    def bending_stiffness(self, backing_width: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, for backing widths (n,), mm."""
-        return self.section.bending_stiffness(self.base_width, backing_width)
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for E I (n,), N mm2."""
-        if np.isfinite(self.limits[1]):
-            bending_stiffness = np.clip(bending_stiffness, *self.bending_stiffness(np.array(self.limits)))
-        return np.clip(self.section.backing_width(self.base_width, bending_stiffness), *self.limits)
-
-    def weight_per_length(self, backing_width: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for backing widths (n,), mm."""
-        return self.section.weight_per_length(self.base_width, backing_width)
-
-    def strains(
-        self, curvature: ArrayLike, backing_width: ArrayLike, *, natural_curvature: float = 0.0
-    ) -> tuple[LayerStrain, ...]:
-        """Return the strains of base and backing."""
-        return self.section.strains(
-            curvature, self.base_width, backing_width, natural_curvature=natural_curvature
-        )
-
-
-def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
+def stack_stiffness(layers: Sequence[tuple[Sheet, FloatArray]]) -> FloatArray:
     """Return E I (n,), N mm2, of glued sheets with given widths (n,), mm, about their common neutral axis."""
+    axial, middles, axis = _axes_of(layers)
+    parts = zip(layers, axial, middles, strict=True)
+    return np.asarray(sum(a * (sheet.thickness**2 / 12 + (z - axis) ** 2) for (sheet, _), a, z in parts))
+
+
+def _axes_of(
+    layers: Sequence[tuple[Sheet, FloatArray]],
+) -> tuple[list[FloatArray], FloatArray, FloatArray]:
+    """Return axial stiffness (n,), N, and middle of each glued sheet, and the height (n,) of the neutral axis."""
     heights = np.array([sheet.thickness for sheet, _ in layers])
     middles = np.cumsum(heights) - heights / 2
-    axial = [
-        sheet.youngs_modulus * sheet.thickness * np.asarray(width, dtype=float) for sheet, width in layers
-    ]
+    axial = [sheet.youngs_modulus * sheet.thickness * width for sheet, width in layers]
     axis = sum(a * z for a, z in zip(axial, middles, strict=True)) / sum(axial)
-    parts = zip(axial, heights, middles, strict=True)
-    return np.asarray(sum(a * (h**2 / 12 + (z - axis) ** 2) for a, h, z in parts))
+    return axial, middles, np.asarray(axis)
 
 
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
@@ -432,7 +337,7 @@ def laminate_factor(
         u, v, c = (deflection[:, places] @ shape for shape in (w, lever, curl))
         along = form[0, 0] * u * v + form[0, 1] * (u + v) + form[1, 1] + (form[0, 2] * v + form[1, 2]) * c
         moment += 2 * np.sum(along * weight[:, None], axis=(1, 2))
-    return moment / section.bending_stiffness(b1, b2)
+    return moment / section.on(b1).bending_stiffness(b2)
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:

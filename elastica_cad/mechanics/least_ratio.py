@@ -26,7 +26,7 @@ from elastica_cad.mechanics.elements import (
     require_elements,
     weight_with_loads,
 )
-from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
+from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.loads import (
     EndName,
     ExcessCurvature,
@@ -49,7 +49,7 @@ from elastica_cad.mechanics.optimal_balance import balance_of, carried_weight, e
 from elastica_cad.mechanics.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO, STEP_LENGTH
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, require_section
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, Section, require_section
 from elastica_cad.mechanics.theorem1 import (
     AT_END_SHARE,
     EquilibriumCheck,
@@ -214,7 +214,7 @@ def optimal_rod(
     largest_stiffness: float | None = None,
     least_stiffness: float | None = None,
     law: MaterialLaw | None = None,
-    section: BoundedLaw | None = None,
+    section: Section | None = None,
     tolerance: float = 1e-4,
     check: EquilibriumCheck | None = None,
     between: "Element | Sequence[Element]" = (),
@@ -252,7 +252,7 @@ def optimal_rod(
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
         Nonlinear material law. Moment / initial stiffness replaces kappa - kappa_0 (paper, Appendix D).
-    section : BoundedLaw, optional
+    section : Section, optional
         Section of the strip: a thickness, a diameter, or a width that bends as a plate. The dimensions of the
         section are as large as their limits allow, and determine the bending stiffness. With `gravity`,
         of which only the direction is used, the rod carries the weight of the section and the masses of
@@ -350,7 +350,7 @@ def rod_of_request(request: RodRequest) -> Rod:
     return _unbent_rod(request) if check.any_stiffness else _bent_rod(request, balance_of(request))
 
 
-def _check_section(request: RodRequest, section: BoundedLaw) -> None:
+def _check_section(request: RodRequest, section: Section) -> None:
     weight = request.weight
     if request.between or request.point_forces:
         raise InputError(
@@ -465,7 +465,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
-def _uniform_rod(rod: Rod, section: BoundedLaw) -> Rod:
+def _uniform_rod(rod: Rod, section: Section) -> Rod:
     law = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -745,14 +745,11 @@ class _Base:
 
     def scale(self, rod: Rod) -> float:
         """Return the largest c, N mm2, such that the base can carry a laminate c times as stiff as the rod."""
-        section, stiffness, least = (
-            self.layers.section,
-            _stiffness(rod, self.places),
-            self.layers.least_backing,
-        )
-        scales = section.scale_range(self.at_places, stiffness, least_backing=least)
+        section, least = self.layers.section.on(self.at_places), self.layers.least_backing
+        stiffness = _stiffness(rod, self.places)
+        scales = section.scale_range(stiffness, least_backing=least)
         if not scales.feasible:
-            ratio = section.thickness_ratio(self.at_places, stiffness, least_backing=least)
+            ratio = section.thickness_ratio(stiffness, least_backing=least)
             raise InputError(
                 "the stiffness of the laminate cannot vary as much as the curve requires: make the backing "
                 f"{rounded_up(1 / ratio, 3):g} times as thick as the base, or thicker (now "
@@ -761,23 +758,23 @@ class _Base:
         return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        K, section = rod.stiffness, self.layers.section
+        K, section = rod.stiffness, self.layers.section.on(self.at_nodes)
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
             section=section,
             base_width=self.at_nodes,
-            backing_width=section.backing_width(self.at_nodes, scale * K),
-            range=section.scale_range(self.at_nodes, K, least_backing=self.layers.least_backing),
+            backing_width=section.parameter(scale * K),
+            range=section.scale_range(K, least_backing=self.layers.least_backing),
             rounds=rounds,
         )
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
     """Return the laminate, or None without convergence, and the last relative change of its stiffness."""
-    section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
-    bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
+    section = base.layers.section.on(w1)
+    bounds = section.bending_stiffness(0.0 * w1), section.bending_stiffness(w1)
     scale = base.scale(rod)
     history: list[float] = []
     change, least = np.inf, 1.0  # `least` is the least relative stiffness, which smoothing may raise above 1
@@ -785,7 +782,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
         target = scale / least
         # an extrapolated E I may be less than that of the base alone, or more than that of two full layers
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
-        weight = section.weight(stations, w1, EI / target, target)
+        weight = section.weight(stations, EI / target, target)
         weight = replace(weight, masses=request.masses)
         next_rod = rod_of_request(replace(request, weight=weight, bending_stiffness=target))
         change = float(np.abs(next_rod.stiffness / rod.stiffness - 1).max())
@@ -802,10 +799,10 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 
 
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
-    law = BackingLaw(section, np.asarray(base_width), (0.0, base_width))
+    section = replace(section, base_width=base_width, limits=(0.0, base_width))
     try:
         weight = Weight(masses=request.masses, own=True)
-        rod = rod_of_request(replace(request, section=law, weight=weight))
+        rod = rod_of_request(replace(request, section=section, weight=weight))
     except InputError as error:
         raise InputError(
             "the stiffness of the laminate cannot vary as much as the curve requires under this weight: use "
@@ -829,6 +826,7 @@ def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
 
 def filled_gravity(section: LaminatedSection, direction: ArrayLike) -> Gravity:
     """Return the gravity of a laminate with layers of equal width, as a first approximation."""
-    length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
+    square = section.on(1.0)
+    length = square.bending_stiffness(1.0) / square.weight_per_length(1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))

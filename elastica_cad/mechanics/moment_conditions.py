@@ -62,7 +62,7 @@ from elastica_cad.mechanics.minimax_lp import (
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
 from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels, nearest_of
-from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Listed, Span, note
 
@@ -597,7 +597,7 @@ class RodRequest(EqualByValue):
     largest_stiffness: float | None = None
     least_stiffness: float | None = None
     law: MaterialLaw | None = None
-    section: BoundedLaw | None = None
+    section: Section | None = None
     known_check: EquilibriumCheck | None = None
     between: tuple[Element, ...] = ()
     point_forces: tuple[PointForce, ...] = ()

@@ -30,7 +30,7 @@ from elastica_cad.mechanics.moment_conditions import (
 )
 from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
@@ -367,7 +367,7 @@ SLOWEST_RATE = 0.99
 """Largest ratio of the last two steps of a sequence that is extrapolated."""
 
 
-def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
+def _with_section(request: RodRequest, section: Section) -> BalancedStiffness:
     """Return the stiffness K with the least ratio max K / min K, scaled to the limits of a section.
 
     Each iteration linearises the weight at the last E I, solves the linear program in the relative stiffness
@@ -395,11 +395,11 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
     return replace(_within_limits(balance, law), kinks=cut.kinks)
 
 
-def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
+def _bent(section: Section, panels: Panels, excess: ExcessCurvature) -> Section:
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
-def tangent_weight(law: StiffnessLaw, bending_stiffness: FloatArray) -> tuple[FloatArray, FloatArray]:
+def tangent_weight(law: Section, bending_stiffness: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Linearise the weight per length of a section, N/mm, at the bending stiffnesses E I (n,), N mm2.
 
     Return its slope (n,) by E I, and its constant part (n,).
@@ -412,7 +412,7 @@ def tangent_weight(law: StiffnessLaw, bending_stiffness: FloatArray) -> tuple[Fl
     return slope, at - slope * bending_stiffness
 
 
-def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
+def _converged_balance(load: WeightedPanels, law: Section) -> BalancedStiffness:
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
@@ -447,7 +447,7 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
 
 
 def _balance_by_descent(
-    load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray
+    load: WeightedPanels, law: Section, state: FloatArray, EI: FloatArray
 ) -> BalancedStiffness:
     """Return the stiffness in equilibrium that fits a section, by a descent in short steps.
 
@@ -516,7 +516,7 @@ def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
     )
 
 
-def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
+def _unsettled(law: Section, change: float) -> NotConvergedError:
     moves = (
         note(" (the stiffness still changes by {change:.2g})", change=change) if np.isfinite(change) else ""
     )
@@ -540,12 +540,12 @@ def extrapolated(first: float, second: float, third: float) -> float:
     return third + float(np.clip(step**2 / (before - step), -LONGEST_JUMP, LONGEST_JUMP))
 
 
-def _deciding_limit(law: BoundedLaw) -> float:
+def _deciding_limit(law: Section) -> float:
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
 
-def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
+def _fitting_scale(law: Section, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, with which the bending stiffness B K just fits the limits of a section.
 
     The largest section is at the upper limit or, without an upper limit, the least section at the lower limit.
@@ -562,13 +562,13 @@ def _weight(load: WeightedPanels, tangent: tuple[FloatArray, FloatArray], scale:
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
-def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
+def _within_limits(balance: BalancedStiffness, law: Section) -> BalancedStiffness:
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     refuse_below_limits(law, EI, balance.panels.s)
     return balance
 
 
-def refuse_below_limits(law: BoundedLaw, bending_stiffness: FloatArray, s: FloatArray) -> None:
+def refuse_below_limits(law: Section, bending_stiffness: FloatArray, s: FloatArray) -> None:
     """Refuse bending stiffnesses, N mm2, at arc lengths `s` of the same shape, mm, that need too small sections."""
     least, largest = law.limits
     sizes = law.parameter(bending_stiffness)

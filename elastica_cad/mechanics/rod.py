@@ -38,7 +38,7 @@ from elastica_cad.mechanics.loads import (
     whole_number,
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.stiffness_law import BendFactor, BoundedLaw, at_stations, scale_within
+from elastica_cad.mechanics.stiffness_law import BendFactor, Section, at_stations, scale_within
 from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:
@@ -401,7 +401,7 @@ class Rod:
     law : MaterialLaw or None
         Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). If the section depends on the
         curvature, `bend` adds its effect to the law, and K is the stiffness of the design; see `bending_law`.
-    section : BoundedLaw or None
+    section : Section or None
         Section of the strip, or None for a strip of one sheet that bends with Young's modulus E, not as a plate.
     residual : float
         Largest imbalance of moments, relative to the moments.
@@ -435,7 +435,7 @@ class Rod:
     weight: Weight | None = None
     bending_stiffness: float | None = None
     law: MaterialLaw | None = None
-    section: BoundedLaw | None = None
+    section: Section | None = None
     shape: PlaneCurve | None = None
     check: "EquilibriumCheck | None" = None
     warnings: tuple[str, ...] = ()
@@ -487,7 +487,7 @@ class Rod:
         weight: Weight | None = None,
         bending_stiffness: float | None = None,
         law: MaterialLaw | None = None,
-        section: BoundedLaw | None = None,
+        section: Section | None = None,
     ) -> "Rod":
         """Return a straight rod, for example as input of `bend`.
 

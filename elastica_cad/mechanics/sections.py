@@ -1,12 +1,13 @@
 """Sections of one sheet: stiffness, weight and strain for a given width, and anticlastic bending."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import (
+    EqualByValue,
     alike,
     is_number,
     is_one_of,
@@ -16,10 +17,9 @@ from elastica_cad._values import (
     require_record,
 )
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Weight
-from elastica_cad.mechanics.section_limits import LayerStrain, ScaleRange, matched, positive
+from elastica_cad.mechanics.section_limits import ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import at_stations
+from elastica_cad.mechanics.stiffness_law import Section, SectionLayer, at_stations
 from elastica_cad.refusals import Length as Mm
 
 SECANTS = 12
@@ -274,104 +274,118 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class _OneSheet:
-    """Section of a strip of one sheet with a variable width."""
+class PlainSection(EqualByValue, Section):
+    """Solid rectangular section of a sheet with a variable width w: E I = w E h^3 / 12 (paper, section 8.1).
+
+    h is the thickness and E Young's modulus. The formula is for a strip that is narrow, or not yet bent. A strip
+    that is wide for its curvature bends as a plate with E/(1 - nu^2): `bent` returns the section for curvatures,
+    whose weight is not proportional to its stiffness; see `anticlastic_factor`.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    least, largest : float
+        Limits of the width, mm; 0 means no least width, infinity no largest width.
+    curvature, natural_curvature : float or (n,) array
+        Curvature and natural curvature of the stations, 1/mm; set by `bent`.
+
+    Examples
+    --------
+    >>> section = PlainSection(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
+    >>> section.bending_stiffness(900.0).item(), section.parameter(900.0).item()
+    (900.0, 900.0)
+    >>> round(section.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
+    1.098
+    """
 
     sheet: Sheet
+    least: float = 0.0
+    largest: float = np.inf
+    curvature: float | FloatArray = 0.0
+    natural_curvature: float | FloatArray = 0.0
+
+    def __post_init__(self) -> None:
+        low = require_number(self.least, "width limit")
+        high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
+        if not 0 <= low <= high or high == 0:
+            raise InputError(
+                f"width limits are {low:g} and {Mm(high):g}: give the least first, 0 for none, such as 0 "
+                "and 40"
+            )
+
+    @classmethod
+    def as_plate(cls, sheet: Sheet, largest: float | None) -> "PlainSection | None":
+        """Return the section for widths up to `largest`, or None.
+
+        The result is None if `largest` is None, or if Poisson's ratio of the sheet is unknown or 0.
+        """
+        require_record(sheet, Sheet, "the sheet", "a Sheet")
+        has_plate_effect = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
+        return cls(sheet, 0.0, largest) if largest is not None and has_plate_effect else None
 
     @property
     def rigidity(self) -> float:
         """Bending stiffness per mm of width of a narrow strip, N mm."""
         return self.sheet.bending_stiffness(1.0)
 
-    def weight_per_length(self, width: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
-        return areal_weight(self.sheet) * positive(width, "width")
+    @property
+    def quantity(self) -> str:
+        """Name of the parameter: width."""
+        return "width"
 
-    def strains(
-        self,
-        curvature: ArrayLike,
-        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
-        *,
-        natural_curvature: float = 0.0,
-    ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm."""
-        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
-        bend = np.abs(kappa - rest)
-        return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest width, mm."""
+        return self.least, self.largest
 
+    @property
+    def follows_bend(self) -> bool:
+        """True, because a larger part of the width bends as a plate if the curvature increases."""
+        return True
 
-@dataclass(frozen=True)
-class PlainSection(_OneSheet):
-    """Solid rectangular section of a sheet: E I = w E h^3 / 12 for width w, thickness h (paper, section 8.1).
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:
+        """Return the section at stations (n,) that are bent by a change of curvature, 1/mm.
 
-    Examples
-    --------
-    >>> section = PlainSection(Sheet("mm", 1.0, 12.0, density=1000.0, max_strain=0.01))
-    >>> section.bending_stiffness(20.0).item()
-    20.0
-    """
+        `curvature` is the change kappa - kappa_0, and `rest`, a number or (n,), the natural curvature kappa_0.
+        """
+        bend, before = alike(curvature=curvature, rest=rest)
+        return replace(self, curvature=bend + before, natural_curvature=before)
+
+    def curl(self, parameter: FloatArray) -> SheetCurl | None:
+        """Return the effect of anticlastic bending for widths (n,), mm, or None if Poisson's ratio is 0."""
+        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, for widths (n,), mm."""
-        return self.rigidity * positive(width, "width")
-
-    def width(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the width (n,), mm, for E I (n,), N mm2."""
-        return positive(bending_stiffness, "bending stiffness") / self.rigidity
+        """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect of the curvature."""
+        w = positive(width, "width")
+        narrow = self.rigidity * w
+        # a strip without curvature curls freely
+        return (
+            narrow * anticlastic_factor(w, self.curvature, **self._plate)
+            if np.any(self.curvature)
+            else narrow
+        )
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the width (n,), mm, for E I (n,), N mm2; see `StiffnessLaw.parameter`."""
-        return self.width(bending_stiffness)
+        """Return the widths (n,), mm, for E I (n,), N mm2."""
+        narrow = positive(bending_stiffness, "bending stiffness") / self.rigidity
+        return plate_width(narrow, self.curvature, **self._plate) if np.any(self.curvature) else narrow
 
-    def weight(self, bending_stiffness: float) -> Weight:
-        """Return the weight per length, which is proportional to the relative stiffness for every width profile.
-
-        Parameters
-        ----------
-        bending_stiffness : float
-            E I where the relative stiffness is 1, N mm2.
-        """
-        return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
+    def layers(self, width: ArrayLike) -> tuple[SectionLayer, ...]:
+        """Return the sheet as a layer."""
+        h = self.sheet.thickness
+        return (SectionLayer(self.sheet, h * positive(width, "width"), h / 2),)
 
     @property
-    def curvature_limit(self) -> float:
-        """Largest change of curvature of the sheet, 1/mm: the inverse of its least radius of cold bending."""
-        return 2 * self.sheet.max_strain / self.sheet.thickness
+    def _plate(self) -> dict[str, Any]:
+        return {
+            "thickness": self.sheet.thickness,
+            "poisson_ratio": self.sheet.poisson_ratio,
+            "natural_curvature": self.natural_curvature,
+        }
 
 
-WIDTH_SHARE = 1e-6
-"""Relative increase of the least width, so that rounding errors do not make a strip narrower than the limit."""
-
-
-@dataclass(frozen=True)
-class WidthRange:
-    """Limits of the width of a plain strip with given loads.
-
-    Attributes
-    ----------
-    sheet : Sheet
-    least : float
-        Least width, mm, or 0 for no limit.
-    largest : float or None
-        Width at the widest station, mm. None if `least` is the width at the narrowest station.
-    """
-
-    sheet: Sheet
-    least: float
-    largest: float | None
-
-    @property
-    def stiffness(self) -> dict[str, float]:
-        """Arguments of `optimal_rod` for these widths: bending stiffnesses, N mm2, by name."""
-        rigidity = PlainSection(self.sheet).rigidity
-        if self.largest is None:
-            return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
-        limits = {"least_stiffness": self.least, "largest_stiffness": self.largest}
-        return {name: rigidity * width for name, width in limits.items() if width}
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PerforatedSection(PlainSection):
     """Section of a sheet with holes: the ligaments at a station act like a strip of their total width.
 
@@ -380,8 +394,8 @@ class PerforatedSection(PlainSection):
 
     Parameters
     ----------
-    sheet : Sheet
-        Sheet of the strip.
+    sheet, least, largest, curvature, natural_curvature
+        As in `PlainSection`.
     ligaments : int
         Number of ligaments side by side.
     least_ligament : float
@@ -392,6 +406,7 @@ class PerforatedSection(PlainSection):
     least_ligament: float = 0.5
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
             raise InputError(
                 f"a perforated strip has {self.ligaments!r} ligaments (material between holes): give a whole "
@@ -409,112 +424,3 @@ class PerforatedSection(PlainSection):
         """
         least = self.rigidity * self.ligaments * self.least_ligament
         return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
-
-
-@dataclass(frozen=True, eq=False)
-class WidthLaw(_OneSheet):
-    """Stiffness law of a strip of one sheet: narrow strips bend with E, wide strips as plates with E/(1 - nu^2).
-
-    The weight is not proportional to the stiffness; see `anticlastic_factor`.
-
-    Parameters
-    ----------
-    sheet : Sheet
-    least, largest : float
-        Limits of the width, mm; 0 means no least width, infinity no largest width.
-    curvature, natural_curvature : float or (n,) array
-        Curvature and natural curvature of the stations, 1/mm; set by `bent`.
-
-    Examples
-    --------
-    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
-    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
-    (900.0, 1.098)
-    """
-
-    least: float
-    largest: float
-    curvature: float | FloatArray = 0.0
-    natural_curvature: float | FloatArray = 0.0
-
-    def __post_init__(self) -> None:
-        low = require_number(self.least, "width limit")
-        high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
-        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
-            raise InputError(
-                f"width limits are {low:g} and {Mm(high):g}: give the least first, 0 for none, such as 0 "
-                "and 40"
-            )
-
-    @classmethod
-    def as_plate(cls, sheet: Sheet, largest: float | None) -> "WidthLaw | None":
-        """Return the law for widths up to `largest`, or None.
-
-        The result is None if `largest` is None, or if Poisson's ratio of the sheet is unknown or 0.
-        """
-        require_record(sheet, Sheet, "the sheet", "a Sheet")
-        has_plate_effect = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
-        return cls(sheet, 0.0, largest) if largest is not None and has_plate_effect else None
-
-    @property
-    def quantity(self) -> str:
-        """Name of the parameter: width."""
-        return "width"
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Least and largest width, mm."""
-        return self.least, self.largest
-
-    @property
-    def follows_bend(self) -> bool:
-        """True, because a larger part of the width bends as a plate if the curvature increases."""
-        return True
-
-    @property
-    def stack(self) -> None:
-        """Stack of glued plies; None, because the section is a single piece."""
-        return None
-
-    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
-        """Return the law at stations (n,) that are bent by a change of curvature, 1/mm.
-
-        `curvature` is the change kappa - kappa_0, and `rest`, a number or (n,), the natural curvature kappa_0.
-        """
-        bend, before = alike(curvature=curvature, rest=rest)
-        return replace(self, curvature=bend + before, natural_curvature=before)
-
-    def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """Return the effect of anticlastic bending for widths (n,), mm, or None if Poisson's ratio is 0."""
-        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
-
-    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect."""
-        w = positive(parameter, "width")
-        return np.asarray(self.rigidity * w * anticlastic_factor(w, self.curvature, **self._plate))
-
-    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the widths (n,), mm, for E I (n,), N mm2."""
-        EI = positive(bending_stiffness, "bending stiffness")
-        return plate_width(EI / self.rigidity, self.curvature, **self._plate)
-
-    @property
-    def _plate(self) -> dict[str, Any]:
-        return {
-            "thickness": self.sheet.thickness,
-            "poisson_ratio": self.sheet.poisson_ratio,
-            "natural_curvature": self.natural_curvature,
-        }
-
-
-def areal_weight(sheet: Sheet) -> float:
-    """Return the weight per area, density * gravity * thickness, N/mm2."""
-    return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
-
-
-def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
-    """Return the strain of fibres at `distance` (n,), mm, from the neutral axis.
-
-    `bend` (n,) is the change of curvature, 1/mm.
-    """
-    return LayerStrain(sheet, np.atleast_1d(distance * bend))

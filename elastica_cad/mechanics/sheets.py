@@ -729,13 +729,17 @@ class Sheet:
         return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
 
     @property
+    def specific_weight(self) -> float:
+        """Weight per volume, density * gravity, N/mm3."""
+        return self.density * 1e-9 * STANDARD_GRAVITY_M_S2
+
+    @property
     def elasto_gravity_length(self) -> float:
         """Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1).
 
         Weight has little effect on a strip that is much shorter than this length.
         """
-        weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
-        return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
+        return float((self.youngs_modulus * self.thickness**2 / (12 * self.specific_weight)) ** (1 / 3))
 
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
         """Return the weight of a plain strip of this sheet; `direction` (2,) is the direction of gravity."""

@@ -1,16 +1,16 @@
 """Stiffness laws of cross-sections: tapered strips, rods, tubes and glued plies."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Protocol, Self, TypeVar, cast
+from typing import NamedTuple, Protocol, Self, TypeVar, cast
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_whole, numbers, require_number
+from elastica_cad._values import alike, is_whole, numbers, require_number
 from elastica_cad.errors import InputError, quoted
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import BareLength, FieldName, Length
@@ -19,12 +19,89 @@ MOST_LEAVES = 50
 """Largest number of plies; with more plies a stack would be as smooth as a taper."""
 
 
-class FixedLaw:
-    """Base class of laws whose stiffness does not depend on the curvature."""
+class SectionLayer(NamedTuple):
+    """Layer of a cross-section at n stations along a strip.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        Material of the layer.
+    area : (n,) array
+        Area of the layer in the cross-section, mm2.
+    distance : float or (n,) array
+        Distance of its outermost fibre from the neutral axis, mm; 0 at stations without the layer.
+    """
+
+    sheet: Sheet
+    area: FloatArray
+    distance: float | FloatArray
+
+
+class Section(ABC):
+    """Cross-section with a parameter, mm, that varies along the strip and determines its bending stiffness.
+
+    The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. Other properties, such
+    as the width of the base of a laminate, are fields of the section. The argument `section` of `optimal_rod`
+    and `nearest_rod` needs a section whose parameter has limits.
+    """
+
+    @property
+    @abstractmethod
+    def quantity(self) -> str:
+        """Name of the parameter: "width", "thickness" or "diameter"."""
+
+    @property
+    @abstractmethod
+    def limits(self) -> tuple[float, float]:
+        """Least and largest value of the parameter, mm; 0 and infinity mean no limit."""
+
+    @abstractmethod
+    def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
+        """Return E I (n,), N mm2, for parameters (n,), mm."""
+
+    @abstractmethod
+    def parameter(self, bending_stiffness: ArrayLike, /) -> FloatArray:
+        """Return the parameters (n,), mm, for E I (n,), N mm2."""
+
+    @abstractmethod
+    def layers(self, parameter: ArrayLike, /) -> tuple[SectionLayer, ...]:
+        """Return the layers of the section for parameters (n,), mm."""
+
+    def axial_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """Return E A (n,), N, for parameters (n,), mm."""
+        return np.asarray(sum(layer.sheet.youngs_modulus * layer.area for layer in self.layers(parameter)))
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """Return the weights per length (n,), N/mm, for parameters (n,), mm."""
+        return np.asarray(sum(layer.sheet.specific_weight * layer.area for layer in self.layers(parameter)))
+
+    def strains(
+        self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: ArrayLike = 0.0
+    ) -> tuple[LayerStrain, ...]:
+        """Return the strain of each layer's outermost fibre: change of curvature times distance from the axis.
+
+        Parameters
+        ----------
+        curvature, parameter : (n,) array_like
+            Curvature, 1/mm, and parameter of the section, mm. Without a natural curvature, the sign of the
+            curvature has no effect.
+        natural_curvature : array_like
+            Curvature before bending, 1/mm.
+        """
+        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
+        bend = np.abs(kappa - rest)
+        return tuple(
+            LayerStrain(layer.sheet, np.atleast_1d(layer.distance * bend)) for layer in self.layers(parameter)
+        )
+
+    def curvature_limit(self, parameter: ArrayLike) -> FloatArray:
+        """Return the largest change of curvature (n,), 1/mm, that all layers withstand."""
+        used = [np.asarray(layer.distance / layer.sheet.max_strain) for layer in self.layers(parameter)]
+        return np.asarray(1 / np.max(used, axis=0))
 
     @property
     def follows_bend(self) -> bool:
-        """False, because bending does not change the section."""
+        """True if the stiffness depends on the curvature."""
         return False
 
     @property
@@ -33,15 +110,20 @@ class FixedLaw:
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
-        """Return the law itself, because bending does not change the section."""
+        """Return the section at stations (n,) that are bent by a change of curvature, 1/mm.
+
+        `curvature` is the change kappa - kappa_0, and `rest` the natural curvature kappa_0. If bending has no
+        effect on the section, the section itself is returned.
+        """
         return self
 
-    def curl(self, parameter: FloatArray) -> None:
-        """Return None, because bending does not change the section."""
+    def curl(self, parameter: FloatArray) -> "BendFactor | None":  # noqa: ARG002 - see `follows_bend`
+        """Return the effect of bending on the stiffness for parameters (n,), mm, or None without an effect."""
+        return None
 
 
 @dataclass(frozen=True)
-class _PowerLaw(FixedLaw):
+class _PowerLaw(Section):
     """Law E I = E c p^k for a parameter p, mm. The cross-section has the area a p^(k - 2).
 
     The property `_shape` contains k, c and a. The thickness of `sheet` is ignored.
@@ -71,12 +153,8 @@ class _PowerLaw(FixedLaw):
         return replace(self, sheet=sheet, least=factor * self.least, largest=factor * self.largest)
 
     @property
-    def quantity(self) -> str:
-        raise NotImplementedError
-
-    @property
-    def _shape(self) -> tuple[int, float, float]:
-        raise NotImplementedError
+    @abstractmethod
+    def _shape(self) -> tuple[int, float, float]: ...
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -86,30 +164,15 @@ class _PowerLaw(FixedLaw):
         power, inertia, _ = self._shape
         return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
 
-    def axial_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """Return E A (n,), N, for parameters (n,), mm."""
-        power, _, area = self._shape
-        return np.asarray(
-            self.sheet.youngs_modulus * area * positive(parameter, self.quantity) ** (power - 2)
-        )
-
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         power, inertia, _ = self._shape
         EI = positive(bending_stiffness, "bending stiffness")
         return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
 
-    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+    def layers(self, parameter: ArrayLike) -> tuple[SectionLayer, ...]:
         power, _, area = self._shape
-        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
-        return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
-
-    def strains(
-        self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
-    ) -> tuple[LayerStrain, ...]:
-        """Return the strain of the outermost fibre: change of curvature times half the thickness or diameter."""
-        bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
-        strain = bend * positive(parameter, self.quantity) / 2
-        return (LayerStrain(self.sheet, np.atleast_1d(strain)),)
+        size = positive(parameter, self.quantity)
+        return (SectionLayer(self.sheet, area * size ** (power - 2), size / 2),)
 
 
 @dataclass(frozen=True)
@@ -190,7 +253,7 @@ class RoundLaw(_PowerLaw):
 
 
 @dataclass(frozen=True)
-class LeavesLaw(FixedLaw):
+class LeavesLaw(Section):
     """Law of a stack of glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
 
     The stiffness jumps at the end of each ply, so a stack only approximates a curve. Use the law with
@@ -258,15 +321,9 @@ class LeavesLaw(FixedLaw):
         """Return the numbers of plies (n,), not rounded, for E I (n,), N mm2."""
         return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
 
-    def weight_per_length(self, count: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for numbers of plies `count` (n,)."""
-        return self.relaxed.weight_per_length(self.thickness(count))
-
-    def strains(
-        self, curvature: ArrayLike, count: ArrayLike, *, natural_curvature: float = 0.0
-    ) -> tuple[LayerStrain, ...]:
-        """Return the strain of the outermost fibre; glued plies bend as a single section."""
-        return self.relaxed.strains(curvature, self.thickness(count), natural_curvature=natural_curvature)
+    def layers(self, count: ArrayLike) -> tuple[SectionLayer, ...]:
+        """Return the plies as one layer, because glued plies bend as a single section."""
+        return self.relaxed.layers(self.thickness(count))
 
     def thickness(self, count: ArrayLike) -> FloatArray:
         """Return the thickness (n,), mm, of `count` (n,) plies."""
@@ -347,62 +404,9 @@ BETWEEN_NODES = 1e-3
 """If only the nodes are limited, the stiffness may exceed its limit between nodes by this fraction."""
 
 
-class StiffnessLaw(Protocol):
-    """Cross-section with a parameter, mm, that varies along the strip and determines its bending stiffness.
-
-    The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. Other properties, such
-    as the width of the base of a laminate, are part of the law.
-    """
-
-    def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
-        """Return E I (n,), N mm2, for parameters (n,), mm."""
-
-    def parameter(self, bending_stiffness: ArrayLike, /) -> FloatArray:
-        """Return the parameters (n,), mm, for E I (n,), N mm2."""
-
-    def weight_per_length(self, parameter: ArrayLike, /) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for parameters (n,), mm."""
-
-    def strains(
-        self, curvature: ArrayLike, parameter: ArrayLike, /, *, natural_curvature: float = 0.0
-    ) -> tuple[LayerStrain, ...]:
-        """Return the strain of each layer's outermost fibre for curvatures (n,), 1/mm, and parameters (n,), mm."""
-
-
-class BoundedLaw(StiffnessLaw, Protocol):
-    """Law whose parameter has limits, for the argument `section` of `optimal_rod` and `nearest_rod`."""
-
-    @property
-    def quantity(self) -> str:
-        """Name of the parameter: "width", "thickness" or "diameter"."""
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Least and largest value of the parameter, mm; 0 as the least value means no lower limit."""
-
-    @property
-    def follows_bend(self) -> bool:
-        """True if the stiffness depends on the curvature."""
-
-    @property
-    def stack(self) -> LaidLeaves | None:
-        """Stack of glued plies with their positions, or None for a single piece."""
-
-    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
-        """Return the law at stations (n,) that are bent by a change of curvature, 1/mm.
-
-        `curvature` is the change kappa - kappa_0, and `rest` the natural curvature kappa_0. If bending has no
-        effect on the law, the law itself is returned.
-        """
-
-    def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
-        """Return the effect of bending on the stiffness for parameters (n,), mm, or None without an effect."""
-
-
 def require_section(section: object, name: str = "section") -> None:
-    """Raise InputError for a value that is not a `BoundedLaw`. The message calls it `name`."""
-    unlimited = (0.0, np.inf)
-    if getattr(section, "limits", unlimited) == unlimited or not hasattr(section, "bent"):
+    """Raise InputError for a value that is not a `Section` with limits. The message calls it `name`."""
+    if not isinstance(section, Section) or section.limits == (0.0, np.inf):
         raise InputError(
             "{name} is {given}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
             name=FieldName(name), given=quoted(section), where={"field": name},
@@ -437,7 +441,7 @@ def at_stations(values: Values, s: FloatArray, at: FloatArray) -> Values:
 
 
 def scale_within(
-    law: BoundedLaw, stiffness: FloatArray, *, solved: float | None = None, heavy: bool = False
+    section: Section, stiffness: FloatArray, *, solved: float | None = None, heavy: bool = False
 ) -> float:
     """Return the bending stiffness B, N mm2, with which a rod reaches the limits of its section.
 
@@ -446,8 +450,8 @@ def scale_within(
 
     Parameters
     ----------
-    law : BoundedLaw
-        Law for the stations in their bent state.
+    section : Section
+        Section at the stations in their bent state.
     stiffness : (n,) array
         Relative stiffness of the stations.
     solved : float, optional
@@ -455,9 +459,9 @@ def scale_within(
         in equilibrium only with the weight of its sections. It is also returned if it is below the limit, because
         another limit, such as the strain, may determine it.
     """
-    least, largest = law.limits
+    least, largest = section.limits
     limited = bool(np.isfinite(largest))
-    scales = law.bending_stiffness(np.full(stiffness.size, largest if limited else least)) / stiffness
+    scales = section.bending_stiffness(np.full(stiffness.size, largest if limited else least)) / stiffness
     B = float(scales.min() if limited else scales.max())
     if solved is None:
         return B

@@ -19,7 +19,7 @@ from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.elements import ElementForce, Tie
 from elastica_cad.mechanics.loads import Supports, require_curve
 from elastica_cad.mechanics.rod import Rod, camber_of
-from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.strip.outline import Tab
@@ -232,7 +232,7 @@ def _strip_of_constant_section(
     refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
     start, end = curve.survey.position[[0, -1]]
     across = (curve.survey.position - start) @ left_of(end - start)
-    section = law or WidthLaw.as_plate(sheet, max_width)
+    section = law or PlainSection.as_plate(sheet, max_width)
     flat = Rod.straight(
         curve.length, samples=FINE_NODES, start=start, angle=float(np.arctan2(*(end - start)[::-1])),
         supports=ENDS, section=section,

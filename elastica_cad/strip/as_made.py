@@ -78,10 +78,11 @@ def rod_as_built(
     material = net_widths[0]
     # rounding in the drawing can make the backing slightly wider than the base
     backing = np.minimum(net_widths[1], material) if len(net_widths) > 1 else None
-    law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
-    has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
+    section, parameter = layout.section_of(material, backing)
+    if layout.section is not None:
+        section = layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     relative_stiffness = rod.profile(s)
-    softer = layout.bending_stiffness * relative_stiffness / has
+    softer = layout.bending_stiffness * relative_stiffness / section.bending_stiffness(parameter)
     EI = layout.bending_stiffness * _node_stiffness(rod, relative_stiffness) / _cell_means(softer, n)
     if added_lengths:
         EI = EI * _cut_factors(added_lengths, rod)
@@ -94,9 +95,8 @@ def rod_as_built(
     if rod.gravity is None:
         return built
     weight = rod.weight or Weight()
-    newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
-    if newtons is not None:
-        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+    if backing is not None or layout.section is not None:
+        along = Profile.interpolate(rod.s, _cell_means(section.weight_per_length(parameter), n))
         return replace(built, weight=replace(weight, alpha=along, beta=0.0))
     if rod.weight is None:
         return built
@@ -430,9 +430,9 @@ class StripAsMade:
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
-        first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
-        if layout.section is not None and layout.size is not None:
-            first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
+        section, parameter = layout.section_of(widths, None if layout.backing is None else widths)
+        if layout.size is not None:
+            section, parameter = layout.section_at(np.array([0.0, rod.length]))
         factors = stiffness_factors(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
             factors[PLATES] = plates.stiffening(design.s, layout, whole())
@@ -440,7 +440,7 @@ class StripAsMade:
             design,
             layout,
             layout.bending_stiffness,
-            (first, last),
+            tuple(section.bending_stiffness(parameter).tolist()),
             rod_as_built(design, layout, whole()),
             factors,
             layout.pattern is not None or layout.backing is not None,

@@ -10,7 +10,7 @@ from elastica_cad._values import distinct_digits, is_number
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import FaultError, InputError, rounded_up
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
+from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sheets import Sheet, require_flat
@@ -102,7 +102,7 @@ class Laminated:
 
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
-    ) -> BackingLaw | None:
+    ) -> LaminatedSection | None:
         """Return the section with limits of the backing's width; None if the width of the base varies."""
         if not is_number(self.width):
             return None
@@ -110,8 +110,7 @@ class Laminated:
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
         if least >= most:  # `laid_out` raises the error for these limits
             return None
-        section = LaminatedSection(sheet, self.backing)
-        return BackingLaw(section, np.asarray(width), (least, most))
+        return LaminatedSection(sheet, self.backing, width, (least, most))
 
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
@@ -122,8 +121,9 @@ class Laminated:
         """
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
-        s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
+        s = refine_stations(s, section.on(w1).bending_stiffness(w1) / rod.profile(s), w1 / rod.profile(s))
         K, w1 = rod.profile(s), base(s)
+        section = section.on(w1)
         i = int(np.argmin(w1))
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
@@ -134,12 +134,12 @@ class Laminated:
                 s=Length(s[i]),
                 least=Length(needed),
             )
-        fits = section.scale_range(w1, K, least_backing=least)
+        fits = section.scale_range(K, least_backing=least)
         if not fits.feasible:
-            raise FaultError(_infeasible(section, fits, s, K, w1, least))
+            raise FaultError(_infeasible(section, fits, s, K, least))
         if most is not None:
-            widest = section.bending_stiffness(w1, np.minimum(w1, most))
-            fits = ScaleRange.of(section.bending_stiffness(w1, least), widest, K)
+            widest = section.bending_stiffness(np.minimum(w1, most))
+            fits = ScaleRange.of(section.bending_stiffness(least), widest, K)
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise FaultError(
@@ -176,12 +176,12 @@ class Laminated:
 
 
 def _infeasible(
-    section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
+    section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, least: float
 ) -> str:
-    i, j = fits.lowest_at, fits.highest_at
+    i, j, w1 = fits.lowest_at, fits.highest_at, np.asarray(section.base_width)
     ways: list[Refusal] = []
     try:
-        ratio = section.thickness_ratio(w1, K, least_backing=least)
+        ratio = section.thickness_ratio(K, least_backing=least)
     except InputError as error:
         ways = [note("choose other widths ({why})", why=error.refusal)]
     else:
@@ -204,7 +204,7 @@ def _infeasible(
 
 def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
     def width(s: FloatArray) -> FloatArray:
-        return section.backing_width(base(s), scale * rod.profile(s))
+        return section.on(base(s)).parameter(scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
     # the backing is clipped to the width of the base; the kinks due to clipping are negligible

@@ -42,7 +42,8 @@ def bent_under(
     rod, weight = strip.rod, None
     if gravity is not None:
         share = fraction * (strip.sheet.elasto_gravity_length / gravity.length) ** 3
-        weight = Weight(alpha=Profile.interpolate(rod.s, share * strip.layout.weight_at(rod.s)))
+        section, parameter = strip.layout.section_at(rod.s)
+        weight = Weight(alpha=Profile.interpolate(rod.s, share * section.weight_per_length(parameter)))
     heavy = replace(
         rod, gravity=gravity, weight=weight, bending_stiffness=strip.bending_stiffness, warnings=()
     )

@@ -228,7 +228,8 @@ def _overstrained_tabs(
             continue
         widths = np.array([layout.material(at), tab.width])
         glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
-        wide, narrow = layout.stiffness(widths, glued).tolist()
+        section, parameter = layout.section_of(widths, glued)
+        wide, narrow = section.bending_stiffness(parameter).tolist()
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow, room)
             for layer in strains
@@ -925,7 +926,8 @@ class Strip:
         if rod.bending_stiffness is None:  # loads in N need a bending stiffness in N mm2
             rod = replace(rod, bending_stiffness=self.bending_stiffness)
         middles = (rod.s[:-1] + rod.s[1:]) / 2
-        compliance = self.bending_stiffness / self.layout.axial_stiffness(middles)
+        section, parameter = self.layout.section_at(middles)
+        compliance = self.bending_stiffness / section.axial_stiffness(parameter)
         return replace(rod, compression=Compression(compliance, rod.discrete.pull))
 
     @property

@@ -37,13 +37,13 @@ from elastica_cad.mechanics.loads import (
     require_supports,
 )
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import WidthLaw, WidthRange, anticlastic_factor
+from elastica_cad.mechanics.sections import PlainSection, anticlastic_factor
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, require_name
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import (
-    BoundedLaw,
     LeavesLaw,
     RoundLaw,
+    Section,
     ThicknessLaw,
     require_section,
 )
@@ -147,7 +147,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 
 
 def _check_section_law(
-    law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
+    law: Section, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
@@ -361,15 +361,15 @@ class StripSpec(EqualByValue):
         If True, the widths compensate all effects on the finished strip: slots, narrow tabs, inclined ligaments,
         anticlastic bending and its weight (see `compensate_widths`). If False, the widths are proportional to the
         stiffness. By default, only anticlastic bending is compensated, for solid strips without loads and with a
-        known Poisson's ratio (`Sheet.poisson_known`): see `WidthLaw`.
+        known Poisson's ratio (`Sheet.poisson_known`): see `PlainSection`.
     creep : float
         Long-term creep factor phi of the sheet, 0 for none. Creep adds sag, forces and springback to the
         report: see `Strip.crept`.
-    law : BoundedLaw, optional
+    law : Section, optional
         Section law: the relation between stiffness and the quantity that varies along the strip. `ThicknessLaw`
         and `RoundLaw` vary the thickness or the diameter. `LeavesLaw` is for glued plies and needs `limits` or
-        `keep`, because a stack can only approximate a curve. `WidthLaw` is for a solid strip that bends as a beam
-        where it is narrow and as a plate where it is wide. The limits of the law replace `max_width` and
+        `keep`, because a stack can only approximate a curve. `PlainSection` is for a solid strip that bends as a
+        beam where it is narrow and as a plate where it is wide. The limits of the law replace `max_width` and
         `min_width`.
     ignore_limits : bool
         If True, a strip outside the limits of the workshop is made with a warning.
@@ -524,7 +524,7 @@ class StripSpec(EqualByValue):
         Option("Long-term creep factor of the sheet; 0 for no creep.", least=0, group="weight"),
     ] = 0.0
     law: Annotated[
-        BoundedLaw | None,
+        Section | None,
         Option(
             "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
             group="widths",
@@ -721,14 +721,14 @@ class StripSpec(EqualByValue):
         )
 
     @property
-    def _widths(self) -> WidthRange | None:
+    def _widths(self) -> PlainSection | None:
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
         least, cuttable = self.min_width or 0.0, self.shop.width_for(self.material)
         if self.max_width is not None and not self.ignore_limits and cuttable < self.max_width:
             least = max(least, cuttable)
-        return WidthRange(self.material, least, self.max_width)
+        return PlainSection(self.material, least, self.max_width or np.inf)
 
     @cached_property
     def _curve_from_seam(self) -> PlaneCurve:
@@ -758,18 +758,18 @@ class StripSpec(EqualByValue):
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
-    def _width_law(self) -> WidthLaw:
+    def _width_law(self) -> PlainSection:
         if self.max_width is not None:
-            return WidthLaw(self.material, 0.0, self.max_width)
-        return WidthLaw(self.material, self.min_width or 0.0, np.inf)
+            return PlainSection(self.material, 0.0, self.max_width)
+        return PlainSection(self.material, self.min_width or 0.0, np.inf)
 
-    def _section(self, share: float) -> BoundedLaw | None:
+    def _section(self, share: float) -> Section | None:
         """Return the section law, or None if the width is proportional to the stiffness.
 
         The density of the law is multiplied by `share`, the fraction of the weight that acts in the plane of
         the curve.
         """
-        law: BoundedLaw | None = self.law
+        law: Section | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
@@ -784,7 +784,7 @@ class StripSpec(EqualByValue):
         sheet = getattr(law, "sheet", None)
         if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
             return law
-        return cast(BoundedLaw, replace(cast(Any, law), sheet=sheet.with_weight_share(share)))
+        return cast(Section, replace(cast(Any, law), sheet=sheet.with_weight_share(share)))
 
     @property
     def _makeable_limits(self) -> Limits:

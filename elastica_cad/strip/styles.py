@@ -20,10 +20,8 @@ from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import (
     SAME_SCALE,
-    BoundedLaw,
     LaidLeaves,
-    RoundLaw,
-    StiffnessLaw,
+    Section,
     ThicknessLaw,
     scale_within,
 )
@@ -140,8 +138,8 @@ class Layout:
         Diameter of the holes that align base and backing, mm; 0 for none.
     warnings : tuple of str
         Warnings about the pattern.
-    section : BoundedLaw or None
-        Section law, or None if the width is proportional to the stiffness.
+    section : Section or None
+        Section with limits, or None if the width is proportional to the stiffness.
     size : Profile or None
         Thickness or diameter along the bent part, mm, if it varies, else None. For glued plies, the thickness
         of the stack.
@@ -155,7 +153,7 @@ class Layout:
     backing: Backing | None = None
     dots: float = 0.0
     warnings: tuple[str, ...] = ()
-    section: BoundedLaw | None = None
+    section: Section | None = None
     size: Profile | None = None
 
     @property
@@ -182,57 +180,25 @@ class Layout:
             return ()
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
-    def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """Return the stiffness law, and the values (n,) of its variable.
-
-        `material` and `backing` are the net widths (n,) of the layers, mm.
-        """
+    def section_of(self, material: FloatArray, backing: FloatArray | None) -> tuple[Section, FloatArray]:
+        """Return the section for net widths (n,) of sheet and backing, mm, and the values (n,) of its parameter."""
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
-        return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
+        return LaminatedSection(self.sheet, self.backing.sheet, material), backing
+
+    def section_at(self, s: FloatArray) -> tuple[Section, FloatArray]:
+        """Return the section at arc lengths s (n,), mm, and the values (n,) of its parameter."""
+        if self.section is not None and self.size is not None:
+            return self.section, self.size(s)
+        material = self.material(s)
+        # rounding can make the backing slightly wider than the base
+        backing = None if self.backing is None else np.minimum(self.backing.width(s), material)
+        return self.section_of(material, backing)
 
     def strains(self, bends: Bends) -> tuple[LayerStrain, ...]:
         """Return the surface strain of each layer at stations along the strip."""
-        if self.section is not None and self.size is not None:
-            return self.section.strains(bends.amount, self.size(bends.s))
-        if self.backing is None:
-            return PlainSection(self.sheet).strains(bends.amount)
-        outer = self.width(bends.s)
-        # rounding can make the backing slightly wider than the base
-        law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
-        return law.strains(bends.amount, parameter)
-
-    def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
-        """Return the bending stiffness E I (n,), N mm2, for the net widths (n,), mm, of sheet and backing."""
-        law, parameter = self.law(material, backing)
-        return law.bending_stiffness(parameter)
-
-    def axial_stiffness(self, s: FloatArray) -> FloatArray:
-        """Return E A (n,), N, at arc lengths (n,), mm."""
-        sheet, material = self.sheet, self.material(s)
-        if isinstance(self.section, ThicknessLaw | RoundLaw) and self.size is not None:
-            return self.section.axial_stiffness(self.size(s))
-        if self.backing is None:
-            return sheet.youngs_modulus * sheet.thickness * material
-        backing = np.minimum(self.backing.width(s), material)
-        return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, backing)
-
-    def weight_at(self, s: FloatArray) -> FloatArray:
-        """Return the weight per length (n,), N/mm, at arc lengths (n,), mm."""
-        if self.section is not None and self.size is not None:
-            return self.section.weight_per_length(self.size(s))
-        material = self.material(s)
-        backing = None if self.backing is None else np.minimum(self.backing.width(s), material)
-        law, parameter = self.law(material, backing)
-        return law.weight_per_length(parameter)
-
-    def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
-        """Return the weight per length (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
-
-        The weight of a single sheet is proportional to its stiffness.
-        """
-        law, parameter = self.law(material, backing)
-        return None if backing is None or self.backing is None else law.weight_per_length(parameter)
+        section, parameter = self.section_at(bends.s)
+        return section.strains(bends.amount, parameter)
 
 
 class Style(Protocol):
@@ -327,7 +293,7 @@ def _require_width_within(
         )
 
 
-def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
+def _laid_out_by_section(rod: Rod, section: Section, sheet: Sheet) -> Layout:
     profile = rod.profile
     if (stack := section.stack) is not None:
         B = rod.bending_stiffness or 1.0
@@ -337,8 +303,8 @@ def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     least, largest = section.limits
     s = stations_of(rod.length, profile)
     limit = largest if np.isfinite(largest) else least
-    law = section.bent(rod.bend_at(s), rod.rest_at(s))
-    B = scale_within(law, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
+    bent = section.bent(rod.bend_at(s), rod.rest_at(s))
+    B = scale_within(bent, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
     size = Profile.fit(
         lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
         breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_TOLERANCE * limit,

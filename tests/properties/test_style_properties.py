@@ -91,7 +91,7 @@ def test_laminates_have_the_stiffness_they_should(length, stiffness, outline, si
     w1, w2 = width(s), strip.layout.backing.width(s)
     assert w2.min() > 1.0 - 2e-5
     assert (w2 - w1).max() < 2e-5
-    found = LaminatedSection(base, backing).bending_stiffness(w1, np.minimum(w1, w2))
+    found = LaminatedSection(base, backing).on(w1).bending_stiffness(np.minimum(w1, w2))
     assert np.abs(found / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-4
 
 

@@ -8,7 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad._values import alike, is_number, is_one_of, is_series, require_flag, several
 from elastica_cad.geometry import Line
-from elastica_cad.mechanics import InflectionLine, WidthLaw, elastica_between
+from elastica_cad.mechanics import InflectionLine, PlainSection, elastica_between
 from elastica_cad.model import LeafStack, base_plate, interlock
 from elastica_cad.strip import PrismSolid, TabSeat
 
@@ -36,7 +36,7 @@ CALLS = {
     "width laid out": lambda: ec.Plain().laid_out(ROD, SHEET, max_width="x"),
     "velocity": lambda: Line((0, 0), (1, 0)).velocity_at([[1, 2], [3]]),
     "points": lambda: InflectionLine((0, 0), (1, 0)).distance((1, 2, 3)),
-    "shapes": lambda: WidthLaw(SHEET, 0, 40).bent([1, 2, 3], [1, 2]),
+    "shapes": lambda: PlainSection(SHEET, 0, 40).bent([1, 2, 3], [1, 2]),
     "side of a rod": lambda: ec.bend(ROD, side=TWO),
     "angles": lambda: elastica_between((0, 0), (90, 0), 100.0, angles=ONE),
     "overflow": lambda: elastica_between((0, 0), (90, 0), 1e300),

@@ -115,8 +115,8 @@ def test_borders_that_lie_off_the_axis_give_way():
     # without nu it does not matter which way
     assert laminate_factor(24.0, 12.0, -CURVATURES, section) == pytest.approx(1 - softer, abs=1e-12)
     # no softer than without all that its borders carry off the axis
-    bare = section.bending_stiffness(12.0, 12.0) + section.base.bending_stiffness(12.0)
-    assert softer[-1] < 1 - bare / section.bending_stiffness(24.0, 12.0)
+    bare = section.on(12.0).bending_stiffness(12.0) + section.base.bending_stiffness(12.0)
+    assert softer[-1] < 1 - bare / section.on(24.0).bending_stiffness(12.0)
 
 
 def test_a_laminate_that_curls_is_softer_one_way():

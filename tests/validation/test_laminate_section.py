@@ -35,9 +35,10 @@ def integrated(section, w1, w2):
 def test_stiffness_axis_and_inverse_match_integration(heights, moduli, backing):
     section = laminate(*heights, *moduli)
     EI, axis = integrated(section, 12.5, backing)
-    assert section.bending_stiffness(12.5, backing) == pytest.approx(EI, rel=1e-9)
-    assert section.neutral_axis(12.5, backing) == pytest.approx(axis, rel=1e-9)
-    found = section.backing_width(12.5, EI)
+    on_base = section.on(12.5)
+    assert on_base.bending_stiffness(backing) == pytest.approx(EI, rel=1e-9)
+    assert on_base.neutral_axis(backing) == pytest.approx(axis, rel=1e-9)
+    found = on_base.parameter(EI)
     assert integrated(section, 12.5, found)[0] == pytest.approx(EI, rel=1e-9)
 
 
@@ -47,19 +48,17 @@ def test_error_of_the_published_formula(part, error):
     h1, h2, w1 = 1.0, 2.0, 10.0
     w2 = part * w1
     published = 1000.0 / 12 * (w2 * (h1 + h2) ** 3 + (w1 - w2) * h1**3)
-    assert published / laminate(h1, h2).bending_stiffness(w1, w2) - 1 == pytest.approx(error, abs=5e-4)
+    assert published / laminate(h1, h2).on(w1).bending_stiffness(w2) - 1 == pytest.approx(error, abs=5e-4)
 
 
 def test_published_formula_is_right_at_both_ends():
-    section = laminate(1.0, 2.0)
-    assert section.bending_stiffness(10.0, [0.0, 10.0]) == pytest.approx(
-        [10.0 * 1000 / 12, 10.0 * 1000 / 12 * 27]
-    )
+    section = laminate(1.0, 2.0).on(10.0)
+    assert section.bending_stiffness([0.0, 10.0]) == pytest.approx([10.0 * 1000 / 12, 10.0 * 1000 / 12 * 27])
 
 
 @pytest.mark.parametrize(("part", "more"), [(1.0, 1.0), (0.25, 4 / 3), (1e-9, 5 / 3)])
 def test_skin_of_a_laminate_strains_more_than_half_its_thickness_says(part, more):
     """h1/h2 = 1/2: the axis lies at h1/2 + A2/(A1 + A2) (h1 + h2)/2, worked by hand."""
-    section = laminate(1.0, 2.0)
-    outer, inner = section.distances(10.0, 10.0 * part)
+    section = laminate(1.0, 2.0).on(10.0)
+    outer, inner = (layer.distance for layer in section.layers(10.0 * part))
     assert max(outer, inner) / (section.thickness / 2) == pytest.approx(more, rel=1e-6)

@@ -5,7 +5,7 @@ import pytest
 from scipy.linalg import null_space
 
 from elastica_cad import Limits, PlaneCurve, Sheet, make_strip, nearest_rod, stability
-from elastica_cad.mechanics import WidthLaw
+from elastica_cad.mechanics import PlainSection
 from tests.validation.test_blanks_that_curl import moment
 
 pytestmark = pytest.mark.core
@@ -40,7 +40,7 @@ def own_margin(rod, width, sheet):
 
 
 def widths(rod):
-    """mm, of the nodes of a rod whose section is a `WidthLaw`."""
+    """mm, of the nodes of a rod whose section is a `PlainSection`."""
     law = rod.section.bent(rod.curvature - rod.natural_curvature, rod.natural_curvature)
     return law.parameter(rod.bending_stiffness * rod.stiffness)
 
@@ -57,7 +57,10 @@ def widths(rod):
 )
 def test_a_margin_that_is_kept_is_that_of_what_a_small_bend_more_takes(curve, sheet, rest, margin):
     near = nearest_rod(
-        curve, Limits(ratio=3.0, margin=margin), section=WidthLaw(sheet, 0.0, 40.0), natural_curvature=rest
+        curve,
+        Limits(ratio=3.0, margin=margin),
+        section=PlainSection(sheet, 0.0, 40.0),
+        natural_curvature=rest,
     )
     assert near.met
     wide = widths(near.rod)
@@ -70,7 +73,7 @@ def test_a_margin_that_is_kept_is_that_of_what_a_small_bend_more_takes(curve, sh
 
 def test_a_flat_strip_is_not_moved_for_a_margin_that_it_has():
     """By M / kappa it had 33 and was moved by 0.035 mm to have 40; bent as a plate it stiffens."""
-    asked = {"section": WidthLaw(RUBBER, 0.0, 40.0)}
+    asked = {"section": PlainSection(RUBBER, 0.0, 40.0)}
     near = nearest_rod(S, Limits(ratio=3.0, margin=35.0), **asked)
     free = nearest_rod(S, Limits(ratio=3.0), **asked)
     assert stability(free.rod).margin > 38

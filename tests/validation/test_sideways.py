@@ -323,7 +323,7 @@ def torsion_by_differences(section, base_width, backing_width, cell=0.05):
 def test_torsion_of_laminates_by_prandtls_stress_function(backing, widths):
     sheets = [Sheet("known", 0.5, E, 700.0, max_strain=0.02, poisson_ratio=0.3) for E in (9000.0, backing)]
     section, (base, glued) = LaminatedSection(*sheets), widths
-    B = float(section.bending_stiffness(base, glued))
+    B = float(section.on(base).bending_stiffness(glued))
     found = SidewaysSection.laminated(np.ones(1), B, np.full(1, base), np.full(1, glued), section)
     assert found.torsion[0] * B == pytest.approx(torsion_by_differences(section, base, glued), rel=0.04)
 

@@ -80,7 +80,7 @@ def test_a_laminate_strays_as_its_borders_give_way(curve, sheet, width, wide_str
     table = np.array([laminate_factor(width, wide, kappa, section) for wide in widths])
     factor = RectBivariateSpline(widths, kappa, table)
     own = wide_strips.OwnStrip(
-        lambda s: section.bending_stiffness(np.full(s.size, width), backing(s)),
+        lambda s: section.on(np.full(s.size, width)).bending_stiffness(backing(s)),
         lambda s, kappa: factor(backing(s), kappa, grid=False),
     ).bent(made.rod)
     assert made.held_deviation == pytest.approx(strays(own.position, made.rod.position), rel=AGREES)

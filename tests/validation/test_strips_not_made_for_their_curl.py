@@ -41,7 +41,7 @@ def own_of(made, wide_strips):
         widths, kappa, np.array([laminate_factor(width, wide, kappa, section) for wide in widths])
     )
     return wide_strips.OwnStrip(
-        lambda s: section.bending_stiffness(np.full(s.size, width), backing(s)),
+        lambda s: section.on(np.full(s.size, width)).bending_stiffness(backing(s)),
         lambda s, kappa: factor(backing(s), kappa, grid=False),
     )
 

@@ -64,10 +64,8 @@ def test_laminated_as_published_with_the_exact_section(pot, widths, number):
     style = Laminated(width=widths[number], backing=card(0.2), least_backing=0.5)
     strip = ec.Strip(rod, card(0.1), style=style)
     s = np.linspace(0.0, rod.length, 1000)
-    section = LaminatedSection(card(0.1), card(0.2))
-    made = section.bending_stiffness(
-        strip.width(s), np.minimum(strip.layout.backing.width(s), strip.width(s))
-    )
+    section = LaminatedSection(card(0.1), card(0.2)).on(strip.width(s))
+    made = section.bending_stiffness(np.minimum(strip.layout.backing.width(s), strip.width(s)))
     assert np.abs(made / (strip.bending_stiffness * rod.profile(s)) - 1).max() < 1e-5
     assert strip.deviation_as_built < 0.01
 

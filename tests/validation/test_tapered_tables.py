@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from scipy.special import jv, yv
 
 from elastica_cad import End, Gravity, Profile, Rod, Sheet, Supports, Weight, bend, stability
-from elastica_cad.mechanics import RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics import PlainSection, RoundLaw, ThicknessLaw
 
 pytestmark = pytest.mark.core
 
@@ -204,7 +204,9 @@ def test_springs_of_uniform_strength_as_tabulated(kind):
         law = ThicknessLaw(MATERIAL, 1e-4, 10.0, width=b)
         size = h * np.sqrt(left)
     else:
-        law = WidthLaw(Sheet("any", h, 12000.0, density=1000.0, max_strain=0.01, poisson_ratio=0.0), 1e-5, b)
+        law = PlainSection(
+            Sheet("any", h, 12000.0, density=1000.0, max_strain=0.01, poisson_ratio=0.0), 1e-5, b
+        )
         size = b * left
     EI = law.bending_stiffness(size)
     straight = Rod.straight(length, EI, samples=nodes.size, supports=CANTILEVER)

@@ -20,8 +20,8 @@ from elastica_cad import (
 )
 from elastica_cad.mechanics import (
     Imperfection,
+    PlainSection,
     ToleranceRanges,
-    WidthLaw,
     bend_path,
     perturb_rod,
     tolerance_study,
@@ -108,7 +108,7 @@ def test_its_margin_is_that_of_what_a_small_bend_more_takes(curve, strip, wide_s
 def test_its_conjugate_point_is_where_a_shorter_piece_would_give(wide_strips):
     """An S pushed together in its second mode, which does not stay."""
     sheet = ply(2.0, 0.37)
-    flat = Rod.straight(300.0, [3.0, 1.0, 1.5], samples=601, section=WidthLaw(sheet, 0.0, 40.0))
+    flat = Rod.straight(300.0, [3.0, 1.0, 1.5], samples=601, section=PlainSection(sheet, 0.0, 40.0))
     bent = bend(flat, end=(210.0, 0.0), mode=2)
     found = stability(bent)
     assert not found.stable
@@ -157,7 +157,7 @@ def near_limit(made, found, wide_strips):
 def test_a_flat_strip_stiffens_as_it_is_bent(wide_strips):
     """Straight at first, so E I is that of a beam; pushed together it is a plate's where it is sharply bent."""
     sheet = ply(1.0, 0.3)
-    flat = Rod.straight(400.0, [1.0, 2.0, 1.0], samples=401, section=WidthLaw(sheet, 0.0, 60.0))
+    flat = Rod.straight(400.0, [1.0, 2.0, 1.0], samples=401, section=PlainSection(sheet, 0.0, 60.0))
     bent = bend(flat, end=(200.0, 0.0))
     strip = Strip(flat, sheet)
     own = wide_strips.OwnStrip.cut(strip.width, sheet).bent(bent, end=bent.position[-1])

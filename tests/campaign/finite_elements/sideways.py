@@ -11,7 +11,6 @@ import numpy as np
 from scipy.special import ellipk
 
 from elastica_cad import Laminated, Perforated, PlaneCurve, Rod, Strip, bend
-from elastica_cad.mechanics.sections import areal_weight
 from elastica_cad.strip.strip import strip_sideways
 from tests.campaign.finite_elements.bent_strip import BentStrip, bend_cut_strip
 from tests.campaign.finite_elements.closed_forms import GRAVITY_MM_S2, LENGTH, arc, elastica, uniform_strip
@@ -94,10 +93,8 @@ def _swung(name: str, strip: Strip, curve: PlaneCurve, folder: Path, *, size: fl
     """One strip; eigenvalues over its own bending stiffness and mass per length."""
     bent: BentStrip = bend_cut_strip(strip, folder, size=size, curve=curve, modes=MODES)
     layout, at = strip.layout, LENGTH / 2
-    newtons = areal_weight(strip.sheet) * layout.material(at)
-    if layout.backing is not None:
-        newtons += areal_weight(layout.backing.sheet) * layout.backing.width(at)
-    tonnes = float(newtons) / GRAVITY_MM_S2
+    section, parameter = layout.section_at(at)
+    tonnes = float(section.weight_per_length(parameter)) / GRAVITY_MM_S2
     found = bent.eigenvalues * tonnes * LENGTH**4 / strip.bending_stiffness
     return Swung(
         name,

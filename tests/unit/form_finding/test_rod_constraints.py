@@ -16,14 +16,14 @@ from elastica_cad.form_finding.curve_distance import (
     measure_deviation,
 )
 from elastica_cad.form_finding.rod_map import SectionScale, StiffnessBasis, StripGrid
-from elastica_cad.mechanics import WidthLaw
-from elastica_cad.mechanics.laminated_section import BackingLaw, LaminatedSection
+from elastica_cad.mechanics import PlainSection
+from elastica_cad.mechanics.laminated_section import LaminatedSection
 
 pytestmark = pytest.mark.core
 
 EDGES = 81
 CAST = Sheet("acrylic", 1.0, 3000.0, 1190.0, max_strain=0.2, poisson_ratio=0.37)
-GLUED = BackingLaw(LaminatedSection(CAST, CAST), np.array(40.0), (0.0, 40.0))
+GLUED = LaminatedSection(CAST, CAST, 40.0, (0.0, 40.0))
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +81,7 @@ def test_rows_are_derivatives(constraint, grid, z):
 @pytest.mark.parametrize("kind", ["margin", "largest section"])
 def test_rows_of_strips_that_follow_their_bend(kind, rest, grid, z):
     """By differences, which round off the kinks that a blank has where its bend changes sides."""
-    section = SectionScale(WidthLaw(CAST, 0.0, 60.0), CAST.bending_stiffness(40.0), 3.0)
+    section = SectionScale(PlainSection(CAST, 0.0, 60.0), CAST.bending_stiffness(40.0), 3.0)
     grid, of = replace(grid, natural_curvature=rest), {"section": section, "rest": rest, "size": 200.0}
     constraint = limits.FollowedMarginLimit(limit=5.0, **of)
     if kind != "margin":

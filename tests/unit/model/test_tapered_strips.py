@@ -22,7 +22,7 @@ from elastica_cad import (
     make_strip,
     optimal_rod,
 )
-from elastica_cad.mechanics import LeavesLaw, RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.mechanics import LeavesLaw, PlainSection, RoundLaw, ThicknessLaw
 from elastica_cad.model import EndFixture, LeafStack
 from elastica_cad.strip import BentSolid, FlatSolid
 from elastica_cad.strip.solids import bent_sheets
@@ -125,7 +125,7 @@ def test_a_mass_hangs_on_a_tapered_strip():
 def test_a_wide_heavy_strip_carries_its_weight_as_a_plate(limits):
     """With the stiffness of a beam the strip as made strays ten times as far."""
     half = ARCH.transformed(np.diag([0.5, 0.5, 1.0]))
-    plate = make_strip(half, CARD, gravity=True, law=WidthLaw(CARD, *limits))
+    plate = make_strip(half, CARD, gravity=True, law=PlainSection(CARD, *limits))
     widest = float(plate.width.extremes[1])
     beam = make_strip(half, CARD, gravity=True, max_width=widest)
     assert widest == pytest.approx(40.0, rel=1e-4) or plate.width.extremes[0] == pytest.approx(20.0, rel=1e-4)
