@@ -50,8 +50,8 @@ def build(mesh=None, count=COUNT, least_radius=LEAST_RADIUS):
     planes = ec.form_finding.radial_planes((0, 0, 0), (0, 0, 1), 2 * np.pi * np.arange(count) / count)
     sections = ec.form_finding.mesh_sections(mesh.vertices, mesh.faces, planes, half=True)
     curves, reports = ec.form_finding.section_curves(sections, tolerance=0.3)
-    layers = ec.mechanics.LaminatedSection(BASE, CARD)
-    hanging = layers.bending_stiffness(40.0, 20.0) / layers.weight_per_length(40.0, 20.0)
+    layers = ec.mechanics.LaminatedSection(BASE, CARD).on(40.0)
+    hanging = layers.bending_stiffness(20.0) / layers.weight_per_length(20.0)
     limits = ec.Limits(ratio=RATIO, margin=5.0, curvature=1 / least_radius if least_radius else None)
     found = ec.nearest_rods([c.curve for c in curves], limits, gravity=ec.Gravity(float(hanging) ** (1 / 3)))
     widths = ec.touching_widths(

@@ -35,9 +35,9 @@ def test_the_laminate_rests_in_the_curve_under_the_weight_of_its_layers(curve):
     width = Profile.interpolate([0.0, curve.length / 2, curve.length], [20.0, 22.0, 21.0])
     laminate = optimal_laminate(curve, SECTION, width, direction=(0, -1))
     rod = laminate.rod
-    EI = SECTION.bending_stiffness(laminate.base_width, laminate.backing_width)
+    EI = laminate.section.bending_stiffness(laminate.backing_width)
     assert rod.bending_stiffness * rod.stiffness == pytest.approx(EI, rel=1e-7)
-    newtons = rod.node_lengths * SECTION.weight_per_length(laminate.base_width, laminate.backing_width)
+    newtons = rod.node_lengths * laminate.section.weight_per_length(laminate.backing_width)
     assert -rod.nodal_load[:, 1] * rod.bending_stiffness == pytest.approx(newtons, rel=2e-4)
     assert laminate.backing_width.max() <= 22.0
     assert np.max(laminate.backing_width / laminate.base_width) == pytest.approx(1.0, abs=1e-4)
