@@ -81,7 +81,7 @@ def batten(**chosen: Any) -> None:
     NAME.csv (sizes in mm and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json,
     NAME.pdf (the same on pages; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With
     --leaves drawings and bodies show the plies, and NAME.csv is their cut list. A batten for a drawn curve is a
-    strip: elastica strip sheer.csv --set 'law = {kind = "thickness", limits = [4, 18], width = 30}'.
+    strip: elastica strip sheer.csv --set 'section = {kind = "thickness", limits = [4, 18], width = 30}'.
 
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out

@@ -163,9 +163,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv: forces and moments
     at the ends, energy, strain, stress and safety at every step. NAME-travel.png shows all shapes, if there is
     more than one step. The strip is then made as in `elastica strip`; --set sets its other keys, such as --set
-    style.kind=perforated. A report sets sheet, law, widths and supports, and options replace them. --rail, --pin
-    and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads. A rail
-    or pin at a point beside the strip, at most 5 % of its length away, moves the strip there.
+    style.kind=perforated. A report sets sheet, section, widths and supports, and options replace them. --rail,
+    --pin and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads. A
+    rail or pin at a point beside the strip, at most 5 % of its length away, moves the strip there.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(

@@ -179,7 +179,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
         if chosen["sheet"] is None
         else requested_sheet(chosen)
     )
-    return sheet, fields | {"law": RoundLaw(sheet, *rod), "ends": (Tab(0.0), Tab(0.0))}
+    return sheet, fields | {"section": RoundLaw(sheet, *rod), "ends": (Tab(0.0), Tab(0.0))}
 
 
 def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:

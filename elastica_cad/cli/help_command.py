@@ -9,7 +9,14 @@ from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.cli.voice import answer, say
 from elastica_cad.declared import REQUIRED, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import help_with_unit, paths_of, require_path_of, title, written
+from elastica_cad.design.records import (
+    current_path,
+    help_with_unit,
+    paths_of,
+    require_path_of,
+    title,
+    written,
+)
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.refusals import Either
 
@@ -37,6 +44,7 @@ def help_command(key: str | None) -> None:
 
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
+    key = None if key is None else current_path(key)
     text = _list_of_keys() if key is None else _explanation(key, typed_name(key))
     answer({"key": key, "text": text})
     say(text)

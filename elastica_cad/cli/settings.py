@@ -11,7 +11,7 @@ from elastica_cad._toml import parse_toml
 from elastica_cad._units import read_length
 from elastica_cad.declared import Kind, Option, Record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
-from elastica_cad.design.records import help_with_unit, paths_of, put, require_path_of, written
+from elastica_cad.design.records import current_path, help_with_unit, paths_of, put, require_path_of, written
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.errors import InputError, quoted
 
@@ -78,8 +78,8 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
 
     Examples
     --------
-    >>> parsed_settings(["limits.ratio=3", "law.kind=rod"], CommandKeys)
-    {'limits': {'ratio': 3}, 'law': {'kind': 'rod'}}
+    >>> parsed_settings(["limits.ratio=3", "section.kind=rod"], CommandKeys)
+    {'limits': {'ratio': 3}, 'section': {'kind': 'rod'}}
     """
     table: dict[str, Any] = {}
     for text in settings:
@@ -88,6 +88,7 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
             raise InputError(
                 "--set {text} has no value. Write KEY=VALUE, such as limits.ratio=3.", text=quoted(text)
             )
+        path = current_path(path)
         require_path_of(path, record)
         put(table, path, _in_mm(_toml_or_text(value), path, record))
     return table

@@ -251,7 +251,7 @@ def _is_output_occupied(requested: RequestedCurve, chosen: Mapping[str, Any]) ->
 
 def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     strip = result.strip
-    if result.spec.compensate or result.spec.law is not None:
+    if result.spec.compensate or result.spec.section is not None:
         return
     with suppress(NotConvergedError):
         if not not_computed_row(strip) and strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:

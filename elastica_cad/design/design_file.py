@@ -23,7 +23,7 @@ from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit
 from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of
 from elastica_cad.design.strip_table import SHARED, StripEntry, StripKeys, read_strip
-from elastica_cad.design.tables import Slips, Table, merged
+from elastica_cad.design.tables import Slips, Table, merged, with_present_keys
 from elastica_cad.errors import (
     ElasticaError,
     InputError,
@@ -254,10 +254,11 @@ def design_of(
 
 
 def parse_design(path: Path) -> dict[str, Any]:
-    """Return the tables of a TOML file, parsed but not checked."""
+    """Return the tables of a TOML file, parsed but not checked. Former names of keys are replaced."""
     try:
         text = path.read_bytes().decode("utf-8-sig")
-        return parse_toml(text)
+        tables: dict[str, Any] = with_present_keys(parse_toml(text))
+        return tables
     except UnicodeDecodeError as error:
         raise InputError(
             "{path} is not a TOML file because it is not UTF-8. Save it as UTF-8 text.", path=path

@@ -23,7 +23,7 @@ from elastica_cad.declared import (
 )
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, cutting_keys
-from elastica_cad.design.tables import OTHER_WORDS, Formula, Table
+from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -506,6 +506,17 @@ MOST_LISTED_KEYS = 20
 
 NEAR_KEY = 0.75
 """Least similarity of a mistyped key to a key that is suggested, 0 to 1."""
+
+
+def current_path(path: str) -> str:
+    """Return the path of a key in its present names.
+
+    Examples
+    --------
+    >>> current_path("law.kind")
+    'section.kind'
+    """
+    return ".".join(FORMER_KEYS.get(name, name) for name in path.split("."))
 
 
 def require_path_of(path: str, record: Record) -> Field:

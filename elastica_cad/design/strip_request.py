@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad.design.tables import with_present_keys
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -80,7 +81,7 @@ class FinishedStrip:
     def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
         """Read the record of `request_record` in a report whose rest shape is `curve`."""
         try:
-            values = _decoded(dict(record))
+            values = _decoded(with_present_keys(dict(record)))
             stiffness, scale = values.pop("stiffness"), values.pop("bending_stiffness")
             spec = StripSpec(curve, smooth=0.0, straight_ends=False, ignore_limits=True, **values)
             return cls(spec, stiffness, scale)
@@ -93,12 +94,12 @@ class FinishedStrip:
     def changed(self, **fields: Any) -> "FinishedStrip":
         """Return the strip with other values of some fields of its request, and with the same stiffness.
 
-        A new width replaces both widths. A new law replaces widths, style, slots and the shapes of tabs. New
-        widths or a new style replace a law. If the gravity is removed, the loads are removed too.
+        A new width replaces both widths. A new section replaces widths, style, slots and the shapes of tabs. New
+        widths or a new style replace a section. If the gravity is removed, the loads are removed too.
         """
-        sheet, law = fields.get("sheet"), self.spec.law
+        sheet, section = fields.get("sheet"), self.spec.section
         sized = {"max_width", "min_width", "style"} & set(fields)
-        if "law" in fields:
+        if "section" in fields:
             ends = tuple(Tab(tab.length) for tab in self.spec.ends)
             fields = {
                 "max_width": None,
@@ -108,10 +109,10 @@ class FinishedStrip:
                 "ends": ends,
                 **fields,
             }
-        elif sized and law is not None:
-            fields = {"law": None, **fields}
-        elif sheet is not None and law is not None:
-            fields = {"law": replace(law, sheet=sheet), **fields}  # type: ignore[type-var]
+        elif sized and section is not None:
+            fields = {"section": None, **fields}
+        elif sheet is not None and section is not None:
+            fields = {"section": replace(section, sheet=sheet), **fields}  # type: ignore[type-var]
         if sized - {"style"}:
             fields = {"max_width": None, "min_width": None, **fields}
         if not fields.get("gravity", True):
@@ -124,8 +125,8 @@ class FinishedStrip:
         rod_spec = spec.rod_spec
         # the stiffness of plies is piecewise constant, unlike the stiffness of other rods
         laid = isinstance(rod_spec.section, LaidLeaves)
-        # weight and size depend on the section law, or on the layers of a laminate with weight
-        solved = spec if spec.law is not None or rod_spec.layers is not None else designed
+        # weight and size depend on the section, or on the layers of a laminate with weight
+        solved = spec if spec.section is not None or rod_spec.layers is not None else designed
         section = None if laid else solved.rod_spec.section
         if isinstance(section, ThicknessLaw | RoundLaw):
             # the rest shape of an even rod needs an almost even rod
@@ -138,11 +139,13 @@ class FinishedStrip:
         if spec is not designed and solved is spec:
             # the largest section of the finished strip is as large as that of the rod
             scale = (rod.bending_stiffness or scale) * most / rod.profile.extremes[1]
-            if spec.law is not None and not laid:
-                refuse_below_limits(spec.law, scale * rod.stiffness, rod.s)
+            if spec.section is not None and not laid:
+                refuse_below_limits(spec.section, scale * rod.stiffness, rod.s)
         elif spec is not designed:
             size = _unloaded_stiffness(spec, rod)
-            scale = size if designed.law is not None else scale * size / _unloaded_stiffness(designed, rod)
+            scale = (
+                size if designed.section is not None else scale * size / _unloaded_stiffness(designed, rod)
+            )
             weight = rod_spec.weight
             if weight is not None and rod_spec.gravity is not None:
                 weight = carried_weight(weight, rod_spec.gravity, scale)
@@ -153,7 +156,7 @@ class FinishedStrip:
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
             # a plain strip also gets its largest width from the stiffness
-            if isinstance(spec.style, Plain) and spec.law is None:
+            if isinstance(spec.style, Plain) and spec.section is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
         return spec.make(rod)
@@ -185,7 +188,7 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
         "sheet": spec.material, "ends": spec.tabs, "samples": rod.s.size,
         "between": tuple(action.on_curve for action in rod.between),
         "loads": _placed_loads(spec, rod),
-        "law": rod.section if isinstance(spec.law, LeavesLaw) else spec.law,
+        "section": rod.section if isinstance(spec.section, LeavesLaw) else spec.section,
         "stiffness": rod.profile, "bending_stiffness": strip.bending_stiffness,
     }  # fmt: skip
     return {name: _as_json(value) for name, value in values.items()}

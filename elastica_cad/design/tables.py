@@ -257,7 +257,11 @@ LONGEST_KEY = 60
 LONGEST_FORMULA = 200
 """Number of characters of a formula that a message shows."""
 
+FORMER_KEYS = {"law": "section"}
+"""Present names of keys of strips, by the former names that files, reports and `--set` still accept."""
+
 OTHER_WORDS = {
+    **FORMER_KEYS,
     "file": "curve", "path": "curve", "material": "sheet", "width": "max_width", "scale": "length",
     "curve": "strips.curve", "label": "strips.label", "style": "style.kind",
     "pages": "extras.pages", "paper": "extras.pages", "kerf": "cut.kerf", "outer_width": "style.width",
@@ -291,6 +295,29 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
             largest_number=LARGEST_NUMBER,
         )
     return float(value)
+
+
+def with_present_keys(table: Any) -> Any:
+    """Return a table of a design, or a list of tables, in which the keys of strips have their present names.
+
+    A former name beside the present name stays, and is refused as unknown.
+
+    Examples
+    --------
+    >>> with_present_keys({"law": 1, "strips": [{"law": 2, "section": 3}]})
+    {'section': 1, 'strips': [{'law': 2, 'section': 3}]}
+    """
+    if isinstance(table, list):
+        return [with_present_keys(row) for row in table]
+    if not isinstance(table, Mapping):
+        return table
+    present = {key: FORMER_KEYS.get(key, key) for key in table}
+    return {
+        key if present[key] in table else present[key]: (
+            with_present_keys(value) if key in ("strips", "revolution") else value
+        )
+        for key, value in table.items()
+    }
 
 
 def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:

@@ -77,9 +77,9 @@ class StripOptions(TypedDict, total=False):
         "bool | None", "Correct the widths for slots and narrow tabs too, not only for anticlastic bending."
     ]
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
-    law: Annotated[
+    section: Annotated[
         "Section | None",
-        "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
+        "Section: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
     tolerance: Annotated[

@@ -354,8 +354,8 @@ def _check_section(request: RodRequest, section: Section) -> None:
     weight = request.weight
     if request.between or request.point_forces:
         raise InputError(
-            "A varying thickness or diameter (section law) cannot be combined with rails, pins, ties or "
-            "point forces yet. Leave out the section law, or these elements."
+            "A varying thickness or diameter (section) cannot be combined with rails, pins, ties or "
+            "point forces yet. Leave out the section, or these elements."
         )
     if isinstance(section, LeavesLaw):
         raise InputError(

@@ -404,12 +404,12 @@ BETWEEN_NODES = 1e-3
 """If only the nodes are limited, the stiffness may exceed its limit between nodes by this fraction."""
 
 
-def require_section(section: object, name: str = "section") -> None:
-    """Raise InputError for a value that is not a `Section` with limits. The message calls it `name`."""
+def require_section(section: object) -> None:
+    """Raise InputError for a value that is not a `Section` with limits."""
     if not isinstance(section, Section) or section.limits == (0.0, np.inf):
         raise InputError(
             "{name} is {given}: give a record with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
-            name=FieldName(name), given=quoted(section), where={"field": name},
+            name=FieldName("section"), given=quoted(section), where={"field": "section"},
         )  # fmt: skip
 
 

@@ -49,10 +49,10 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     tab, the size, the strain and the safety. The default stations include the tips of both tabs. The safety is
     the strain limit of the material divided by the strain, and infinite where the strip is not bent.
     """
-    law, size = strip.layout.section, strip.layout.size
-    if law is None or size is None:
+    section, size = strip.layout.section, strip.layout.size
+    if section is None or size is None:
         raise InputError(
-            "this strip has a constant thickness, so it has no side view: use a strip with a section law, "
+            "this strip has a constant thickness, so it has no side view: use a strip with a section "
             "such as ThicknessLaw"
         )
     first, last = (tab.length for tab in strip.ends)
@@ -61,13 +61,13 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
     bent = np.clip(s, 0.0, strip.rod.length)
     sizes = size(bent)
-    (layer,) = law.strains(np.abs(strip.rod.bend_at(bent)), sizes)
+    (layer,) = section.strains(np.abs(strip.rod.bend_at(bent)), sizes)
     strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
     safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
     return {
         "s_mm": s, "s_inch": s / MM_PER_INCH,
-        "from_tip_mm": s + first, "from_tip_inch": (s + first) / MM_PER_INCH, f"{law.quantity}_mm": sizes,
-        f"{law.quantity}_inch": sizes / MM_PER_INCH, "strain": strain, "safety": safety,
+        "from_tip_mm": s + first, "from_tip_inch": (s + first) / MM_PER_INCH, f"{section.quantity}_mm": sizes,
+        f"{section.quantity}_inch": sizes / MM_PER_INCH, "strain": strain, "safety": safety,
     }  # fmt: skip
 
 
@@ -143,7 +143,7 @@ class BattenSpec:
     place : float
         Position of the largest depth along the chord, as a fraction of the chord from the start.
     stock : ThicknessLaw or RoundLaw
-        Law of a strip planed in thickness, or of a rod. The largest size of the law is the size of the stock.
+        Section of a strip planed in thickness, or of a rod. Its largest size is the size of the stock.
         Its least size is the limit of planing or turning.
     label : str
     full : float
@@ -285,10 +285,10 @@ class Batten:
 
     @property
     def strip_spec(self) -> StripSpec:
-        """Request for the batten's strip: its curve, hinged ends, and the stiffness law of the stock."""
+        """Request for the batten's strip: its curve, hinged ends, and the section of the stock."""
         stock = self.spec.stock
         return StripSpec(
-            self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
+            self.curve, stock.sheet, section=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
             smooth=0.0, frame=Frame(),  # by default the batten is on its side, so its weight does not bend it
             gravity=DOWN if self.spec.lying is None else _gravity_across(self.spec.lying),
         )  # fmt: skip

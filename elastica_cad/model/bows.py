@@ -122,7 +122,7 @@ class Bow:
 def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: Any) -> Bow:
     """Return the rod or strip that a cord between its ends bends into a given curve.
 
-    A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica.
+    A constant section (`min_width` equal to `max_width`, or a section with equal limits) bends into an elastica.
     The result is then the bow that has the end points and length of the curve and bulges to the same side.
     `deviation` is its distance from the curve. A varying section gets widths or diameters with which the
     result bends exactly into the curve. The curvature of the curve must then be 0 at both ends.
@@ -136,8 +136,8 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
         Diameter of the hole for the cord at each end of the cord, mm; 0 for none. The tabs of the strip are
         outside the holes, and by default long enough for them.
     **fields
-        Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the
-        nearest possible curve. For a constant section, only `max_width`, `min_width`, `law`, `ends` and
+        Fields of `StripSpec`: `max_width` for a strip, `section=RoundLaw(...)` for a rod, `limits` for the
+        nearest possible curve. For a constant section, only `max_width`, `min_width`, `section`, `ends` and
         `label` are allowed.
 
     Raises
@@ -151,7 +151,7 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     >>> from elastica_cad.mechanics import RoundLaw
     >>> glass = ec.Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.02)
     >>> arc = ec.PlaneCurve.arc((0, 0), 500, 0.8 * np.pi, 0.2 * np.pi)
-    >>> kite = bow(arc, glass, law=RoundLaw(glass, 8.0, 8.0))
+    >>> kite = bow(arc, glass, section=RoundLaw(glass, 8.0, 8.0))
     >>> round(kite.cord, 1), round(kite.pull), round(kite.deviation, 1)
     (809.0, 91, 9.5)
     """
@@ -210,21 +210,21 @@ def rise_of(rod: Rod) -> float:
 
 def _has_constant_section(
     *,
-    law: object = None,
+    section: object = None,
     max_width: float | None = None,
     min_width: float | None = None,
     **_: Any,
 ) -> bool:
-    if isinstance(law, RoundLaw | ThicknessLaw):
-        return law.least == law.largest
-    return law is None and max_width is not None and max_width == min_width
+    if isinstance(section, RoundLaw | ThicknessLaw):
+        return section.least == section.largest
+    return section is None and max_width is not None and max_width == min_width
 
 
 def _strip_of_constant_section(
     curve: PlaneCurve,
     sheet: Sheet,
     *,
-    law: RoundLaw | ThicknessLaw | None = None,
+    section: RoundLaw | ThicknessLaw | None = None,
     max_width: float | None = None,
     min_width: float | None = None,  # noqa: ARG001 - equal to max_width
     **fields: Any,
@@ -232,10 +232,9 @@ def _strip_of_constant_section(
     refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
     start, end = curve.survey.position[[0, -1]]
     across = (curve.survey.position - start) @ left_of(end - start)
-    section = law or PlainSection.as_plate(sheet, max_width)
     flat = Rod.straight(
         curve.length, samples=FINE_NODES, start=start, angle=float(np.arctan2(*(end - start)[::-1])),
-        supports=ENDS, section=section,
+        supports=ENDS, section=section or PlainSection.as_plate(sheet, max_width),
     )  # fmt: skip
     rod = bend(flat, end=end, side=1 if across.mean() >= 0 else -1)
     return Strip(rod, sheet, max_width=max_width, **fields)

@@ -29,7 +29,7 @@ class LeafStack:
     def __post_init__(self) -> None:
         require_record(self.strip, Strip, "what is of leaves", "a Strip")
         if self.strip.layout.stack is None:
-            raise InputError("the strip has no plies: make it with law=LeavesLaw(sheet, leaves, width)")
+            raise InputError("the strip has no plies: make it with section=LeavesLaw(sheet, leaves, width)")
 
     @property
     def cut_list(self) -> CutList:

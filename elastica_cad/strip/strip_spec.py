@@ -146,31 +146,31 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
         )
 
 
-def _check_section_law(
-    law: Section, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
+def _check_section(
+    section: Section, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
-    shaped = shaped and getattr(law, "quantity", "") != "width"
+    shaped = shaped and section.quantity != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "{law} sets the width and thickness of the whole strip. Leave out {style}, {slots}, "
-            "{max_width} and {min_width} and give tabs only a length, or leave out {law}",
+            "{section} sets the width and thickness of the whole strip. Leave out {style}, {slots}, "
+            "{max_width} and {min_width} and give tabs only a length, or leave out {section}",
             style=FieldName("style"),
             slots=FieldName("slots"),
             max_width=FieldName("max_width"),
             min_width=FieldName("min_width"),
-            law=FieldName("law"),
-            where={"field": "law"},
+            section=FieldName("section"),
+            where={"field": "section"},
         )
-    other = getattr(law, "sheet", sheet)
+    other = getattr(section, "sheet", sheet)
     if other != sheet:
         raise InputError(
-            "{law} (varying thickness or diameter) uses the sheet {name}, but the strip uses {name_2}: set the "
+            "{section} (varying thickness or diameter) uses the sheet {name}, but the strip uses {name_2}: set the "
             "same sheet for both",
-            law=FieldName("law"),
+            section=FieldName("section"),
             name=other.name,
             name_2=sheet.name,
-            where={"field": "law"},
+            where={"field": "section"},
         )
 
 
@@ -365,12 +365,12 @@ class StripSpec(EqualByValue):
     creep : float
         Long-term creep factor phi of the sheet, 0 for none. Creep adds sag, forces and springback to the
         report: see `Strip.crept`.
-    law : Section, optional
-        Section law: the relation between stiffness and the quantity that varies along the strip. `ThicknessLaw`
-        and `RoundLaw` vary the thickness or the diameter. `LeavesLaw` is for glued plies and needs `limits` or
+    section : Section, optional
+        Cross-section with the quantity that varies along the strip instead of the width. `ThicknessLaw` and
+        `RoundLaw` vary the thickness or the diameter. `LeavesLaw` is for glued plies and needs `limits` or
         `keep`, because a stack can only approximate a curve. `PlainSection` is for a solid strip that bends as a
-        beam where it is narrow and as a plate where it is wide. The limits of the law replace `max_width` and
-        `min_width`.
+        beam where it is narrow and as a plate where it is wide. The limits of the section replace `max_width`
+        and `min_width`.
     ignore_limits : bool
         If True, a strip outside the limits of the workshop is made with a warning.
     tolerance : MakingTolerance
@@ -523,10 +523,10 @@ class StripSpec(EqualByValue):
         float,
         Option("Long-term creep factor of the sheet; 0 for no creep.", least=0, group="weight"),
     ] = 0.0
-    law: Annotated[
+    section: Annotated[
         Section | None,
         Option(
-            "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
+            "Section: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
             group="widths",
         ),
     ] = None
@@ -557,14 +557,14 @@ class StripSpec(EqualByValue):
         require_style(self.style)
         ends, slots = pair_of_tabs(self.ends, supports), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
-        if self.law is not None:
-            require_section(self.law, "law")
-            _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)
+        if self.section is not None:
+            require_section(self.section)
+            _check_section(self.section, self.material, self.style, ends, slots, sized=sized)
         elif self.material.kind == ROD_KIND:
             raise InputError(
                 "{sheet} is a rod, so no strip can be cut from it. Choose another {field}, or set the diameters "
-                "of the rod ({law}). `elastica bow --rod` bends a rod by a cord.",
-                sheet=self.material.name, field=FieldName("sheet"), law=FieldName("law"),
+                "of the rod ({section}). `elastica bow --rod` bends a rod by a cord.",
+                sheet=self.material.name, field=FieldName("sheet"), section=FieldName("section"),
                 where={"field": "sheet"},
             )  # fmt: skip
         elif isinstance(self.style, Plain) and not (sized or self.loads):
@@ -591,7 +591,7 @@ class StripSpec(EqualByValue):
         curve = self._curve_from_seam
         nearest = "a nearest curve"
         conflicts = {
-            "a law": ("law", self.law is not None),
+            "a section": ("section", self.section is not None),
             nearest: ("limits" if self.limits is not None else "keep", self.may_change),
             "a style other than plain": ("style", not isinstance(self.style, Plain)),
             "creep": ("creep", bool(self.creep)),
@@ -648,7 +648,7 @@ class StripSpec(EqualByValue):
     def rod_spec(self) -> RodSpec:
         """Request from which the rod of this strip is computed.
 
-        The request has no tabs, slots and label, and has widths only for loads, limits, a section law or
+        The request has no tabs, slots and label, and has widths only for loads, limits, a section or
         smoothing.
         """
         gravity, share = self._gravity_and_fraction
@@ -674,7 +674,7 @@ class StripSpec(EqualByValue):
             keep=self.keep,
             layers=layers,
             smooth=self.smooth,
-            section=self._section(share),
+            section=self._section_in_plane(share),
             widths=self._widths,
         )
 
@@ -723,7 +723,7 @@ class StripSpec(EqualByValue):
     @property
     def _widths(self) -> PlainSection | None:
         sized = self.max_width is not None or self.min_width is not None
-        if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
+        if not sized or not self.loads or self.section is not None or not isinstance(self.style, Plain):
             return None
         least, cuttable = self.min_width or 0.0, self.shop.width_for(self.material)
         if self.max_width is not None and not self.ignore_limits and cuttable < self.max_width:
@@ -751,52 +751,52 @@ class StripSpec(EqualByValue):
     def makes_up_for_curl(self) -> bool:
         """True if the widths compensate anticlastic bending by default (`compensate` is None)."""
         sheet = self.material
-        if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
+        if self.compensate is not None or self.section is not None or not isinstance(self.style, Plain):
             return False
         # the compensation supports neither loads nor the weight of a strip with rails, pins or ties
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
-    def _width_law(self) -> PlainSection:
+    def _plate(self) -> PlainSection:
         if self.max_width is not None:
             return PlainSection(self.material, 0.0, self.max_width)
         return PlainSection(self.material, self.min_width or 0.0, np.inf)
 
-    def _section(self, share: float) -> Section | None:
-        """Return the section law, or None if the width is proportional to the stiffness.
+    def _section_in_plane(self, share: float) -> Section | None:
+        """Return the section, or None if the width is proportional to the stiffness.
 
-        The density of the law is multiplied by `share`, the fraction of the weight that acts in the plane of
+        The density of the section is multiplied by `share`, the fraction of the weight that acts in the plane of
         the curve.
         """
-        law: Section | None = self.law
+        section: Section | None = self.section
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
-        if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            law = self._width_law
+        if section is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
+            section = self._plate
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
-        if law is None and felt is None and isinstance(self.style, Laminated):
+        if section is None and felt is None and isinstance(self.style, Laminated):
             changes = self.limits is not None or self.keep is not None
             widths = {"max_width": self.max_width, "min_width": self.min_width}
             return self.style.bounded(self.material, **widths) if changes else None
-        if law is None:
+        if section is None:
             return None
-        sheet = getattr(law, "sheet", None)
+        sheet = getattr(section, "sheet", None)
         if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
-            return law
-        return cast(Section, replace(cast(Any, law), sheet=sheet.with_weight_share(share)))
+            return section
+        return cast(Section, replace(cast(Any, section), sheet=sheet.with_weight_share(share)))
 
     @property
     def _makeable_limits(self) -> Limits:
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
-        if self.law is None:
+        if self.section is None:
             widths = {"max_width": self.max_width, "min_width": self.min_width}
             limits = _limits_with_sheet_and_widths(limits, self.material, self.style, **widths)
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
-        if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
+        if self.section is None and isinstance(self.style, Plain) and self.max_width is not None:
             ratio = _ratio_of_widths(self.max_width, self.min_width or 0.0, self.material, self.shop)
             if self.makes_up_for_curl:
                 # anticlastic bending stiffens the narrowest place by at most this factor, which makes it narrower
@@ -838,7 +838,7 @@ class StripSpec(EqualByValue):
     def bend(self, rod: Rod) -> Strip:
         """Return the strip of a rod, without joints, compensation or checks for the workshop."""
         if self.makes_up_for_curl and rod.section is None:
-            rod = replace(rod, section=self._width_law)
+            rod = replace(rod, section=self._plate)
         # the style of a laminate computes its section from the stiffness of the rod
         if isinstance(self.style, Laminated):
             rod = replace(rod, section=None)
@@ -880,10 +880,10 @@ class StripSpec(EqualByValue):
                 return self.changed(limits=None, keep=None)
             return self.changed(limits=Limits(margin=SAFE_MARGIN), keep=self.keep or Keep())
         if change.field == "thickness":
-            sheet, law = self.material.with_thickness(change.value), self.law
-            if isinstance(law, ThicknessLaw | RoundLaw | LeavesLaw):
-                law = law.with_sheet(sheet)
-            return self.changed(sheet=sheet, law=law)
+            sheet, section = self.material.with_thickness(change.value), self.section
+            if isinstance(section, ThicknessLaw | RoundLaw | LeavesLaw):
+                section = section.with_sheet(sheet)
+            return self.changed(sheet=sheet, section=section)
         if change.field == "between":
             return self.changed(between=(*self.between, change.value))
         if change.field == "elements":

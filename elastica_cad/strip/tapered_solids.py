@@ -47,14 +47,14 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     >>> from elastica_cad.mechanics.stiffness_law import ThicknessLaw
     >>> glass = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
     >>> arch = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
-    >>> strip = make_strip(arch, glass, law=ThicknessLaw(glass, 1.0, 4.0, width=20.0))
+    >>> strip = make_strip(arch, glass, section=ThicknessLaw(glass, 1.0, 4.0, width=20.0))
     >>> round(float(np.ptp(side_view(strip).bounds[:, 1])), 3)
     4.0
     """
     size = strip.layout.size
     if size is None:
         raise InputError(
-            "this strip has a constant thickness, so it has no side view: use a strip with a section law, "
+            "this strip has a constant thickness, so it has no side view: use a strip with a section "
             "such as ThicknessLaw"
         )
     right, left = (
@@ -119,7 +119,7 @@ class RoundSolid:
     Attributes
     ----------
     strip : Strip
-        Strip whose law is a `RoundLaw`.
+        Strip whose section is a `RoundLaw`.
     frame : Frame
         Plane of the curve. The axis of a straight rod is the x axis.
     bent : bool

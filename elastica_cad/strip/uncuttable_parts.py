@@ -402,7 +402,7 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide in the tab at its end... (and 1 more place), but birch-plywood-0.8 needs at least 3 mm...
     """
-    if strip.layout.size is not None:  # the section law already limits thickness or diameter
+    if strip.layout.size is not None:  # the section already limits thickness or diameter
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"

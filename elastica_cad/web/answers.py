@@ -17,6 +17,7 @@ from elastica_cad._values import SEEN_APART
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
+from elastica_cad.design.tables import with_present_keys
 from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
 from elastica_cad.files import read_curves
 from elastica_cad.form_finding.nearest_record import NearestRod
@@ -173,7 +174,7 @@ def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
 
 
 def _design(tables: Mapping[str, Any]) -> Design:
-    return design_of(tables, FilePath("design"), _no_file)
+    return design_of(with_present_keys(tables), FilePath("design"), _no_file)
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
@@ -301,7 +302,7 @@ def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | 
         if _curve_breaks_strip(spec):
             return None
         rod = solve_rod(spec.rod_spec)
-        solid = isinstance(spec.style, Plain) and spec.law is None
+        solid = isinstance(spec.style, Plain) and spec.section is None
         if solid and isinstance(rod, Rod) and not (spec.compensate or spec.ignore_limits):
             narrowest = spec.bend(rod).width.extremes[0]
             if narrowest < (1 - SEEN_APART) * spec.shop.width_for(spec.material):

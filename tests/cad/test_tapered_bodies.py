@@ -27,7 +27,7 @@ def test_flat_and_bent_bodies_are_valid_and_weigh_what_the_strip_does(law, tmp_p
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
 
-    strip = make_strip(ARCH, GLASS, law=law)
+    strip = make_strip(ARCH, GLASS, section=law)
     for record in (*FlatSolid.layers(strip), *BentSolid.layers(strip)):
         shape, properties = make_solid(record), GProp_GProps()
         BRepGProp.VolumeProperties_s(shape, properties)
@@ -52,7 +52,7 @@ def test_leaves_are_bodies_of_their_own_that_touch(tmp_path):
         BRepGProp.VolumeProperties_s(shape, properties)
         return properties.Mass()
 
-    strip = make_strip(LEANING, LEAF, law=LeavesLaw(LEAF, 3, 20.0), keep=Keep(), ends=(Tab(0), Tab(0)))
+    strip = make_strip(LEANING, LEAF, section=LeavesLaw(LEAF, 3, 20.0), keep=Keep(), ends=(Tab(0), Tab(0)))
     section = strip.layout.section
     for form in (FlatSolid, BentSolid):
         shapes = [make_solid(record) for record in form.layers(strip)]
@@ -82,7 +82,7 @@ def test_leaves_in_the_kernels():
             continue
         door = import_module(f"elastica_cad.{name}")
         make = door.elastic_strip if name == "build123d" else door.bent_strip
-        made = make(ARCH, sheet=LEAF, law=law, keep=Keep())
+        made = make(ARCH, sheet=LEAF, section=law, keep=Keep())
         solids = made.layers if hasattr(made, "layers") else made.strip.layers
         count = len(solids)
         assert count == len(made.strip.layout.section.leaves)

@@ -129,9 +129,9 @@ MORE_REQUESTS = {
         WIDE_IN_FREECAD | NEAREST_IN_FREECAD | {"RatioLimit": 9.0, "Joint": 60.0}, OVAL,
     ),
     "a batten under its weight": Request(
-        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0), "gravity": (0.0, -1.0)},
-        f'--set "law = {{ {BATTEN} }}" --gravity',
-        f"law = {{ {BATTEN} }}\ngravity = true", {"Law": BATTEN, **DOWN_IN_FREECAD}, ARCH,
+        {"section": ThicknessLaw(CARD, 0.1, 0.5, width=12.0), "gravity": (0.0, -1.0)},
+        f'--set "section = {{ {BATTEN} }}" --gravity',
+        f"section = {{ {BATTEN} }}\ngravity = true", {"Law": BATTEN, **DOWN_IN_FREECAD}, ARCH,
     ),
     "plain, of a blank whose curvature varies": Request(
         WIDE | {"natural_curvature": RestCurvature.linear([0, 90, 201.5], [0.002, -0.003, 0.001])},

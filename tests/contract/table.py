@@ -213,18 +213,18 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         OVAL, sheet="pom-0.5",
     ),
     "a batten planed thinner": Request(
-        {"law": ThicknessLaw(CARD, 0.1, 0.5, width=12.0)},
-        """--set 'law = { kind = "thickness", limits = [0.1, 0.5], width = 12 }'""",
-        """law = { kind = "thickness", limits = [0.1, 0.5], width = 12 }""",
+        {"section": ThicknessLaw(CARD, 0.1, 0.5, width=12.0)},
+        """--set 'section = { kind = "thickness", limits = [0.1, 0.5], width = 12 }'""",
+        """section = { kind = "thickness", limits = [0.1, 0.5], width = 12 }""",
         {"Law": 'kind = "thickness", limits = [0.1, 0.5], width = 12'},
         ARCH,
     ),
     "a round rod, of a blank whose curvature varies": Request(
-        {"law": RoundLaw(CARD, 2.0, 8.0), "samples": 101,
+        {"section": RoundLaw(CARD, 2.0, 8.0), "samples": 101,
          "natural_curvature": RestCurvature.linear([0, 90, 202.2], [0.002, -0.003, 0.001])},
-        """--set 'law = { kind = "rod", limits = [2, 8] }' --set samples=101
+        """--set 'section = { kind = "rod", limits = [2, 8] }' --set samples=101
            --natural-curvature 'stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001]'""",
-        """law = { kind = "rod", limits = [2, 8] }
+        """section = { kind = "rod", limits = [2, 8] }
            samples = 101
            natural_curvature = { stations = [0, 90, 202.2], curvatures = [0.002, -0.003, 0.001] }""",
         {"Law": 'kind = "rod", limits = [2, 8]', "Samples": 101,
@@ -232,11 +232,11 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         ARCH,
     ),
     "a tube under its weight, lying on its side in space": Request(
-        {"law": RoundLaw(CARD, 0.2, 0.8, bore=0.7), "gravity": (0.0, 0.0, -1.0),
+        {"section": RoundLaw(CARD, 0.2, 0.8, bore=0.7), "gravity": (0.0, 0.0, -1.0),
          "frame": Frame((5.0, -7.0, 11.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))},
-        """--set 'law = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }' --gravity --set gravity=[0,0,-1]
+        """--set 'section = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }' --gravity --set gravity=[0,0,-1]
            --set origin=[5,-7,11] --set x_axis=[0,0,1] --set y_axis=[0,1,0]""",
-        """law = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }
+        """section = { kind = "tube", limits = [0.2, 0.8], bore = 0.7 }
            gravity = [0, 0, -1]
            origin = [5, -7, 11]
            x_axis = [0, 0, 1]
@@ -245,9 +245,9 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
         ARCH,
     ),
     "glued leaves near a curve, its tangents kept": Request(
-        {"law": LeavesLaw(CARD, 4, 12.0, fewest=2), "limits": Limits(), "keep": Keep(tangents=True)},
-        """--set 'law = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }' --nearest --keep-tangents""",
-        """law = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }
+        {"section": LeavesLaw(CARD, 4, 12.0, fewest=2), "limits": Limits(), "keep": Keep(tangents=True)},
+        """--set 'section = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }' --nearest --keep-tangents""",
+        """section = { kind = "leaves", leaves = 4, fewest = 2, width = 12 }
            limits = {}
            keep = { tangents = true }""",
         {**NEAREST_IN_FREECAD, "Law": 'kind = "leaves", leaves = 4, fewest = 2, width = 12', "KeepTangents": True},

@@ -22,7 +22,7 @@ def test_the_body_is_that_of_the_law(law, form, document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
     change(feature, Sheet="pom-1", Law=law, Form=form)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
-    ours = make_strip(PlaneCurve.spline(POINTS, degree=4), POM, law=LAWS[law])
+    ours = make_strip(PlaneCurve.spline(POINTS, degree=4), POM, section=LAWS[law])
     assert feature.Shape.isValid()
     assert feature.Shape.ShapeType == "Solid"
     assert feature.Shape.Volume == pytest.approx(ours.mass / POM.density * 1e6, rel=1e-4)

@@ -245,7 +245,7 @@ def test_settings_with_short_names_are_explained(server, tmp_path, width):
         studio.tool("nearest")
         studio.until(lambda: studio.all("#field-limits-ratio"))
         studio.all(".rest summary")[0].click()
-        for name in ("limits-ratio", "limits-margin", "law"):
+        for name in ("limits-ratio", "limits-margin", "section"):
             (help_text,) = studio.all(f".field:has(> #field-{name}) > .help")
             assert help_text.is_displayed()
             assert help_text.text.endswith(".")

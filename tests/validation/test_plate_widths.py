@@ -126,7 +126,7 @@ def test_a_taper_near_a_curve_weighs_what_it_is_made_of(name, ratio):
     made = make_strip(
         CURVES[name],
         sheet,
-        law=law,
+        section=law,
         gravity=True,
         limits=Limits(ratio=ratio),
         keep=Keep(),

@@ -3,7 +3,7 @@
 const LABELS = { true: "yes", false: "no", blank: "pre-bent strip", "drawn blank": "pre-bent strip, drawn", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values and tables
 const ABSENT = { // what holds where nothing is set, as the server decides it
   thickness: "as listed", min_width: "automatic", compensate: "automatic", smooth: "automatic", samples: "automatic", seam_position: "automatic", engrave: "label", style: "one sheet", ends: "10 mm tabs", gravity: "not counted",
-  limits: "no", keep: "nothing", natural_curvature: "flat sheet", law: "by width", tolerance: "usual", shop: "usual", between: "none", loads: "none", Holders: "none",
+  limits: "no", keep: "nothing", natural_curvature: "flat sheet", section: "by width", tolerance: "usual", shop: "usual", between: "none", loads: "none", Holders: "none",
 };
 const TITLES = { between: "rails, pins and ties", loads: "masses and forces", limits: "curve may change", keep: "curve keeps", gravity: "own weight", match: "equal length of" }; // of fields whose names say little
 const HELPS = { sheet: "Material of the strip." }; // where the declared text is about files

@@ -45,11 +45,11 @@ def strips_drawn(folder: Path, wanted: str = "") -> Iterator[Drawn]:
     for name, spec in requests_drawn():
         if wanted not in name:
             continue
-        if isinstance(spec.law, ThicknessLaw):
+        if isinstance(spec.section, ThicknessLaw):
             strip = spec.make()
             yield _row(name, strip, bend_tapered(name, spec, folder).strayed * strip.rod.length, 0)
             continue
-        for compensate in (False,) if spec.law is not None else (False, True):
+        for compensate in (False,) if spec.section is not None else (False, True):
             strip = spec.changed(compensate=compensate).make()
             across = ACROSS * E if strip.sheet.shear_modulus else None
             size = 3.0 if "perforated" in name else 4.0

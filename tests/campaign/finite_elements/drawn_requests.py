@@ -75,10 +75,10 @@ def requests_drawn() -> Iterator[tuple[str, StripSpec]]:
             sheet = _sheet(plywood=plywood, thickness=0.5)
             asked = {"max_width": 0.4 * width, "style": Laminated(width=width / 2, backing=sheet, dots=0.0)}
         elif kind == "tapered":
-            asked = {"law": ThicknessLaw(sheet, 0.2, 2.0, width=TAPERED_WIDTH)}
+            asked = {"section": ThicknessLaw(sheet, 0.2, 2.0, width=TAPERED_WIDTH)}
         elif kind == "leaves":
             sheet = _sheet(plywood=plywood, thickness=0.6)
-            asked = {"law": LeavesLaw(sheet, 4, 20.0), "keep": Keep()}
+            asked = {"section": LeavesLaw(sheet, 4, 20.0), "keep": Keep()}
         elif kind == "slotted":
             places = np.sort(rng.uniform(0.2, 0.8, 2)) * LENGTH
             asked["slots"] = tuple(

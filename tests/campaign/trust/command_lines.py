@@ -65,10 +65,10 @@ LINES = (
     CARD + "--style laminated --outer-width 30 --set style.backing=card-200gsm --set style.least_backing=2 "
     "--set style.dots=2",
     CARD + "--style laminated --outer-width 30 --set style.backing=card-200gsm --ratio 4",
-    "strip arch.txt --sheet pom-1 -o out --set 'law = { kind = \"thickness\", limits = [1, 4], width = 20 }'",
-    "strip arch.txt --sheet pom-1 -o out --set 'law = { kind = \"rod\", limits = [2, 5] }'",
-    "strip arch.txt --sheet pom-1 -o out --set 'law = { kind = \"tube\", limits = [2, 6], bore = 0.7 }'",
-    "strip arch.txt --sheet pom-1 -o out --nearest --set 'law = { kind = \"leaves\", leaves = 4, width = 20 }'",
+    "strip arch.txt --sheet pom-1 -o out --set 'section = { kind = \"thickness\", limits = [1, 4], width = 20 }'",
+    "strip arch.txt --sheet pom-1 -o out --set 'section = { kind = \"rod\", limits = [2, 5] }'",
+    "strip arch.txt --sheet pom-1 -o out --set 'section = { kind = \"tube\", limits = [2, 6], bore = 0.7 }'",
+    "strip arch.txt --sheet pom-1 -o out --nearest --set 'section = { kind = \"leaves\", leaves = 4, width = 20 }'",
     "strip long.txt --sheet birch-plywood-4 --max-width 90 -o out --set shop.lap=80 "
     "--set shop.stock=[1525,800] --ignore-limits",
     "strip corners.svg --set curve.split_corners=true --sheet card-200gsm --max-width 15 -o out --all --force",

@@ -257,7 +257,7 @@ def test_a_slip_is_one_sentence(arguments, said, tmp_path):
 def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_drawing_file):
     glass = Sheet.named("gfrp-2")
     sheer = PlaneCurve.spline([(0, 0), (600, 1500), (1500, 1900), (2400, 1500), (3000, 0)])
-    spec = StripSpec(sheer, glass, law=ThicknessLaw(glass, 1.0, 4.0, width=20.0), label="sheer")
+    spec = StripSpec(sheer, glass, section=ThicknessLaw(glass, 1.0, 4.0, width=20.0), label="sheer")
     found = solve_rod(spec.rod_spec)
     result = StripResult(spec, found, spec.make(found), "own")
     files = {file.name: file for file in result.kit(StripFiles(step=False)).files}

@@ -53,7 +53,7 @@ def bent(line, cwd):
         "--sheet pom-1 --max-width 20 --ratio 1.05",
         "--sheet pom-1 --max-width 20 --natural-curvature 0.002",
         "--sheet pom-1 --set style.kind=perforated --set style.width=40",
-        "--sheet ash-3 --set law.kind=thickness --set law.limits=[0.5,2] --set law.width=20",
+        "--sheet ash-3 --set section.kind=thickness --set section.limits=[0.5,2] --set section.width=20",
         "--sheet birch-plywood-3 --max-width 30 --set ignore_limits=true",
     ],
 )
@@ -95,9 +95,9 @@ def test_an_option_replaces_what_the_report_says(tmp_path):
 
 
 EVEN = {
-    "rod": "--sheet glass-rod-2 --set law.kind=rod --set law.limits=[2,2]",
-    "heavy rod": "--sheet glass-rod-2 --set law.kind=rod --set law.limits=[2,2] --gravity",
-    "bar": "--sheet pom-2 --set law.kind=thickness --set law.limits=[2,2] --set law.width=8",
+    "rod": "--sheet glass-rod-2 --set section.kind=rod --set section.limits=[2,2]",
+    "heavy rod": "--sheet glass-rod-2 --set section.kind=rod --set section.limits=[2,2] --gravity",
+    "bar": "--sheet pom-2 --set section.kind=thickness --set section.limits=[2,2] --set section.width=8",
 }
 
 
@@ -110,14 +110,21 @@ def test_an_even_rod_is_bent_by_its_own_report(tmp_path, kind):
     force = json.loads((tmp_path / "out" / "arch.json").read_text())["reactions"]["end_force"]
     travel = bent("bend out/arch.json -o bent", tmp_path)["travel"]
     assert travel["end_force_x_N"] == pytest.approx(force[:1], rel=1e-3)
-    law = "--set law.kind=rod --set law.limits"
+    law = "--set section.kind=rod --set section.limits"
     if kind == "rod":
         thick = bent(f"bend out/arch.json {law}=[3,3] -o bent", tmp_path)["travel"]
         assert thick["end_force_x_N"] == pytest.approx([1.5**4 * force[0]], rel=1e-3)
 
 
+def test_a_report_of_the_time_when_the_section_was_called_law_is_read(loaded):
+    data = json.loads((loaded / "thick.json").read_text())
+    data["request"]["law"] = data["request"].pop("section")
+    (loaded / "former.json").write_text(json.dumps(data))
+    assert travel("former.json", loaded) == travel("thick.json", loaded)
+
+
 def test_limits_of_a_new_law_are_those_of_the_finished_stiffness(loaded):
-    law = "--set law.kind=thickness --set law.width=20 --set law.limits"
+    law = "--set section.kind=thickness --set section.width=20 --set section.limits"
     refused = run(f"bend thick.json {law}=[1.19,1.2] -o bent --force", cwd=loaded, code=2).stderr
     assert "but the limits allow no less than 1.19 mm" in " ".join(refused.split())
 
@@ -130,7 +137,7 @@ def loaded(tmp_path_factory):
     for name, options in {
         "heavy": {"max_width": 30, **load},
         "light": {"max_width": 30, "compensate": False},
-        "thick": {"law": ThicknessLaw(Sheet.named("birch-plywood-0.8"), 0.3, 1.2, width=20)},
+        "thick": {"section": ThicknessLaw(Sheet.named("birch-plywood-0.8"), 0.3, 1.2, width=20)},
     }.items():
         report(StripSpec(SINE, "birch-plywood-0.8", samples=201, **options), folder / f"{name}.json")
     return folder
@@ -188,7 +195,7 @@ def test_a_mass_that_no_width_carries_bends_the_strip_of_a_report(loaded):
 
 
 def test_a_law_replaces_the_widths_of_a_report(loaded):
-    law = "--set law.kind=thickness --set law.limits=[0.3,1.2] --set law.width=20"
+    law = "--set section.kind=thickness --set section.limits=[0.3,1.2] --set section.width=20"
     assert travel(f"light.json {law}", loaded)["energy_Nmm"] == pytest.approx(
         travel("thick.json", loaded)["energy_Nmm"], rel=1e-4
     )
@@ -215,7 +222,7 @@ def test_what_a_finished_strip_has_no_use_for_is_refused(tmp_path):
 def test_leaves_and_a_blank_come_back_as_they_were_made():
     sheet = Sheet.named("birch-plywood-0.8")
     curve = PlaneCurve.spline([(0, 0), (100, 20), (200, 120), (300, 160), (420, 0)], degree=4)
-    leaves = StripSpec(curve, sheet, law=LeavesLaw(sheet, 6, 20.0), limits=Limits(), ignore_limits=True)
+    leaves = StripSpec(curve, sheet, section=LeavesLaw(sheet, 6, 20.0), limits=Limits(), ignore_limits=True)
     blank = RestCurvature.linear([0, SINE.length], [0, 1e-3])
     for spec in (leaves, StripSpec(SINE, sheet, min_width=6.0, natural_curvature=blank)):
         made = spec.make()

@@ -9,6 +9,7 @@ from elastica_cad.cli.settings import BentKeys, CommandKeys, parsed_settings
 from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import paths_of
+from tests.command_line import run
 
 
 @pytest.mark.parametrize(
@@ -23,6 +24,7 @@ from elastica_cad.design.records import paths_of
         ('slots=[{at="4cm", width="1mm"}]', {"slots": [{"at": 40, "width": 1}]}),
         ("label=5mm", {"label": "5mm"}),
         ("max_width=2 * 10", {"max_width": "2 * 10"}),
+        ('law.limits=["2mm", 5]', {"section": {"limits": [2, 5]}}),
     ],
 )
 def test_a_length_may_have_a_unit(typed, table):
@@ -52,6 +54,11 @@ def test_a_unit_of_another_number_is_refused(typed, record):
 def test_sizes_of_sheets_may_have_units():
     (size,) = parsed_settings(['nest.sheet_size=["2ft", 300]'], DesignKeys).values()
     assert size == {"sheet_size": [pytest.approx(609.6), 300]}
+
+
+@pytest.mark.parametrize("key", ["law", "section"])
+def test_a_key_is_explained_by_its_former_name_too(key):
+    assert run("help", f"{key}.kind").stdout.startswith("section.kind\n")
 
 
 @pytest.mark.parametrize("record", [CommandKeys, DesignKeys, BentKeys, PairKeys])

@@ -52,7 +52,7 @@ def test_old_drawings_and_prints_carry_it_too(tmp_path):
         (["model", r"C:\Users\jo\lamp.toml", "-oout"], "elastica model lamp.toml"),
         (["strip", "a&b.dxf", "--output=x", "--force"], 'elastica strip "a&b.dxf"'),
         (["strip", r"..\my arch.dxf", "--unit", "in"], r'elastica strip "..\my arch.dxf" --unit in'),
-        (["strip", "--set", 'law={ kind = "rod" }'], r'elastica strip --set "law={ kind = \"rod\" }"'),
+        (["strip", "--set", 'section={ kind = "rod" }'], r'elastica strip --set "section={ kind = \"rod\" }"'),
         (["strip", "a.dxf", r"--sheets=D:\own\sheets.toml"], "elastica strip a.dxf --sheets=sheets.toml"),
     ],
 )  # fmt: skip
@@ -60,7 +60,7 @@ def test_paths_and_quotes_of_windows(words, command):
     assert command_of_drawings(words, windows=True) == command
 
 
-@pytest.mark.parametrize("words", [["a b", "c"], ['law={ kind = "rod" }'], ["it's", "$HOME", "a*b", ""]])
+@pytest.mark.parametrize("words", [["a b", "c"], ['section={ kind = "rod" }'], ["it's", "$HOME", "a*b", ""]])
 def test_a_shell_hands_on_what_was_quoted(words):
     printed = subprocess.run(
         ["sh", "-c", f"printf '%s\\n' {quote_words(words, windows=False)}"],

@@ -580,12 +580,12 @@ sheet = "gfrp-1"
 
 [[strips]]
 label = "BAT"
-law = { kind = "thickness", limits = [1, 4], width = 20 }
+section = { kind = "thickness", limits = [1, 4], width = 20 }
 curve = { spline = [[0, 0], [60, 50], [150, 70], [240, 50], [300, 0]] }
 
 [[strips]]
 label = "LEAF"
-law = { kind = "leaves", leaves = 4, width = 20 }
+section = { kind = "leaves", leaves = 4, width = 20 }
 origin = [0, 60, 0]
 curve = { spline = [[0, 0], [60, 50], [150, 70], [240, 50], [300, 0]] }
 limits = { ratio = 10 }
@@ -613,7 +613,7 @@ sheet = "glass-rod-4"
 label = "P"
 count = 5
 curve = "pole.csv"
-law = { kind = "rod", limits = [4, 4] }
+section = { kind = "rod", limits = [4, 4] }
 limits = {}
 origin = [0, "300 * i", 0]
 """

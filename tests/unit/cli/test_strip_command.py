@@ -384,7 +384,7 @@ def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, 
     path = tmp_path / "arch.json"
     path.write_text(curves_json([curve]))
     law = f"{law}, limits = [1, 3]"
-    done = run("strip", path, "--sheet", "pom-1", "--set", f"law = {{ {law} }}", "-o", tmp_path / "out")
+    done = run("strip", path, "--sheet", "pom-1", "--set", f"section = {{ {law} }}", "-o", tmp_path / "out")
     assert re.search(words, done.stdout), done.stdout
     sizes = json.loads((tmp_path / "out/arch.json").read_text())["stations"][quantity]
     assert max(sizes) == pytest.approx(3.0, rel=1e-4)
@@ -396,7 +396,7 @@ def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, 
         if quantity == "thickness"
         else ec.mechanics.RoundLaw(pom, 1, 3)
     )
-    picture = strip_sheet(ec.make_strip(curve, pom, law=of))
+    picture = strip_sheet(ec.make_strip(curve, pom, section=of))
     assert "3.00" in [text.get_text() for text in picture.axes[2].texts]
     assert re.search(words, picture.get_suptitle())
 

@@ -20,6 +20,7 @@ from elastica_cad.design.tables import Slips
 from elastica_cad.files import read_surface
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model import rocking_tabs
+from elastica_cad.web.answers import answer
 
 ARC = "curve.ellipse = { semi_axes = [90, 60], start = 0.2, end = 2.9 }"
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'
@@ -50,6 +51,20 @@ def test_defaults_stand_for_all_strips_and_can_be_changed(read):
     assert second.max_width == 30
     assert [(tab.length, tab.width) for tab in second.ends] == [(5, None), (7, 24)]
     assert (first.label, second.label, design.name) == ("S1", "S2", "design")
+
+
+def test_the_former_key_of_a_section_is_still_read(read):
+    rod, bar = 'kind = "rod", limits = [2, 5]', 'kind = "thickness", limits = [1, 4], width = 20'
+    text = f'sheet = "pom-1"\nKEY = {{ {rod} }}\n[[strips]]\n{ARC}\n[[strips]]\n{ARC}\nKEY = {{ {bar} }}\n'
+    now, before = (
+        [entry.spec.section for entry in read(text.replace("KEY", key)).entries] for key in ("section", "law")
+    )
+    assert now == before
+    assert [section.quantity for section in now] == ["diameter", "thickness"]
+    assert answer({"do": "strip", "design": {"sheet": "pom-1", "law": {"kind": "rod", "limits": [2, 5]}, "strips": [
+        {"curve": {"spline": [[0, 0], [60, 90], [140, 90], [200, 0]], "degree": 3}}]}})["length"] > 200  # fmt: skip
+    with pytest.raises(InputError, match="unknown key 'law'; did you mean section"):
+        read(text.replace("KEY", "section") + f"law = {{ {bar} }}\n")
 
 
 def test_curves_get_the_length_of_the_design_or_their_own(read):

@@ -132,11 +132,11 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     "knots = [0, 0, 0, 0, 0.4, 1, 1, 1, 1], weights = [1, 1, 2, 1, 1] }\n",
     HEAD + "[[strips]]\ncurve.ellipse = { center = [0, 9], semi_axes = [90, 60], rotation = 0.1, above = 0 }\n",
     ONE.replace("2.9 }", "6.483185307179586 }") + 'style = { kind = "plain" }\nseam_position = 10\n',
-    ONE.replace("max_width = 20\n", "") + 'law = { kind = "thickness", limits = [1, 3], width = 20 }\n',
-    ONE.replace("max_width = 20\n", "") + 'samples = 201\nlaw = { kind = "rod", limits = [1, 3] }\n',
-    ONE.replace("max_width = 20\n", "") + 'law = { kind = "tube", limits = [1, 3], bore = 0.5 }\n',
+    ONE.replace("max_width = 20\n", "") + 'section = { kind = "thickness", limits = [1, 3], width = 20 }\n',
+    ONE.replace("max_width = 20\n", "") + 'samples = 201\nsection = { kind = "rod", limits = [1, 3] }\n',
+    ONE.replace("max_width = 20\n", "") + 'section = { kind = "tube", limits = [1, 3], bore = 0.5 }\n',
     ONE.replace("max_width = 20\n", "")
-    + 'limits = { ratio = 30 }\nlaw = { kind = "leaves", leaves = 4, fewest = 2, width = 20 }\n',
+    + 'limits = { ratio = 30 }\nsection = { kind = "leaves", leaves = 4, fewest = 2, width = 20 }\n',
     ONE + 'style = { kind = "perforated", width = 24, columns = 2, rows = 9, hole_ratio = 0.8, '
     'least_ligament = 0.6, least_hole = 1, corner_radius = 0, sides = "arc" }\n',
     ONE + 'style = { kind = "laminated", width = 24, backing = "card-200gsm", least_backing = 1, dots = 1 }\n',

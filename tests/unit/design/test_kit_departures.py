@@ -42,7 +42,7 @@ def test_departures_from_drawn_curves(tmp_path):
 
 RODS = """schema = 1
 sheet = "{sheet}"
-law = {{ kind = "rod", limits = [{diameter}, {diameter}] }}
+section = {{ kind = "rod", limits = [{diameter}, {diameter}] }}
 limits = {{ ratio = 1.0 }}
 [[strips]]
 label = "hoop"

@@ -479,12 +479,17 @@ def test_a_note_names_keys_that_only_the_other_strips_use(read):
     assert [strip.creep for strip in design.model().strips] == [0.3] * 21
 
 
-@pytest.mark.parametrize("key", ["gravity = 'zzz'", "max_width = -3", "limits = { ratio = 0.5 }", "law = 3"])
+@pytest.mark.parametrize(
+    "key", ["gravity = 'zzz'", "max_width = -3", "limits = { ratio = 0.5 }", "section = 3"]
+)
 def test_a_value_that_all_strips_override_is_checked(read, key):
     name = key.split()[0]
-    own = {"gravity": "false", "max_width": "20", "limits": "{}", "law": "{ kind = 'rod', limits = [3, 4] }"}[
-        name
-    ]
+    own = {
+        "gravity": "false",
+        "max_width": "20",
+        "limits": "{}",
+        "section": "{ kind = 'rod', limits = [3, 4] }",
+    }[name]
     with pytest.raises(InputError, match=f"{name}"):
         read(f"{key}\n{ARCH}{'' if 'w' in name else 'max_width = 20'}\n{name} = {own}\n")
     formula = (

@@ -41,7 +41,7 @@ def test_an_even_bow_is_the_inflectional_elastica(seed):
     rng = np.random.default_rng(seed)
     length, share = rng.uniform(200, 2000), rng.uniform(0.2, 0.98)
     curve = drawn(share * length, length, rng)
-    made = bow(curve, GLASS, law=EVEN)
+    made = bow(curve, GLASS, section=EVEN)
     pull, rise, angle = elastica(made.cord, curve.length)
     assert made.cord == pytest.approx(share * length, rel=1e-9)
     assert made.length == pytest.approx(curve.length, rel=1e-12)
@@ -59,7 +59,7 @@ def test_the_bow_bulges_as_the_drawn_curve(side):
     made = bow(
         ec.PlaneCurve.spline([(0, 0), (60, 150 * side), (200, 150 * side), (300, 0)], degree=3),
         GLASS,
-        law=EVEN,
+        section=EVEN,
     )
     assert made.strip.rod.position[1200, 1] * side > 50
     assert made.end_angles[0] * side > 0
@@ -78,7 +78,7 @@ def test_a_strip_of_constant_width_is_an_even_bow():
 
 def test_a_shorter_cord_is_a_shorter_tie():
     """The bow between pins against the rod with free ends and a tie of given length."""
-    made = bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, law=EVEN)
+    made = bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, section=EVEN)
     curve = made.strip.rod.curve
     tied = ec.optimal_rod(curve, supports=ec.Supports("free", "free"), between=ec.Tie(0, curve.length))
     shorter = made.shortened([0.05, 0.2])
@@ -117,19 +117,19 @@ def test_a_tapered_bow_runs_straight_at_both_ends():
 )
 def test_a_cord_bends_open_arches_only(points, problem):
     with pytest.raises(ec.InputError, match=f"The curve is {problem}"):
-        bow(ec.PlaneCurve.spline(points, degree=2), GLASS, law=EVEN)
+        bow(ec.PlaneCurve.spline(points, degree=2), GLASS, section=EVEN)
 
 
 @pytest.mark.parametrize("share", [-0.1, 1.0, np.nan])
 def test_a_cord_keeps_some_length(share):
-    made = bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, law=EVEN)
+    made = bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, section=EVEN)
     with pytest.raises(ec.InputError, match="The cord cannot be shortened by"):
         made.shortened([share])
 
 
 def test_an_even_bow_has_no_limits():
     with pytest.raises(ec.InputError, match="limits is not an option of a bow of constant section"):
-        bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, law=EVEN, limits=ec.Limits())
+        bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, section=EVEN, limits=ec.Limits())
 
 
 def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
@@ -139,7 +139,7 @@ def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
     rod = ec.make_strip(
         curve,
         law.sheet,
-        law=law,
+        section=law,
         limits=ec.Limits(ratio=1.0),
         supports=ec.Supports("pinned", "pinned"),
         label="P",
@@ -153,7 +153,7 @@ def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
 
 def test_the_strain_warning_of_a_rod_mentions_no_sheet():
     arc = ec.PlaneCurve.arc((0, 0), 150, 0.8 * np.pi, 0.2 * np.pi)
-    rod = bow(arc, GLASS, law=RoundLaw(GLASS, DIAMETER, DIAMETER)).strip
+    rod = bow(arc, GLASS, section=RoundLaw(GLASS, DIAMETER, DIAMETER)).strip
     (message,) = rod.strain_warnings
     assert "Use thinner material, or a radius of at least" in message
     assert "sheet" not in message

@@ -125,7 +125,7 @@ def test_battens_and_rods(law, inside, beside):
     glass = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
     sized = law(glass, 1.0, 4.0, width=20.0) if law is ThicknessLaw else law(glass, 1.0, 4.0)
     strip = make_strip(
-        PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)]), glass, law=sized
+        PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)]), glass, section=sized
     )
     for shift, count in ((inside, 1), (beside, 0)):
         placed = [Placed(strip), Placed(strip, (0, 0, shift))]

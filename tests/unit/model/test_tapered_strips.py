@@ -44,7 +44,7 @@ PLY = Sheet.named("birch-plywood-3")
     "asked", [{}, {"gravity": True}, {"limits": Limits(margin=2.0)}], ids=["light", "heavy", "near"]
 )
 def test_the_size_gives_the_stiffness_and_the_strip_its_shape(law, asked):
-    strip = make_strip(ARCH, GLASS, law=law, **asked)
+    strip = make_strip(ARCH, GLASS, section=law, **asked)
     table = strip.table()
     size = table[f"{law.quantity}_mm"]
     EI = law.bending_stiffness(size)
@@ -56,7 +56,7 @@ def test_the_size_gives_the_stiffness_and_the_strip_its_shape(law, asked):
 
 
 def test_the_body_is_as_thick_as_the_law_says_and_weighs_what_the_strip_does():
-    strip = make_strip(ARCH, GLASS, law=THICKNESS)
+    strip = make_strip(ARCH, GLASS, section=THICKNESS)
     flat, (bent,) = FlatSolid.of(strip), BentSolid.layers(strip)
     assert flat.volume == pytest.approx(strip.mass / GLASS.density * 1e6, rel=1e-6)
     assert bent.volume == pytest.approx(flat.volume, rel=1e-6)  # faces off a curve: Pappus
@@ -70,14 +70,14 @@ def test_the_body_is_as_thick_as_the_law_says_and_weighs_what_the_strip_does():
 
 def test_a_radius_below_half_the_thickness_has_no_body():
     bow = PlaneCurve.ellipse((0, 0), (3.0, 3.2), start=0.0, end=np.pi)
-    strip = make_strip(bow, GLASS, law=ThicknessLaw(GLASS, 1.0, 8.0, width=20.0), ignore_limits=True)
+    strip = make_strip(bow, GLASS, section=ThicknessLaw(GLASS, 1.0, 8.0, width=20.0), ignore_limits=True)
     with pytest.raises(InputError, match="radius below half its thickness"):
         BentSolid.layers(strip)
 
 
 @pytest.mark.parametrize(("law", "faces"), [(ROD, 8), (TUBE, 14)], ids=["rod", "tube"])
 def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
-    strip = make_strip(ARCH, GLASS, law=law)
+    strip = make_strip(ARCH, GLASS, section=law)
     for body in (FlatSolid.of(strip), *BentSolid.layers(strip)):
         skin = body.boundary
         assert skin.is_closed
@@ -94,19 +94,19 @@ def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
 )
 def test_what_a_law_leaves_no_room_for_is_refused(asked):
     with pytest.raises(InputError, match="sets the width and thickness of the whole strip"):
-        StripSpec(ARCH, GLASS, law=THICKNESS, **asked)
+        StripSpec(ARCH, GLASS, section=THICKNESS, **asked)
 
 
 test_refusals = refusal_test(
     [
         (
-            lambda: StripSpec(ARCH, CARD, law=THICKNESS),
-            "law .* uses the sheet glass, but the strip uses card-200gsm",
+            lambda: StripSpec(ARCH, CARD, section=THICKNESS),
+            "section .* uses the sheet glass, but the strip uses card-200gsm",
         ),
-        (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"use the nearest curve \(limits\)"),
-        (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip has no plies"),
+        (lambda: make_strip(ARCH, LEAF, section=LEAVES), r"use the nearest curve \(limits\)"),
+        (lambda: LeafStack(make_strip(ARCH, GLASS, section=THICKNESS)), "the strip has no plies"),
         (
-            lambda: EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start"),
+            lambda: EndFixture.of(make_strip(ARCH, LEAF, section=LEAVES, keep=Keep()), "start"),
             "clamp the ends of the stack",
         ),
     ]
@@ -114,7 +114,7 @@ test_refusals = refusal_test(
 
 
 def test_a_mass_hangs_on_a_tapered_strip():
-    strip = make_strip(ARCH, GLASS, law=THICKNESS, gravity=True, loads=(PointMass(150.0, 200.0),))
+    strip = make_strip(ARCH, GLASS, section=THICKNESS, gravity=True, loads=(PointMass(150.0, 200.0),))
     pull = strip.reactions()
     total = (strip.rod.length * 0 + strip.mass - strip.layout.section.weight_per_length(
         strip.layout.size([0.0, strip.rod.length])).sum() * 10 / 9.80665e-3 + 200.0) * 9.80665e-3  # fmt: skip
@@ -125,7 +125,7 @@ def test_a_mass_hangs_on_a_tapered_strip():
 def test_a_wide_heavy_strip_carries_its_weight_as_a_plate(limits):
     """With the stiffness of a beam the strip as made strays ten times as far."""
     half = ARCH.transformed(np.diag([0.5, 0.5, 1.0]))
-    plate = make_strip(half, CARD, gravity=True, law=PlainSection(CARD, *limits))
+    plate = make_strip(half, CARD, gravity=True, section=PlainSection(CARD, *limits))
     widest = float(plate.width.extremes[1])
     beam = make_strip(half, CARD, gravity=True, max_width=widest)
     assert widest == pytest.approx(40.0, rel=1e-4) or plate.width.extremes[0] == pytest.approx(20.0, rel=1e-4)
@@ -138,7 +138,7 @@ LEAVES = LeavesLaw(LEAF, 4, 20.0)
 
 
 def test_a_strip_of_leaves_is_cut_and_laid_leaf_by_leaf():
-    strip = make_strip(ARCH, LEAF, law=LEAVES, keep=Keep(), ends=(Tab(10), Tab(5)), label="bow")
+    strip = make_strip(ARCH, LEAF, section=LEAVES, keep=Keep(), ends=(Tab(10), Tab(5)), label="bow")
     section, length = strip.layout.section, strip.rod.length
     table = strip.table()
     assert table["thickness_mm"] == pytest.approx(0.6 * section.counts(strip.rod.s))
@@ -171,7 +171,7 @@ def test_a_strip_of_leaves_is_cut_and_laid_leaf_by_leaf():
 def test_a_heavy_strip_of_leaves_carries_them():
     soft = Sheet("soft leaf", 0.6, 900.0, density=1150.0, max_strain=0.05)
     strip = make_strip(
-        ARCH, soft, law=LeavesLaw(soft, 4, 20.0), keep=Keep(), gravity=True, ends=(Tab(0), Tab(0))
+        ARCH, soft, section=LeavesLaw(soft, 4, 20.0), keep=Keep(), gravity=True, ends=(Tab(0), Tab(0))
     )
     pull = strip.reactions()
     assert pull.start_force[1] + pull.end_force[1] == pytest.approx(strip.mass * 9.80665e-3, rel=1e-5)
@@ -182,17 +182,17 @@ def test_a_tapered_strip_stays_in_its_plane_by_its_own_sizes(law):
     """The sheet's thickness says nothing: a material ten times as thick is judged the same."""
     thick = dataclasses.replace(GLASS, thickness=30.0)
     one, other = (
-        make_strip(ARCH, sheet, law=dataclasses.replace(law, sheet=sheet)).sideways
+        make_strip(ARCH, sheet, section=dataclasses.replace(law, sheet=sheet)).sideways
         for sheet in (GLASS, thick)
     )
     assert one == other
     assert one.decided
-    assert make_strip(ARCH, GLASS, law=law).end_thicknesses[0] != 3.0
+    assert make_strip(ARCH, GLASS, section=law).end_thicknesses[0] != 3.0
 
 
 @pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
 def test_the_cut_list_names_stock_of_which_it_can_be_worked(law):
-    strip = make_strip(ARCH, GLASS, law=law, label="T")
+    strip = make_strip(ARCH, GLASS, section=law, label="T")
     (row,) = Model([Placed(strip)]).cut_list().rows
     assert row.thickness == pytest.approx(
         4.0, rel=1e-3
@@ -204,9 +204,9 @@ def test_the_cut_list_names_stock_of_which_it_can_be_worked(law):
 
 def test_tapers_that_differ_are_no_equal_parts():
     lean = PlaneCurve.spline([(0, 0), (30, 150), (140, 160), (240, 100), (300, 0)])
-    first = make_strip(ARCH, GLASS, law=THICKNESS)
-    length = first.rod.length / make_strip(lean, GLASS, law=THICKNESS).rod.length
-    other = make_strip(lean.transformed(np.diag([length, length, 1.0])), GLASS, law=THICKNESS)
+    first = make_strip(ARCH, GLASS, section=THICKNESS)
+    length = first.rod.length / make_strip(lean, GLASS, section=THICKNESS).rod.length
+    other = make_strip(lean.transformed(np.diag([length, length, 1.0])), GLASS, section=THICKNESS)
     assert other.rod.length == pytest.approx(first.rod.length)  # one outline for both: a rectangle
     assert Model([Placed(first), Placed(first, (0, 0, 50))]).cut_list().rows[0].count == 2
     parts = Model([Placed(first), Placed(other, (0, 0, 50))]).parts
@@ -221,7 +221,7 @@ def test_tapers_that_differ_are_no_equal_parts():
 )
 def test_a_near_taper_bears_its_bend(law, gravity, ratio):
     """The thinnest section bears the sharpest bend of the arch, the thickest does not: in between lies a taper."""
-    made = make_strip(ARCH, PLY, law=law, gravity=gravity, limits=Limits(ratio=ratio))
+    made = make_strip(ARCH, PLY, section=law, gravity=gravity, limits=Limits(ratio=ratio))
     s = np.linspace(0.0, made.rod.length, 2001)
     size, bend = made.layout.size(s), np.abs(made.rod.bend_at(s))
     sharpest = np.abs(ARCH.sample(2001).curvature).max()

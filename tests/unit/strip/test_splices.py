@@ -258,7 +258,7 @@ def test_marks_of_the_backing_go_on_across_the_pieces():
 
 def test_tapered_strips_are_refused_with_the_reason():
     law = ThicknessLaw(PLY, 3.0, 8.0, width=40.0)
-    strip = ec.make_strip(ARCH, PLY, law=law, label="A")
+    strip = ec.make_strip(ARCH, PLY, section=law, label="A")
     with pytest.raises(InputError, match=r"would have to taper too\. Use a larger stock"):
         splice(strip, 2200.0, 80.0)
 

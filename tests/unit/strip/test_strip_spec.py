@@ -232,8 +232,8 @@ def test_strain_is_that_of_the_curve_whatever_the_samples():
         assert made.max_strain == pytest.approx(0.4 * bend, rel=1e-6)
 
 
-@pytest.mark.parametrize("law", [3, "rod", PolynomialLaw(-0.3, curvature_scale=1.0), Limits()])
+@pytest.mark.parametrize("section", [3, "rod", PolynomialLaw(-0.3, curvature_scale=1.0), Limits()])
 @pytest.mark.parametrize("sizes", [{}, {"max_width": 40}])
-def test_a_law_that_is_not_a_section_is_refused_when_it_is_set(law, sizes):
-    with pytest.raises(InputError, match=r"law is .*: give a record with limits"):
-        StripSpec(PlaneCurve.spline(POLES), "card-200gsm", law=law, **sizes)
+def test_a_value_that_is_not_a_section_is_refused_when_it_is_set(section, sizes):
+    with pytest.raises(InputError, match=r"section is .*: give a record with limits"):
+        StripSpec(PlaneCurve.spline(POLES), "card-200gsm", section=section, **sizes)

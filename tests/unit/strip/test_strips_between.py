@@ -108,7 +108,10 @@ def test_a_pin_that_pushes_across_the_strip_can_be_a_ring():
         ({"keep": ec.Keep()}, "a nearest curve. Leave out keep"),
         ({"style": ec.Perforated(30), "max_width": None}, "a style other than plain. Leave out style"),
         ({"style": ec.Laminated(30, "card-200gsm"), "max_width": None}, "a style other than plain"),
-        ({"law": ThicknessLaw(ec.Sheet.named(SHEET), 1, 3, width=20), "max_width": None}, "a law. Leave out"),
+        (
+            {"section": ThicknessLaw(ec.Sheet.named(SHEET), 1, 3, width=20), "max_width": None},
+            "a section. Leave out",
+        ),
         ({"creep": 0.5}, "creep. Leave out creep"),
         ({"compensate": True}, "compensation of the widths. Leave out compensate"),
         ({"curve": ec.PlaneCurve.ellipse((0, 0), (90, 60))}, "a closed curve. Leave out curve"),

@@ -164,7 +164,7 @@ SLIPS = {
     "masses contain 3. Pass only PointMass": lambda: Weight(1.0, masses=[3]),
     "the correction is a float. Pass a Profile": lambda: Strip(ROD, SHEET, max_width=20, correction=1.0),
     "^ends contain 5. Pass only Tab records": lambda: StripSpec(
-        ROD.curve, SHEET, law=RoundLaw(SHEET, 1, 2), ends=5
+        ROD.curve, SHEET, section=RoundLaw(SHEET, 1, 2), ends=5
     ),
     "the number of copies is '2'": lambda: Piece("a", STRIP.drawing(), SHEET, "2"),
     "rod stiffness cannot be 'x': give numbers": lambda: replace(ROD, stiffness="x"),

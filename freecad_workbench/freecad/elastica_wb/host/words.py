@@ -30,7 +30,7 @@ from elastica_cad.refusals import (
 from elastica_cad.translations import Translated
 
 NAMES = {
-    "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
+    "section": "Law", "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
     "supports.start": "StartSupport", "supports.end": "EndSupport",
     "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
