@@ -25,8 +25,8 @@ from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.kit.kit import can_draw, left_out
+from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
-from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
 from elastica_cad.refusals import Length, number_text
 from elastica_cad.report_rows import Row, warning_row

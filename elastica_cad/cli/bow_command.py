@@ -28,10 +28,10 @@ from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw
+from elastica_cad.mechanics.cross_sections import RoundLaw
 from elastica_cad.mechanics.rod import csv_text
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
-from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of, room_for_hole
 from elastica_cad.refusals import number_text

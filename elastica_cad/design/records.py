@@ -27,10 +27,10 @@ from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, Section, ThicknessLaw
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, Section, ThicknessLaw
 from elastica_cad.refusals import Either
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated

@@ -13,6 +13,7 @@ from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.cross_sections import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import (
     End,
@@ -27,7 +28,6 @@ from elastica_cad.mechanics.optimal_balance import carried_weight, refuse_below_
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import NominalRatio, Sheet
-from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.strip.held_shape import MakingTolerance
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.outline import Hole, Tab, TSlot

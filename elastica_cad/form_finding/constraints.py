@@ -460,7 +460,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """Condition that no section of the bent strip exceeds the largest section that the section law allows."""
+    """Condition that no section of the bent strip exceeds the largest section that its limits allow."""
 
     section: SectionScale
     rest: float | FloatArray

@@ -10,9 +10,9 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import norm, points_at
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.cross_sections import LaidLeaves, Leaf, LeavesLaw
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
 """Number of nodes of the rods that are computed in the search for ply ends."""
@@ -78,7 +78,9 @@ def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
     return s, np.abs(moment) / EI
 
 
-def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (False, False)) -> LeafedRod:
+def lay_leaves(
+    relaxed: Rod, section: LeavesLaw, *, tangents: tuple[bool, bool] = (False, False)
+) -> LeafedRod:
     """Return a stack of plies that approximates a rod of continuously varying thickness.
 
     The thickness is first rounded to whole plies. Then the ends of the plies, and clamp angles that are not kept,
@@ -88,7 +90,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     ----------
     relaxed : Rod
         Rod whose stiffness is between the stiffness of the fewest plies and the stiffness of all plies.
-    law : LeavesLaw
+    section : LeavesLaw
     tangents : (bool, bool)
         For start and end, True if the clamp angle is kept.
 
@@ -97,28 +99,28 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     NotConvergedError
         No stack has a rest shape with the same ends.
     """
-    if not isinstance(law, LeavesLaw):
-        raise InputError(f"`law` is {law!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
+    if not isinstance(section, LeavesLaw):
+        raise InputError(f"`section` is {section!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
     points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
-        search = _Search.of(relaxed, law, points, rounding, tangents)
+        search = _Search.of(relaxed, section, points, rounding, tangents)
         searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not stacks:
         raise NotConvergedError(
-            f"no stack of {law.leaves} plies was found that bends near this curve: use more and thinner plies"
+            f"no stack of {section.leaves} plies was found that bends near this curve: use more and thinner plies"
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
         # without ply ends the shape does not depend on the number of plies, so use the fewest
         full_length = _Search(
             relaxed,
-            law,
+            section,
             points,
             np.zeros((0, 2), dtype=int),
             np.zeros(0),
-            tuple(range(1, law.fewest + 1)),
+            tuple(range(1, section.fewest + 1)),
             tangents,
         )
         best = full_length.answer() or best
@@ -144,7 +146,7 @@ class _Search:
     """
 
     relaxed: Rod
-    law: LeavesLaw
+    section: LeavesLaw
     drawn: FloatArray
     steps: IntArray
     places: FloatArray
@@ -153,16 +155,16 @@ class _Search:
 
     @classmethod
     def of(
-        cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
+        cls, relaxed: Rod, section: LeavesLaw, drawn: FloatArray, rounding: float,
         tangents: tuple[bool, bool],
     ) -> "_Search":  # fmt: skip
         """Return the search that starts with ply k wherever the thickness exceeds k - 1 + `rounding` plies."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
-        leaves = law.relaxed.parameter(EI) / law.sheet.thickness
+        leaves = section.relaxed.parameter(EI) / section.sheet.thickness
         steps: list[tuple[float, int, int]] = []
-        first = list(range(1, law.fewest + 1))
-        for number in range(law.fewest + 1, law.leaves + 1):
+        first = list(range(1, section.fewest + 1))
+        for number in range(section.fewest + 1, section.leaves + 1):
             inside = leaves > number - 1 + rounding
             edges = np.flatnonzero(np.diff(inside.astype(int)))
             signs = np.diff(inside.astype(int))[edges]
@@ -170,7 +172,7 @@ class _Search:
             steps += [(float(s[i + 1]), number, int(sign)) for i, sign in zip(edges, signs, strict=True)]
         steps.sort()
         return cls(
-            relaxed, law, drawn, np.array([(number, sign) for _, number, sign in steps]).reshape(-1, 2),
+            relaxed, section, drawn, np.array([(number, sign) for _, number, sign in steps]).reshape(-1, 2),
             np.array([at for at, _, _ in steps]), tuple(first), tangents,
         )  # fmt: skip
 
@@ -250,7 +252,7 @@ class _Search:
         """
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
-        values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)
+        values = 1 / self.section.bending_stiffness(counts), self.section.weight_per_length(counts)
         means = []
         for value in values:
             reached = np.concatenate([[0.0], np.cumsum(value * np.diff(cuts))])
@@ -276,11 +278,11 @@ class _Search:
                 leaves.append(Leaf(int(number), began.pop(int(number)), float(at)))
         leaves += [Leaf(number, start, length) for number, start in began.items()]
         cuts, counts = self._stack(places)
-        K = self.law.bending_stiffness(counts) / float(rod.bending_stiffness or 1.0)
+        K = self.section.bending_stiffness(counts) / float(rod.bending_stiffness or 1.0)
         stepped = Profile(
             np.concatenate([[0.0], np.repeat(cuts, 2)[1:-1], [1.0]]) * length, np.repeat(K, 2), 1
         )
-        laid = self.law.laid(sorted(leaves, key=lambda leaf: (leaf.number, leaf.start)))
+        laid = self.section.laid(sorted(leaves, key=lambda leaf: (leaf.number, leaf.start)))
         fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
         s = np.linspace(0.0, fine.length, NODES)
         off = norm(points_at(s, fine.s, fine.position) - self.drawn)

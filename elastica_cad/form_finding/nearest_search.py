@@ -28,6 +28,7 @@ from elastica_cad.form_finding.rod_spec import RodSpec, Weights
 from elastica_cad.form_finding.sqp import SETTINGS as SQP
 from elastica_cad.form_finding.sqp import lift, minimize, worst_broken
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.cross_sections import LeavesLaw, Section, require_section
 from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
     Gravity,
@@ -42,7 +43,6 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, Section, require_section
 from elastica_cad.refusals import note
 
 
@@ -262,9 +262,9 @@ def _with_least_ratio(
     If many rods can follow the target exactly, the search may end with an unnecessarily large ratio.
     """
     K = best.point.stiffness
-    law = None if task.section is None or task.is_light else task.section.law
+    section = None if task.section is None or task.is_light else task.section.family
     try:
-        rod = _rod_on_curve(task.request, law)
+        rod = _rod_on_curve(task.request, section)
     except ElasticaError:
         return None
     least = rod.ratio * SETTINGS.spline_factor
@@ -367,7 +367,7 @@ _OF_PLIES = (
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
-def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
+def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     """Return the nearest stack of glued plies.
 
     The plies approximate a taper: the nearest rod of continuously varying thickness. If the stack violates a
@@ -384,20 +384,20 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
         raise InputError(f"a stack of plies cannot meet {' or '.join(unmet)}. Leave out these limits")
     again = partial(_again, request)
     # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
-    fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
-    law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
+    fewest = int(np.ceil(section.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
+    section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
     laid, steps = None, 0
-    taper = _taper_on_curve(request, law, limits.length)
+    taper = _taper_on_curve(request, section, limits.length)
     if taper is not None:
-        laid = lay_leaves(taper, law, tangents=keep.both_tangents)
+        laid = lay_leaves(taper, section, tangents=keep.both_tangents)
     strict = limits
     for _ in range(_STRICTER):
         if laid is not None and not _violated_limits(laid, limits):
             break
-        task = NearestTask.of(replace(request, limits=strict, section=law.relaxed))
+        task = NearestTask.of(replace(request, limits=strict, section=section.relaxed))
         near = _find_rod(replace(task, grows=False))
         steps += near.iterations
-        laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
+        laid = lay_leaves(near.rod, section, tangents=keep.both_tangents)
         strict = _stricter_limits(strict, _violated_limits(laid, limits))
     assert laid is not None
     broken = _violated_limits(laid, limits)
@@ -415,11 +415,11 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     )  # fmt: skip
 
 
-def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
+def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
-        return _rod_on_curve(request, law.relaxed)
+        return _rod_on_curve(request, section.relaxed)
     except ElasticaError:
         return None
 
@@ -513,7 +513,7 @@ def nearest_rod(
         Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each
         half turn of the curve.
     section : Section, optional
-        Section law, as in `optimal_rod`. The limits of the section also limit the stiffness ratio. With
+        Section, as in `optimal_rod`. The limits of the section also limit the stiffness ratio. With
         gravity, the rod carries the weight of its sections, and only the direction of gravity has an effect.
         `limits.sheet` limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness
         is found first, and is then approximated by plies (`lay_leaves`).

@@ -44,7 +44,7 @@ class NearestTask:
     Attributes
     ----------
     limits : Limits
-        Limits of the request, with the stiffness ratio that its section law allows.
+        Limits of the request, with the stiffness ratio that its section allows.
     weights : (nodes,) array
         Weights of the nodes in the distance; their mean is 1.
     coefficients : int
@@ -52,7 +52,7 @@ class NearestTask:
     line : pair of points or None
         Two points on the inflection line to keep, mm.
     section : SectionScale or None
-        Relation between section and stiffness K; None without a section law.
+        Relation between section and stiffness K; None without a section.
     grows : bool
         True to make the sections of a rod without weight as large as the limits allow, after the search.
     keeps_scale : bool
@@ -83,8 +83,8 @@ class NearestTask:
         scale = None
         if request.section is not None:
             bent = _nodal_bend(target, request.natural_curvature, samples)
-            law = request.section.bent(bent, _nodal_rest(request.natural_curvature, samples, 1.0))
-            scale = SectionScale.of(law, limits, heavy=request.gravity is not None)
+            section = request.section.bent(bent, _nodal_rest(request.natural_curvature, samples, 1.0))
+            scale = SectionScale.of(section, limits, heavy=request.gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
@@ -111,13 +111,13 @@ class NearestTask:
     def is_scaled_freely(self) -> bool:
         """True if the search determines the stiffness only up to a factor.
 
-        This holds without a section law, and if the limits of the law depend on the curvature of the rod.
+        This holds without a section, and if the limits of the section depend on the curvature of the rod.
         """
-        return self.section is None or self.section.law.follows_bend
+        return self.section is None or self.section.family.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """True for a rod without weight whose section law determines the scale after the search."""
+        """True for a rod without weight whose section determines the scale after the search."""
         return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
@@ -128,7 +128,7 @@ class NearestTask:
         limits = replace(self.limits, ratio=ratio)
         section = self.section
         if section is not None and self.is_light:
-            section = SectionScale.of(section.law, limits, heavy=False)
+            section = SectionScale.of(section.family, limits, heavy=False)
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
@@ -161,7 +161,7 @@ class NearestTask:
 
     @property
     def scale(self) -> float:
-        """Bending stiffness, N mm2, where the relative stiffness K is 1; 1 without a section law."""
+        """Bending stiffness, N mm2, where the relative stiffness K is 1; 1 without a section."""
         return 1.0 if self.section is None else self.section.scale
 
     @property
@@ -173,11 +173,13 @@ class NearestTask:
         section, width, ratio = self.section, self.limits.width, self.limits.largest_ratio
         if not self.keeps_scale or section is None:
             return 1.0
-        # limits of a strip include its stiffening in their least width, the width of a section law does not
-        law, least = (
-            (section.law, section.law.limits[0]) if width is None else (section.law.bent(0.0), width[0])
+        # limits of a strip include its stiffening in their least width, the width of a section does not
+        family, least = (
+            (section.family, section.family.limits[0])
+            if width is None
+            else (section.family.bent(0.0), width[0])
         )
-        narrowest = float(np.max(law.bending_stiffness(least))) / section.scale if least > 0 else 1.0
+        narrowest = float(np.max(family.bending_stiffness(least))) / section.scale if least > 0 else 1.0
         by_widths = width is not None and ratio >= width[1] / width[0]
         return min(narrowest if by_widths else max(1.0, narrowest), ratio)
 
@@ -209,7 +211,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, no new scale is needed
+        # without weight and section, no new scale is needed
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)

@@ -17,11 +17,11 @@ from elastica_cad.errors import InputError
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
+from elastica_cad.mechanics.cross_sections import Section
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
 from elastica_cad.mechanics.loads import Supports, Weight
 from elastica_cad.mechanics.optimal_balance import tangent_weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
-from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.refusals import BareLength, Length
 
 
@@ -77,7 +77,7 @@ FULL_STRAIN = 1 - 2e-5
 class SectionScale:
     """Relation between the bending stiffness E I and the relative stiffness K: E I = `scale` K.
 
-    K is between 1 and `ratio`. E I is within the limits of a section law.
+    K is between 1 and `ratio`. E I is within the limits of the section.
 
     Attributes
     ----------
@@ -87,50 +87,50 @@ class SectionScale:
         Largest K.
     """
 
-    law: Section
+    family: Section
     scale: float
     ratio: float
 
     @classmethod
-    def of(cls, law: Section, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation between E I and K for a section law. A `heavy` rod gets the largest scale.
+    def of(cls, family: Section, limits: Limits, *, heavy: bool) -> "SectionScale":
+        """Return the relation between E I and K for a section. A `heavy` rod gets the largest scale.
 
         Without weight, the shape does not depend on the scale. The scale then allows the largest curvature, because
         thin sections withstand larger curvatures.
         """
-        least, largest = law.limits
+        least, largest = family.limits
         ratio = limits.largest_ratio
         if not np.isfinite(largest):
-            return cls(law, float(np.max(law.bending_stiffness(least))), ratio)
-        most = float(np.min(law.bending_stiffness(largest)))
+            return cls(family, float(np.max(family.bending_stiffness(least))), ratio)
+        most = float(np.min(family.bending_stiffness(largest)))
         if least > 0:
-            low = float(np.max(law.bending_stiffness(least)))
+            low = float(np.max(family.bending_stiffness(least)))
             if low > most:
                 raise InputError(
                     "the {quantity} limits {least:g} and {largest:g} are too close together: set them "
                     "farther apart",
-                    quantity=law.quantity,
+                    quantity=family.quantity,
                     least=BareLength(least),
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
             # if stiffness and strain depend on the curvature, the scale is determined after the rod is known
-            if not (heavy or law.follows_bend):
-                thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
+            if not (heavy or family.follows_bend):
+                thin, thick = cls(family, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
-                    return cls(law, low, ratio)
-        return cls(law, most / ratio, ratio)
+                    return cls(family, low, ratio)
+        return cls(family, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
-        """Return a `SectionScale` with the largest scale that the section law and the strain limit allow.
+        """Return a `SectionScale` with the largest scale that the section and the strain limit allow.
 
         `stiffness` (n,) is K at the nodes, and `bend` (n,) is the change of curvature there, 1/mm.
         """
         from scipy.optimize import brentq
 
         least, most = (
-            pick(self.law.bending_stiffness(np.full(stiffness.size, limit)) / stiffness)
-            for pick, limit in zip((np.max, np.min), self.law.limits, strict=True)
+            pick(self.family.bending_stiffness(np.full(stiffness.size, limit)) / stiffness)
+            for pick, limit in zip((np.max, np.min), self.family.limits, strict=True)
         )
 
         def room(log_scale: float) -> float:
@@ -148,10 +148,10 @@ class SectionScale:
 
         `bend` (n,) is in 1/mm. Return None if the scale need not or cannot be reduced.
         """
-        least, largest = self.law.limits
+        least, largest = self.family.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
             return None
-        low = float(np.max(self.law.bending_stiffness(least)))
+        low = float(np.max(self.family.bending_stiffness(least)))
         even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
@@ -163,21 +163,21 @@ class SectionScale:
         At the nodes, `stiffness` (n,) is K, `bend` (n,) is the change of curvature, and `rest` is the natural
         curvature, 1/mm. The result is this object if the scale does not change.
         """
-        law = self.law.bent(bend, rest)
-        least, largest = law.limits
+        family = self.family.bent(bend, rest)
+        least, largest = family.limits
         if np.isfinite(largest):
             scale = float(np.min(self.largest(bend, rest) / stiffness))
         else:
-            scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
-        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
+            scale = float(np.max(family.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
+        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, family=family, scale=scale)
 
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
         """Return the bending stiffness (n,), N mm2, of the largest allowed section at n nodes.
 
         `bend` (n,) is the change of curvature, and `rest` is the natural curvature, 1/mm.
         """
-        most = np.full(bend.size, self.law.limits[1])
-        return self.law.bent(bend, rest).bending_stiffness(most)
+        most = np.full(bend.size, self.family.limits[1])
+        return self.family.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Return the weight per length (n,) for the stiffness K (n,), and the derivative of the weight by K.
@@ -185,17 +185,17 @@ class SectionScale:
         The weight is divided by the scale and multiplied by the cube of `size`, mm.
         """
         EI = self.scale * stiffness
-        slope, fixed = tangent_weight(self.law, EI)
+        slope, fixed = tangent_weight(self.family, EI)
         over = size**3
         return (fixed / self.scale + slope * stiffness) * over, slope * over
 
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
         """Return the rod with this scale and, under gravity, with the weight for K (n,) at the nodes."""
         EI = self.scale * stiffness
-        scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
+        scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.family)
         if rod.gravity is None:
             return scaled
-        slope, fixed = tangent_weight(self.law, EI)
+        slope, fixed = tangent_weight(self.family, EI)
         alpha = Profile.interpolate(rod.s, fixed)
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, slope * EI.min())))
 
@@ -204,8 +204,8 @@ class SectionScale:
 
         `bend` (..., n) is the change of curvature, and `rest` is the natural curvature, 1/mm.
         """
-        law = self.law.bent(bend, rest)
-        curl = law.curl(law.parameter(self.scale * stiffness))
+        family = self.family.bent(bend, rest)
+        curl = family.curl(family.parameter(self.scale * stiffness))
         if curl is None:
             return stiffness
         return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
@@ -215,7 +215,7 @@ class SectionScale:
 
         The result (n,) is for sections with the relative stiffness K = `stiffness` (n,).
         """
-        layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
+        layers = self.family.strains(np.ones(stiffness.size), self.family.parameter(self.scale * stiffness))
         shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))
 

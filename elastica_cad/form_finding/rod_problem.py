@@ -335,7 +335,7 @@ def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
     constraints: list[Constraint] = [
         FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)
     ]
-    if task.keeps_scale and np.isfinite(section.law.limits[1]):
+    if task.keeps_scale and np.isfinite(section.family.limits[1]):
         constraints.append(LargestSection(section=section, rest=task.rest, size=size))
     return constraints
 

@@ -7,9 +7,9 @@ if TYPE_CHECKING:
 
     from elastica_cad.form_finding.limits import Keep, Limits
     from elastica_cad.kernel.strip_body import Point
+    from elastica_cad.mechanics.cross_sections import Section
     from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
     from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
-    from elastica_cad.mechanics.stiffness_law import Section
     from elastica_cad.strip.held_shape import MakingTolerance
     from elastica_cad.strip.outline import Tab
     from elastica_cad.strip.slots import Slot

@@ -66,7 +66,7 @@ from elastica_cad.mechanics.stability_limits import (
     stability_limit as stability_limit,
     StabilityLimit as StabilityLimit,
 )
-from elastica_cad.mechanics.stiffness_law import (
+from elastica_cad.mechanics.cross_sections import (
     LaidLeaves as LaidLeaves,
     Leaf as Leaf,
     LeavesLaw as LeavesLaw,

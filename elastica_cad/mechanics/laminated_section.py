@@ -11,10 +11,10 @@ from elastica_cad._values import EqualByValue, is_number, numbers, require_posit
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.cross_sections import Section, SectionLayer, at_stations
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.section_limits import LIMIT_SLACK, ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import PLAUSIBLE, Sheet
-from elastica_cad.mechanics.stiffness_law import Section, SectionLayer, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
@@ -52,6 +52,7 @@ class LaminatedSection(EqualByValue, Section):
     10.0
     """
 
+    quantity = "backing"
     base: Sheet
     backing: Sheet
     base_width: float | FloatArray = 1.0
@@ -60,11 +61,6 @@ class LaminatedSection(EqualByValue, Section):
     def on(self, base_width: ArrayLike) -> "LaminatedSection":
         """Return the section with a base of the given width, mm; a number or (n,)."""
         return replace(self, base_width=positive(base_width, "base width"))
-
-    @property
-    def quantity(self) -> str:
-        """Name of the parameter: width of the backing."""
-        return "backing"
 
     @property
     def thickness(self) -> float:

@@ -17,6 +17,7 @@ from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, lege
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import point
 from elastica_cad.mechanics.bracing import SLACK_SHARE, slack_elements
+from elastica_cad.mechanics.cross_sections import LeavesLaw, Section, require_section
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -49,7 +50,6 @@ from elastica_cad.mechanics.optimal_balance import balance_of, carried_weight, e
 from elastica_cad.mechanics.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO, STEP_LENGTH
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, Section, require_section
 from elastica_cad.mechanics.theorem1 import (
     AT_END_SHARE,
     EquilibriumCheck,
@@ -466,9 +466,9 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 
 def _uniform_rod(rod: Rod, section: Section) -> Rod:
-    law = section.bent(0.0)
+    bent = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
-    scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
+    scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
     masses = () if rod.weight is None else rod.weight.masses
     weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
     return replace(rod, bending_stiffness=scale, weight=weight)

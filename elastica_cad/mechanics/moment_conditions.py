@@ -37,6 +37,7 @@ from elastica_cad.geometry.polynomials import (
     PanelFunction,
     in_panels,
 )
+from elastica_cad.mechanics.cross_sections import Section
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -62,7 +63,6 @@ from elastica_cad.mechanics.minimax_lp import (
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
 from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels, nearest_of
-from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Listed, Span, note
 

@@ -13,6 +13,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.polynomials import PanelFunction
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.cross_sections import Section
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, Weight
 from elastica_cad.mechanics.moment_conditions import (
     BOUNDED,
@@ -30,7 +31,6 @@ from elastica_cad.mechanics.moment_conditions import (
 )
 from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness_law import Section
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
@@ -377,77 +377,81 @@ def _with_section(request: RodRequest, section: Section) -> BalancedStiffness:
     excess, gravity = ExcessCurvature(request.check.curve, request.natural_curvature), request.gravity
     if gravity is None:
         balance = balance_without_weight(request)
-        law = _bent(section, balance.panels, excess)
-        return _within_limits(replace(balance, bending_stiffness=_fitting_scale(law, balance.stiffness)), law)
+        bent = _bent(section, balance.panels, excess)
+        return _within_limits(
+            replace(balance, bending_stiffness=_fitting_scale(bent, balance.stiffness)), bent
+        )
     request = replace(request, weight=Weight(masses=request.masses))
-    law = section.bent(0.0)
-    full = float(law.bending_stiffness(_deciding_limit(law)) / law.weight_per_length(_deciding_limit(law)))
+    bent = section.bent(0.0)
+    full = float(
+        bent.bending_stiffness(_deciding_limit(bent)) / bent.weight_per_length(_deciding_limit(bent))
+    )
     heavy = replace(gravity, length=full ** (1 / 3))
     cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
         load = WeightedPanels(request, cut.panels, heavy, request.weight)
-        law = _bent(section, cut.panels, excess)
-        balance = _converged_balance(load, law)
+        bent = _bent(section, cut.panels, excess)
+        balance = _converged_balance(load, bent)
         finer = cut.for_stiffness(balance.stiffness)
         if finer is None:
             break
         cut = finer
-    return replace(_within_limits(balance, law), kinks=cut.kinks)
+    return replace(_within_limits(balance, bent), kinks=cut.kinks)
 
 
 def _bent(section: Section, panels: Panels, excess: ExcessCurvature) -> Section:
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
-def tangent_weight(law: Section, bending_stiffness: FloatArray) -> tuple[FloatArray, FloatArray]:
+def tangent_weight(section: Section, bending_stiffness: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Linearise the weight per length of a section, N/mm, at the bending stiffnesses E I (n,), N mm2.
 
     Return its slope (n,) by E I, and its constant part (n,).
     """
     below, at, above = (
-        law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
+        section.weight_per_length(section.parameter(bending_stiffness * (1 + step)))
         for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
     )
     slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
     return slope, at - slope * bending_stiffness
 
 
-def _converged_balance(load: WeightedPanels, law: Section) -> BalancedStiffness:
+def _converged_balance(load: WeightedPanels, section: Section) -> BalancedStiffness:
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
     light = load.carrying(proportional_weight, np.zeros(proportional_weight.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(loaded=False)))
-    scale = _fitting_scale(law, balance.stiffness)
+    scale = _fitting_scale(section, balance.stiffness)
     EI = scale * balance.stiffness.nodal
     change = np.inf
     history: list[float] = []
     for _ in range(MOST_ROUNDS):
-        tangent = tangent_weight(law, EI)
+        tangent = tangent_weight(section, EI)
         problem = load.carrying(*tangent, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
         except NotConvergedError as error:  # the weight is the cause, because `light` has a solution
-            raise _unsettled(law, change) from error
+            raise _unsettled(section, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal
-        tried, scale = scale, _fitting_scale(law, balance.stiffness)
+        tried, scale = scale, _fitting_scale(section, balance.stiffness)
         change, EI = max(float(np.abs(next_EI / EI - 1).max()), abs(scale / tried - 1)), next_EI
         if change < SETTLED_SHARE:
             weight = _weight(load, tangent, tried)
             return replace(balance, bending_stiffness=tried, weight=weight)
-        least, _ = law.limits
-        if least > 0 and (EI / law.bending_stiffness(least)).min() < HOPELESS_SHARE:
-            raise _unsettled(law, change)
+        least, _ = section.limits
+        if least > 0 and (EI / section.bending_stiffness(least)).min() < HOPELESS_SHARE:
+            raise _unsettled(section, change)
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    return _balance_by_descent(load, law, tried * state[:3], EI)
+    return _balance_by_descent(load, section, tried * state[:3], EI)
 
 
 def _balance_by_descent(
-    load: WeightedPanels, law: Section, state: FloatArray, EI: FloatArray
+    load: WeightedPanels, section: Section, state: FloatArray, EI: FloatArray
 ) -> BalancedStiffness:
     """Return the stiffness in equilibrium that fits a section, by a descent in short steps.
 
@@ -455,13 +459,13 @@ def _balance_by_descent(
     The steps become shorter after each reversal, because linear programs oscillate if the optimum is not at a
     vertex. `state` is the moment (N mm) and force (N) at the end of the curve, an array (3,).
     """
-    deciding, points = _deciding_limit(law), load.points
-    limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
+    deciding, points = _deciding_limit(section), load.points
+    limit, scale = section.bending_stiffness(deciding), float(section.bending_stiffness(deciding).min())
     # with -1, the least E I is maximised; with 1, the largest E I is minimised
-    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
+    sense = -1.0 if np.isfinite(section.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
-        tangent = tangent_weight(law, EI)
+        tangent = tangent_weight(section, EI)
         problem = load.carrying(*tangent, points)
         numbers = problem.at_compliance(1 / scale)
         here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
@@ -485,7 +489,7 @@ def _balance_by_descent(
             return replace(problem.balance(unknowns), bending_stiffness=scale, weight=weight)
         reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
         before = step
-    raise _unsettled(law, np.inf)
+    raise _unsettled(section, np.inf)
 
 
 def _best_numbers_near(
@@ -516,14 +520,14 @@ def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
     )
 
 
-def _unsettled(law: Section, change: float) -> NotConvergedError:
+def _unsettled(section: Section, change: float) -> NotConvergedError:
     moves = (
         note(" (the stiffness still changes by {change:.2g})", change=change) if np.isfinite(change) else ""
     )
     return NotConvergedError(
         "the iteration of weight and {quantity} did not converge{moves}. Without weight the rod takes this "
         "curve. Use a stiffer or lighter material, or support the rod",
-        quantity=law.quantity,
+        quantity=section.quantity,
         moves=moves,
     )
 
@@ -540,19 +544,19 @@ def extrapolated(first: float, second: float, third: float) -> float:
     return third + float(np.clip(step**2 / (before - step), -LONGEST_JUMP, LONGEST_JUMP))
 
 
-def _deciding_limit(law: Section) -> float:
-    least, largest = law.limits
+def _deciding_limit(section: Section) -> float:
+    least, largest = section.limits
     return largest if np.isfinite(largest) else least
 
 
-def _fitting_scale(law: Section, stiffness: PanelFunction) -> float:
+def _fitting_scale(section: Section, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, with which the bending stiffness B K just fits the limits of a section.
 
     The largest section is at the upper limit or, without an upper limit, the least section at the lower limit.
     """
-    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding_limit(law)))
+    share = PanelFunction.through(stiffness.nodal / section.bending_stiffness(_deciding_limit(section)))
     extremes = share.extremes
-    return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
+    return 1 / float(extremes.max() if np.isfinite(section.limits[1]) else extremes.min())
 
 
 def _weight(load: WeightedPanels, tangent: tuple[FloatArray, FloatArray], scale: float) -> Weight:
@@ -562,23 +566,23 @@ def _weight(load: WeightedPanels, tangent: tuple[FloatArray, FloatArray], scale:
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
-def _within_limits(balance: BalancedStiffness, law: Section) -> BalancedStiffness:
+def _within_limits(balance: BalancedStiffness, section: Section) -> BalancedStiffness:
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
-    refuse_below_limits(law, EI, balance.panels.s)
+    refuse_below_limits(section, EI, balance.panels.s)
     return balance
 
 
-def refuse_below_limits(law: Section, bending_stiffness: FloatArray, s: FloatArray) -> None:
+def refuse_below_limits(section: Section, bending_stiffness: FloatArray, s: FloatArray) -> None:
     """Refuse bending stiffnesses, N mm2, at arc lengths `s` of the same shape, mm, that need too small sections."""
-    least, largest = law.limits
-    sizes = law.parameter(bending_stiffness)
+    least, largest = section.limits
+    sizes = section.parameter(bending_stiffness)
     if sizes.min() < least * (1 - SIZE_SHARE):
         raise InputError(
             "with the largest {quantity} of {largest:g}, the curve requires a {quantity} of {given:.4g} at "
             "{s:.4g} from its start, but the limits allow no less than {least:g}. Widen the limits, or use "
             "the nearest possible curve ({field})",
             field=FieldName("limits"),
-            quantity=law.quantity,
+            quantity=section.quantity,
             given=Length(float(sizes.min())),
             s=Length(float(s.flat[int(sizes.argmin())])),
             largest=Length(largest),

@@ -19,6 +19,7 @@ from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
 from elastica_cad.mechanics.bracing import bracing_of, slack_elements
+from elastica_cad.mechanics.cross_sections import BendFactor, Section, at_stations, scale_within
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
     DiscreteRod,
@@ -38,7 +39,6 @@ from elastica_cad.mechanics.loads import (
     whole_number,
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
-from elastica_cad.mechanics.stiffness_law import BendFactor, Section, at_stations, scale_within
 from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:

@@ -17,9 +17,10 @@ from elastica_cad._values import (
     require_record,
 )
 from elastica_cad.errors import InputError
+from elastica_cad.mechanics.cross_sections import Section, SectionLayer, at_stations
 from elastica_cad.mechanics.section_limits import ScaleRange, matched, positive
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import Section, SectionLayer, at_stations
+from elastica_cad.refusals import BareLength
 from elastica_cad.refusals import Length as Mm
 
 SECANTS = 12
@@ -298,6 +299,8 @@ class PlainSection(EqualByValue, Section):
     1.098
     """
 
+    quantity = "width"
+    follows_bend = True  # a larger part of the width bends as a plate if the curvature increases
     sheet: Sheet
     least: float = 0.0
     largest: float = np.inf
@@ -309,9 +312,9 @@ class PlainSection(EqualByValue, Section):
         high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
         if not 0 <= low <= high or high == 0:
             raise InputError(
-                f"width limits are {low:g} and {Mm(high):g}: give the least first, 0 for none, such as 0 "
-                "and 40"
-            )
+                "{quantity} limits are {low:g} and {high:g}: give the least first, such as 3 and 8",
+                quantity=self.quantity, low=BareLength(low), high=Mm(high),
+            )  # fmt: skip
 
     @classmethod
     def as_plate(cls, sheet: Sheet, largest: float | None) -> "PlainSection | None":
@@ -329,19 +332,9 @@ class PlainSection(EqualByValue, Section):
         return self.sheet.bending_stiffness(1.0)
 
     @property
-    def quantity(self) -> str:
-        """Name of the parameter: width."""
-        return "width"
-
-    @property
     def limits(self) -> tuple[float, float]:
         """Least and largest width, mm."""
         return self.least, self.largest
-
-    @property
-    def follows_bend(self) -> bool:
-        """True, because a larger part of the width bends as a plate if the curvature increases."""
-        return True
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:
         """Return the section at stations (n,) that are bent by a change of curvature, 1/mm.

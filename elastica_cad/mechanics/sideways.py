@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import cross, dot, left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
+from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.discrete_rod import (
     Terms,
     largest_of_inverse,
@@ -22,7 +23,6 @@ from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
-from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63

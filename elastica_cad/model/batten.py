@@ -19,9 +19,9 @@ from elastica_cad.geometry.plane_points import norm, unit
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.loads import Gravity, Supports, Weight
 from elastica_cad.mechanics.rod import Rod, camber_of, csv_text
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.model.leaf_stack import LeafStack
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath

@@ -16,12 +16,12 @@ from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.cross_sections import RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.elements import ElementForce, Tie
 from elastica_cad.mechanics.loads import Supports, require_curve
 from elastica_cad.mechanics.rod import Rod, camber_of
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, make_strip

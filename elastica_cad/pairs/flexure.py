@@ -37,11 +37,11 @@ from elastica_cad.geometry.plane_points import dot, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
+from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.mechanics.sideways import SidewaysStability
-from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
 from elastica_cad.refusals import FieldName, Length, Refusal, note

@@ -8,9 +8,9 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of, norm, turn_between, unit_vectors
+from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.refusals import Length
 
 EDGES = 480

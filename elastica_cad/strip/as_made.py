@@ -11,12 +11,12 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_points import cross, left_of, unit_vectors
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.cross_sections import BendFactor
 from elastica_cad.mechanics.laminated_section import LaminateCurl, LaminatedSection
 from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent, resample
-from elastica_cad.mechanics.sections import SheetCurl, crack_energy
+from elastica_cad.mechanics.sections import PlainSection, crack_energy
 from elastica_cad.mechanics.sheets import even_shear_ratio
-from elastica_cad.mechanics.stiffness_law import BendFactor
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import (
     ANTICLASTIC,
@@ -255,10 +255,9 @@ def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
     if layout.backing is not None:
         section = LaminatedSection(layout.sheet, layout.backing.sheet)
         return LaminateCurl.of(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
-    nu = layout.sheet.poisson_ratio
-    if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
+    if layout.section is not None and not layout.section.follows_bend:
         return None
-    return SheetCurl(_curling_width(layout, s), layout.sheet.thickness, nu, rest)
+    return PlainSection(layout.sheet, natural_curvature=rest).curl(_curling_width(layout, s))
 
 
 def _curl(rod: Rod, layout: Layout) -> Curl | None:

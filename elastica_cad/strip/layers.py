@@ -14,10 +14,10 @@ from elastica_cad.geometry.path_intersections import trim_off
 from elastica_cad.geometry.plane_points import numbers_in_groups
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line, chords_of_all
+from elastica_cad.mechanics.cross_sections import LaidLeaves
 from elastica_cad.mechanics.laminated_section import stack_stiffness
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LaidLeaves
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, fit_label
 from elastica_cad.strip.outline import Ends, add_register_holes, end_holes, fix_tab_widths, flat_rim

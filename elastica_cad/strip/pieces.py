@@ -16,8 +16,8 @@ from elastica_cad._values import is_whole, require_record, value_key
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_points import box_around
+from elastica_cad.mechanics.cross_sections import RoundLaw
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, SAME_MM, Drawing
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.lettering import Text

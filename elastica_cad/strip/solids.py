@@ -17,9 +17,9 @@ from elastica_cad.geometry.path_intersections import clip_across
 from elastica_cad.geometry.plane_points import cross
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction, knot_runs
+from elastica_cad.mechanics.cross_sections import RoundLaw
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_color
-from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.bent_boundary import BentMap, Boundary, BoundaryMaker, Map, bent_maps
 from elastica_cad.strip.flat_pattern import SIDE_DEGREE, CutPattern, cut_across, in_smooth_pieces
 from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths

@@ -30,6 +30,7 @@ from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
+from elastica_cad.mechanics.cross_sections import RoundLaw
 from elastica_cad.mechanics.discrete_rod import Compression
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.laminated_section import LaminatedSection
@@ -59,7 +60,6 @@ from elastica_cad.mechanics.sideways import (
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.refusals import BareLength, FieldName, Length, Span, note, sentences
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
@@ -526,8 +526,7 @@ class Strip:
             self.layout.strains(Bends(bent, self.rod.s)),
             key=lambda layer: layer.largest / layer.limit,
         )
-        section, size = self.layout.section, self.layout.size
-        more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
+        more = {f"{name}_mm": size(self.rod.s) for name, size in self.tapered.items()}
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
 
     def csv(self) -> str:
@@ -538,9 +537,7 @@ class Strip:
     def tapered(self) -> dict[str, Profile]:
         """The varying "thickness" or "diameter", mm, by its name; empty if neither varies."""
         section, size = self.layout.section, self.layout.size
-        if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}
-        return {section.quantity: size}
+        return {} if section is None or size is None else {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
         """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick". A constant thickness is left out."""

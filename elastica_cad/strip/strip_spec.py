@@ -21,6 +21,13 @@ from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.form_finding.straight_ends import StraightEnds
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.cross_sections import (
+    LeavesLaw,
+    RoundLaw,
+    Section,
+    ThicknessLaw,
+    require_section,
+)
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie, require_elements
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.least_ratio import LaminateLayers
@@ -40,13 +47,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, anticlastic_factor
 from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, require_name
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.mechanics.stiffness_law import (
-    LeavesLaw,
-    RoundLaw,
-    Section,
-    ThicknessLaw,
-    require_section,
-)
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
 from elastica_cad.refusals import BareLength, FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
@@ -759,9 +759,8 @@ class StripSpec(EqualByValue):
 
     @property
     def _plate(self) -> PlainSection:
-        if self.max_width is not None:
-            return PlainSection(self.material, 0.0, self.max_width)
-        return PlainSection(self.material, self.min_width or 0.0, np.inf)
+        least = 0.0 if self.max_width else self.min_width or 0.0
+        return PlainSection(self.material, least, self.max_width or np.inf)
 
     def _section_in_plane(self, share: float) -> Section | None:
         """Return the section, or None if the width is proportional to the stiffness.

@@ -13,18 +13,18 @@ from elastica_cad.errors import FaultError, InputError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.section_limits import LayerStrain
-from elastica_cad.mechanics.sections import PlainSection
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import (
+from elastica_cad.mechanics.cross_sections import (
     SAME_SCALE,
     LaidLeaves,
     Section,
     ThicknessLaw,
     scale_within,
 )
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import LayerStrain
+from elastica_cad.mechanics.sections import PlainSection
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.outline import Ends, long_sides
 from elastica_cad.strip.slots import Slot

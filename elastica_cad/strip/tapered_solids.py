@@ -44,7 +44,7 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     --------
     >>> from elastica_cad.strip.strip_spec import make_strip
     >>> from elastica_cad.mechanics.sheets import Sheet
-    >>> from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+    >>> from elastica_cad.mechanics.cross_sections import ThicknessLaw
     >>> glass = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
     >>> arch = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
     >>> strip = make_strip(arch, glass, section=ThicknessLaw(glass, 1.0, 4.0, width=20.0))

@@ -10,7 +10,7 @@ import elastica_cad as ec
 from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import FinishedStrip, request_record
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.mechanics.cross_sections import ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.strip.holding_template import ends_message, holding_template
 from elastica_cad.strip.suggestions import suggest

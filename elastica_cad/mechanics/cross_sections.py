@@ -1,10 +1,10 @@
-"""Stiffness laws of cross-sections: tapered strips, rods, tubes and glued plies."""
+"""Cross-sections: their interface, and tapered strips, rods, tubes and glued plies."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple, Protocol, Self, TypeVar, cast
+from typing import ClassVar, NamedTuple, Protocol, Self, TypeVar, cast
 
 import numpy as np
 
@@ -43,12 +43,17 @@ class Section(ABC):
     The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. Other properties, such
     as the width of the base of a laminate, are fields of the section. The argument `section` of `optimal_rod`
     and `nearest_rod` needs a section whose parameter has limits.
+
+    Attributes
+    ----------
+    quantity : str
+        Name of the parameter, such as "width", "thickness" or "diameter".
+    follows_bend : bool
+        True if the stiffness depends on the curvature.
     """
 
-    @property
-    @abstractmethod
-    def quantity(self) -> str:
-        """Name of the parameter: "width", "thickness" or "diameter"."""
+    quantity: ClassVar[str]
+    follows_bend: ClassVar[bool] = False
 
     @property
     @abstractmethod
@@ -100,11 +105,6 @@ class Section(ABC):
         return np.asarray(1 / np.max(used, axis=0))
 
     @property
-    def follows_bend(self) -> bool:
-        """True if the stiffness depends on the curvature."""
-        return False
-
-    @property
     def stack(self) -> "LaidLeaves | None":
         """Stack of glued plies; None for a single piece, or if the positions of the plies are unknown."""
         return None
@@ -124,7 +124,7 @@ class Section(ABC):
 
 @dataclass(frozen=True)
 class _PowerLaw(Section):
-    """Law E I = E c p^k for a parameter p, mm. The cross-section has the area a p^(k - 2).
+    """Section with E I = E c p^k for a parameter p, mm. The cross-section has the area a p^(k - 2).
 
     The property `_shape` contains k, c and a. The thickness of `sheet` is ignored.
     """
@@ -148,7 +148,7 @@ class _PowerLaw(Section):
             )
 
     def with_sheet(self, sheet: Sheet) -> Self:
-        """Return the law for another thickness of the sheet; the limits change in proportion to the thickness."""
+        """Return the section for another thickness of the sheet, with limits in proportion to the thickness."""
         factor = sheet.thickness / self.sheet.thickness
         return replace(self, sheet=sheet, least=factor * self.least, largest=factor * self.largest)
 
@@ -177,7 +177,7 @@ class _PowerLaw(Section):
 
 @dataclass(frozen=True)
 class ThicknessLaw(_PowerLaw):
-    """Law of a strip of constant width w with variable thickness t: E I = E w t^3 / 12, weight proportional to t.
+    """Strip of constant width w with variable thickness t: E I = E w t^3 / 12, weight proportional to t.
 
     Parameters
     ----------
@@ -190,11 +190,12 @@ class ThicknessLaw(_PowerLaw):
 
     Examples
     --------
-    >>> law = ThicknessLaw(Sheet("rod", 1.0, 12.0, density=1000.0, max_strain=0.01), 3.0, 8.0, width=10.0)
-    >>> law.bending_stiffness(4.0).item(), round(law.parameter(640.0).item(), 9)
+    >>> section = ThicknessLaw(Sheet("rod", 1.0, 12.0, density=1000.0, max_strain=0.01), 3.0, 8.0, width=10.0)
+    >>> section.bending_stiffness(4.0).item(), round(section.parameter(640.0).item(), 9)
     (640.0, 4.0)
     """
 
+    quantity = "thickness"
     width: float = 10.0
 
     def __post_init__(self) -> None:
@@ -203,18 +204,13 @@ class ThicknessLaw(_PowerLaw):
             raise InputError("width is {width:g}: give a positive width, in mm", width=self.width)
 
     @property
-    def quantity(self) -> str:
-        """Name of the parameter: thickness."""
-        return "thickness"
-
-    @property
     def _shape(self) -> tuple[int, float, float]:
         return 3, self.width / 12, self.width
 
 
 @dataclass(frozen=True)
 class RoundLaw(_PowerLaw):
-    """Law of a round rod or tube with variable outer diameter d: E I proportional to d^4, weight to d^2.
+    """Round rod or tube with variable outer diameter d: E I proportional to d^4, weight to d^2.
 
     Parameters
     ----------
@@ -227,11 +223,12 @@ class RoundLaw(_PowerLaw):
 
     Examples
     --------
-    >>> law = RoundLaw(Sheet("rod", 1.0, 64.0, density=1000.0, max_strain=0.01), 2.0, 8.0)
-    >>> round(law.bending_stiffness(2.0).item() / np.pi, 9)
+    >>> section = RoundLaw(Sheet("rod", 1.0, 64.0, density=1000.0, max_strain=0.01), 2.0, 8.0)
+    >>> round(section.bending_stiffness(2.0).item() / np.pi, 9)
     16.0
     """
 
+    quantity = "diameter"
     bore: float = 0.0
 
     def __post_init__(self) -> None:
@@ -243,20 +240,15 @@ class RoundLaw(_PowerLaw):
             )
 
     @property
-    def quantity(self) -> str:
-        """Name of the parameter: diameter."""
-        return "diameter"
-
-    @property
     def _shape(self) -> tuple[int, float, float]:
         return 4, np.pi / 64 * (1 - self.bore**4), np.pi / 4 * (1 - self.bore**2)
 
 
 @dataclass(frozen=True)
 class LeavesLaw(Section):
-    """Law of a stack of glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
+    """Stack of glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
 
-    The stiffness jumps at the end of each ply, so a stack only approximates a curve. Use the law with
+    The stiffness jumps at the end of each ply, so a stack only approximates a curve. Use the section with
     `nearest_rod`, not `optimal_rod`.
 
     Parameters
@@ -272,18 +264,19 @@ class LeavesLaw(Section):
 
     Examples
     --------
-    >>> law = LeavesLaw(Sheet("leaf", 2.0, 12.0, density=1000.0, max_strain=0.01), 4, width=10.0)
-    >>> law.bending_stiffness([1, 2, 4]).tolist(), law.relaxed.limits
+    >>> section = LeavesLaw(Sheet("leaf", 2.0, 12.0, density=1000.0, max_strain=0.01), 4, width=10.0)
+    >>> section.bending_stiffness([1, 2, 4]).tolist(), section.relaxed.limits
     ([80.0, 640.0, 5120.0], (2.0, 8.0))
     """
 
+    quantity = "leaves"
     sheet: Sheet
     leaves: int
     width: float
     fewest: int = 1
 
     def with_sheet(self, sheet: Sheet) -> Self:
-        """Return the law for plies of another sheet."""
+        """Return the section for plies of another sheet."""
         return replace(self, sheet=sheet)
 
     def __post_init__(self) -> None:
@@ -298,18 +291,13 @@ class LeavesLaw(Section):
         _ = self.relaxed  # the property refuses an invalid width
 
     @property
-    def quantity(self) -> str:
-        """Name of the parameter: number of plies."""
-        return "leaves"
-
-    @property
     def limits(self) -> tuple[float, float]:
         """Least and largest number of plies."""
         return float(self.fewest), float(self.leaves)
 
     @cached_property
     def relaxed(self) -> ThicknessLaw:
-        """Law of the same stack with a continuous thickness, from `fewest` plies to all plies."""
+        """Section of the same stack with a continuous thickness, from `fewest` plies to all plies."""
         h = self.sheet.thickness
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
 
@@ -330,7 +318,7 @@ class LeavesLaw(Section):
         return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
-        """Return the law of a stack whose plies `leaves` have fixed positions."""
+        """Return the section of a stack whose plies `leaves` have fixed positions."""
         thick = self.relaxed
         return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
 
@@ -354,7 +342,7 @@ class Leaf:
 
 @dataclass(frozen=True)
 class LaidLeaves(ThicknessLaw):
-    """Law of a stack of glued plies with fixed positions; its thickness has steps.
+    """Stack of glued plies with fixed positions; its thickness has steps.
 
     Parameters
     ----------
@@ -368,7 +356,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def stack(self) -> "LaidLeaves":
-        """Stack of glued plies: the law itself."""
+        """Stack of glued plies: the section itself."""
         return self
 
     @property
