@@ -17,7 +17,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
-from elastica_cad.mechanics.cross_sections import Section
+from elastica_cad.mechanics.cross_sections import Section, scale_within
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
 from elastica_cad.mechanics.loads import Supports, Weight
 from elastica_cad.mechanics.optimal_balance import tangent_weight
@@ -164,11 +164,7 @@ class SectionScale:
         curvature, 1/mm. The result is this object if the scale does not change.
         """
         family = self.family.bent(bend, rest)
-        least, largest = family.limits
-        if np.isfinite(largest):
-            scale = float(np.min(self.largest(bend, rest) / stiffness))
-        else:
-            scale = float(np.max(family.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
+        scale = scale_within(family, stiffness)
         return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, family=family, scale=scale)
 
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:

@@ -60,6 +60,12 @@ class Section(ABC):
     def limits(self) -> tuple[float, float]:
         """Least and largest value of the parameter, mm; 0 and infinity mean no limit."""
 
+    @property
+    def deciding_limit(self) -> float:
+        """Limit that determines the scale of a rod: the largest value or, if there is none, the least, mm."""
+        least, largest = self.limits
+        return largest if np.isfinite(largest) else least
+
     @abstractmethod
     def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
         """Return E I (n,), N mm2, for parameters (n,), mm."""
@@ -447,9 +453,8 @@ def scale_within(
         in equilibrium only with the weight of its sections. It is also returned if it is below the limit, because
         another limit, such as the strain, may determine it.
     """
-    least, largest = section.limits
-    limited = bool(np.isfinite(largest))
-    scales = section.bending_stiffness(np.full(stiffness.size, largest if limited else least)) / stiffness
+    limited = bool(np.isfinite(section.limits[1]))
+    scales = section.bending_stiffness(np.full(stiffness.size, section.deciding_limit)) / stiffness
     B = float(scales.min() if limited else scales.max())
     if solved is None:
         return B

@@ -467,7 +467,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 def _uniform_rod(rod: Rod, section: Section) -> Rod:
     bent = section.bent(0.0)
-    size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
+    size = bent.deciding_limit
     scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
     masses = () if rod.weight is None else rod.weight.masses
     weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)

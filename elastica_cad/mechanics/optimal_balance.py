@@ -383,9 +383,7 @@ def _with_section(request: RodRequest, section: Section) -> BalancedStiffness:
         )
     request = replace(request, weight=Weight(masses=request.masses))
     bent = section.bent(0.0)
-    full = float(
-        bent.bending_stiffness(_deciding_limit(bent)) / bent.weight_per_length(_deciding_limit(bent))
-    )
+    full = float(bent.bending_stiffness(bent.deciding_limit) / bent.weight_per_length(bent.deciding_limit))
     heavy = replace(gravity, length=full ** (1 / 3))
     cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
@@ -459,7 +457,7 @@ def _balance_by_descent(
     The steps become shorter after each reversal, because linear programs oscillate if the optimum is not at a
     vertex. `state` is the moment (N mm) and force (N) at the end of the curve, an array (3,).
     """
-    deciding, points = _deciding_limit(section), load.points
+    deciding, points = section.deciding_limit, load.points
     limit, scale = section.bending_stiffness(deciding), float(section.bending_stiffness(deciding).min())
     # with -1, the least E I is maximised; with 1, the largest E I is minimised
     sense = -1.0 if np.isfinite(section.limits[1]) else 1.0
@@ -544,17 +542,12 @@ def extrapolated(first: float, second: float, third: float) -> float:
     return third + float(np.clip(step**2 / (before - step), -LONGEST_JUMP, LONGEST_JUMP))
 
 
-def _deciding_limit(section: Section) -> float:
-    least, largest = section.limits
-    return largest if np.isfinite(largest) else least
-
-
 def _fitting_scale(section: Section, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, with which the bending stiffness B K just fits the limits of a section.
 
     The largest section is at the upper limit or, without an upper limit, the least section at the lower limit.
     """
-    share = PanelFunction.through(stiffness.nodal / section.bending_stiffness(_deciding_limit(section)))
+    share = PanelFunction.through(stiffness.nodal / section.bending_stiffness(section.deciding_limit))
     extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(section.limits[1]) else extremes.min())
 

@@ -346,28 +346,31 @@ class PlainSection(EqualByValue, Section):
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
         """Return the effect of anticlastic bending for widths (n,), mm, or None if Poisson's ratio is 0."""
-        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
+        return SheetCurl(parameter / self._pieces, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
         """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect of the curvature."""
         w = positive(width, "width")
-        narrow = self.rigidity * w
-        # a strip without curvature curls freely
-        return (
-            narrow * anticlastic_factor(w, self.curvature, **self._plate)
-            if np.any(self.curvature)
-            else narrow
-        )
+        if not np.any(self.curvature):  # the strip curls freely
+            return self.rigidity * w
+        return self.rigidity * w * anticlastic_factor(w / self._pieces, self.curvature, **self._plate)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         """Return the widths (n,), mm, for E I (n,), N mm2."""
         narrow = positive(bending_stiffness, "bending stiffness") / self.rigidity
-        return plate_width(narrow, self.curvature, **self._plate) if np.any(self.curvature) else narrow
+        if not np.any(self.curvature):
+            return narrow
+        return self._pieces * plate_width(narrow / self._pieces, self.curvature, **self._plate)
 
     def layers(self, width: ArrayLike) -> tuple[SectionLayer, ...]:
         """Return the sheet as a layer."""
         h = self.sheet.thickness
         return (SectionLayer(self.sheet, h * positive(width, "width"), h / 2),)
+
+    @property
+    def _pieces(self) -> int:
+        """Number of pieces side by side that share the width and curl separately."""
+        return 1
 
     @property
     def _plate(self) -> dict[str, Any]:
@@ -382,8 +385,8 @@ class PlainSection(EqualByValue, Section):
 class PerforatedSection(PlainSection):
     """Section of a sheet with holes: the ligaments at a station act like a strip of their total width.
 
-    `width` is the total width of the ligaments. The weight is proportional to the stiffness, and independent of
-    the outer width.
+    `width` is the total width of the ligaments, each of which curls separately if it is bent. The weight is
+    independent of the outer width.
 
     Parameters
     ----------
@@ -397,6 +400,10 @@ class PerforatedSection(PlainSection):
 
     ligaments: int = 2
     least_ligament: float = 0.5
+
+    @property
+    def _pieces(self) -> int:
+        return self.ligaments
 
     def __post_init__(self) -> None:
         super().__post_init__()

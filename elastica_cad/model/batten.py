@@ -49,8 +49,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     tab, the size, the strain and the safety. The default stations include the tips of both tabs. The safety is
     the strain limit of the material divided by the strain, and infinite where the strip is not bent.
     """
-    section, size = strip.layout.section, strip.layout.size
-    if section is None or size is None:
+    if strip.layout.size is None:
         raise InputError(
             "this strip has a constant thickness, so it has no side view: use a strip with a section "
             "such as ThicknessLaw"
@@ -60,7 +59,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, DEFAULT_STATIONS)])
     s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
     bent = np.clip(s, 0.0, strip.rod.length)
-    sizes = size(bent)
+    section, sizes = strip.layout.section_at(bent)
     (layer,) = section.strains(np.abs(strip.rod.bend_at(bent)), sizes)
     strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
     safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)

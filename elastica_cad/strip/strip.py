@@ -860,14 +860,13 @@ class Strip:
     @property
     def mass(self) -> float:
         """Mass of all layers, g."""
-        section, size = self.layout.section, self.layout.size
-        if section is None or size is None or section.stack is not None:
+        if self.layout.worked_size is None:
             return sum(layer.mass for layer in self.layers)
-        newtons = section.weight_per_length(size(stations_of(self.rod.length)))
-        newtons = (newtons[1:] + newtons[:-1]) / 2
-        ends = section.weight_per_length(size([0.0, self.rod.length])) @ [tab.length for tab in self.ends]
-        free = float(newtons.mean()) * self.rod.length
-        return (free + float(ends)) / STANDARD_GRAVITY_M_S2 * 1e3
+        section, size = self.layout.section_at(stations_of(self.rod.length))
+        newtons = section.weight_per_length(size)
+        free = float((newtons[1:] + newtons[:-1]).mean()) / 2 * self.rod.length
+        ends = float(newtons[[0, -1]] @ [tab.length for tab in self.ends])
+        return (free + ends) / STANDARD_GRAVITY_M_S2 * 1e3
 
     @property
     def end_thicknesses(self) -> tuple[float, float]:

@@ -294,27 +294,21 @@ def _require_width_within(
 
 
 def _laid_out_by_section(rod: Rod, section: Section, sheet: Sheet) -> Layout:
-    profile = rod.profile
-    if (stack := section.stack) is not None:
-        B = rod.bending_stiffness or 1.0
-        steps = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)
-        even = width_profile(stack.width, rod.length, "width")
-        return Layout(sheet, even, material=even, bending_stiffness=B, section=section, size=steps)
-    least, largest = section.limits
-    s = stations_of(rod.length, profile)
-    limit = largest if np.isfinite(largest) else least
-    bent = section.bent(rod.bend_at(s), rod.rest_at(s))
-    B = scale_within(bent, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
-    size = Profile.fit(
-        lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
-        breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_TOLERANCE * limit,
-    )  # fmt: skip
-    if section.quantity == "width":
-        return Layout(sheet, size, material=size, bending_stiffness=B, section=section)
-    width = size
-    if isinstance(section, ThicknessLaw):
-        width = width_profile(section.width, rod.length, "width")
-    return Layout(sheet, width, material=width, bending_stiffness=B, section=section, size=size)
+    profile, B = rod.profile, rod.bending_stiffness or 1.0
+    if section.stack is not None:
+        size = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)
+    else:
+        s = stations_of(rod.length, profile)
+        bent = section.bent(rod.bend_at(s), rod.rest_at(s))
+        B = scale_within(bent, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
+        size = Profile.fit(
+            lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)),
+            rod.length, breaks=profile.breaks, knots=profile.knots,
+            tolerance=SIZE_TOLERANCE * section.deciding_limit,
+        )  # fmt: skip
+    width = width_profile(section.width, rod.length, "width") if isinstance(section, ThicknessLaw) else size
+    varies = None if section.quantity == "width" else size
+    return Layout(sheet, width, material=width, bending_stiffness=B, section=section, size=varies)
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:

@@ -136,6 +136,14 @@ def test_perforated_scale_keeps_ligaments_within_the_outline_and_above_their_lea
     assert section.weight_per_length(5.0) == PlainSection(sheet()).weight_per_length(5.0)
 
 
+def test_ligaments_curl_separately():
+    one, three = (
+        kind.bent(0.02) for kind in (PlainSection(sheet()), PerforatedSection(sheet(), ligaments=3))
+    )
+    assert three.bending_stiffness(60.0) == pytest.approx(3 * one.bending_stiffness(20.0))
+    assert three.bending_stiffness(60.0) < one.bending_stiffness(60.0)
+
+
 def test_scale_range_of_touching_limits_is_feasible():
     assert ScaleRange.of([3.0, 1.0], [5.0, 3.0], [1.0, 1.0]).feasible
 
@@ -174,6 +182,7 @@ def test_bad_input_is_one_sentence(call, message):
     [
         (PlainSection(sheet()), 40.0),
         (PerforatedSection(sheet(), ligaments=3), 40.0),
+        (PerforatedSection(sheet(), ligaments=3).bent([0.01, 0.03, 0.02]), 40.0),
         (LaminatedSection(sheet(), sheet(0.5, name="backing")).on([25.0, 30.0, 40.0]), 20.0),
         (ThicknessLaw(sheet(), 1.0, 50.0, width=30.0), 40.0),
         (RoundLaw(sheet(), 1.0, 50.0), 40.0),
