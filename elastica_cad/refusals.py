@@ -16,7 +16,7 @@ PLACES = ("file", "strip")
 """Keys of `where` that a message shows before its text, in this order. Other keys are for programs."""
 
 
-class _Worded:
+class Worded:
     """Base of values in messages that each front end formats in its language and units."""
 
     __slots__ = ()
@@ -25,7 +25,27 @@ class _Worded:
         return ENGLISH.format_field(self, spec)
 
 
-class Length(_Worded, float):
+class Quantity(Worded, float):
+    """Number with a unit, shown with three digits or in the format of the template.
+
+    Examples
+    --------
+    >>> f"{Force(12.345)}, {Strain(0.00456):.2f}, {Mass(1234)}, {Angle(30):.1f}"
+    '12.3 N, 0.46 %, 1.23 kg, 30.0 degrees'
+    """
+
+    UNIT = ""
+
+    def __str__(self) -> str:
+        return format(self)
+
+    @property
+    def shown(self) -> tuple[float, str]:
+        """Number and unit that are shown."""
+        return self, self.UNIT
+
+
+class Length(Quantity):
     """Length in mm, shown with its unit and at least three digits or in the format of the template.
 
     Examples
@@ -33,9 +53,6 @@ class Length(_Worded, float):
     >>> "the ends are {} apart".format(Length(1234.56)), f"{Length(0.1234)}", f"{Length(8):.1f}"
     ('the ends are 1235 mm apart', '0.123 mm', '8.0 mm')
     """
-
-    def __str__(self) -> str:
-        return format(self)
 
 
 class BareLength(Length):
@@ -48,7 +65,49 @@ class BareLength(Length):
     """
 
 
-class FieldName(_Worded, str):
+class Force(Quantity):
+    """Force in N."""
+
+    UNIT = "N"
+
+
+class Moment(Quantity):
+    """Moment in N mm."""
+
+    UNIT = "N mm"
+
+
+class Energy(Quantity):
+    """Energy in mJ, which is N mm."""
+
+    UNIT = "mJ"
+
+
+class Angle(Quantity):
+    """Angle in degrees."""
+
+    UNIT = "degrees"
+
+
+class Mass(Quantity):
+    """Mass in g, shown in kg from 1000 g on."""
+
+    @property
+    def shown(self) -> tuple[float, str]:
+        """Number and unit that are shown."""
+        return (self / 1000, "kg") if self >= 1000 else (self, "g")
+
+
+class Strain(Quantity):
+    """Strain without unit, shown in percent."""
+
+    @property
+    def shown(self) -> tuple[float, str]:
+        """Number and unit that are shown."""
+        return 100 * self, "%"
+
+
+class FieldName(Worded, str):
     """Name of a field of a request: its key in design files, preceded by the name of its table.
 
     Each front end shows the name that its users know: see `Wording.field` and `SPELLING`.
@@ -79,7 +138,7 @@ SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
 The command line sets a function that returns options."""
 
 
-class Listed(_Worded, tuple[Any, ...]):
+class Listed(Worded, tuple[Any, ...]):
     """Numbers, lengths or sentences that are listed in a message. At most six of them are shown.
 
     Examples
@@ -136,7 +195,7 @@ class Span(Listed):
         return cls([Length(high)] if alike else [Length(low), Length(high)])
 
 
-class Point(_Worded, tuple[float, ...]):
+class Point(Worded, tuple[float, ...]):
     """A point in the plane or in space, mm.
 
     Examples
@@ -190,6 +249,9 @@ class Wording(Formatter):
                 return self._in_unit(value, spec)
             case Length():
                 return f"{self._in_unit(value, spec)} {self.unit}"
+            case Quantity():
+                number, unit = value.shown
+                return f"{self._digits(number, spec or '.3g')} {self.template(unit)}"
             case Point():
                 inside = self._separator.join(self._in_unit(item, spec or ".4g") for item in value)
                 return f"({inside}) {self.unit}"

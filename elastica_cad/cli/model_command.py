@@ -26,7 +26,17 @@ from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, 
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
-from elastica_cad.refusals import Length, Listed, Refusal, Severity, is_reported, note, one_of_each, sentences
+from elastica_cad.refusals import (
+    Length,
+    Listed,
+    Mass,
+    Refusal,
+    Severity,
+    is_reported,
+    note,
+    one_of_each,
+    sentences,
+)
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
@@ -197,14 +207,13 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         say_row(Row(label, text, more, severity))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
     metres = cut_list.cut_length / 1000
-    mass = f"{cut_list.mass / 1000:.3g} kg" if cut_list.mass >= 1000 else f"{cut_list.mass:.3g} g"
     pieces = "" if cut_list.count == len(model.placed) else (
         f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
     )  # fmt: skip
     say_row(
         Row(
             "Model",
-            f"{model.name}: {count_strips(model)}{joints}; {pieces}{metres:.1f} m of cuts, {mass}",
+            f"{model.name}: {count_strips(model)}{joints}; {pieces}{metres:.1f} m of cuts, {Mass(cut_list.mass)}",
         )
     )
     if deviations := contents.deviations:

@@ -44,7 +44,7 @@ from elastica_cad.mechanics.sheets import Sheet, require_flat, require_name
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
-from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.refusals import FieldName, Force, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.flat_pattern import in_short_pieces
@@ -714,12 +714,12 @@ class Flexure:
         """Message with the largest force and its range."""
         low, high = self.force_range
         return note(
-            "about {force:.2g} N ({low:.2g} to {high:.2g} N if the thickness is off by up to {off} and the "
+            "about {force:.2g} ({low:.2g} to {high:.2g} if the thickness is off by up to {off} and the "
             "sheet varies)"
             if self.sheet.youngs_modulus_range
-            else "about {force:.2g} N ({low:.2g} to {high:.2g} N if the thickness is off by up to {off}; "
+            else "about {force:.2g} ({low:.2g} to {high:.2g} if the thickness is off by up to {off}; "
                  "the variation of the sheet is unknown)",
-            force=self.travel.largest_force, low=low, high=high, off=Length(OFF_MM),
+            force=Force(self.travel.largest_force), low=low, high=Force(high), off=Length(OFF_MM),
         )  # fmt: skip
 
     @cached_property

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.pairs.flexure import STATES, Flexure
-from elastica_cad.refusals import Length, Refusal, Span, note
+from elastica_cad.refusals import Angle, Energy, Force, Length, Refusal, Span, Strain, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import direction_in_drawing
@@ -40,9 +40,9 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     if abs(turn) > TURNED_DEG:
         angles = [float(np.degrees(rod.angle[0])) for rod in part.pair.states]
         text = note(
-            "{second} is turned by {turn:.1f} degrees, because both states start in the same clamp, and the drawn "
-            "curves start at {one:.1f} and {other:.1f} degrees to the x axis",
-            turn=turn, one=angles[0], other=angles[1], second=part.state_labels[1],
+            "{second} is turned by {turn:.1f}, because both states start in the same clamp, and the drawn "
+            "curves start at {one:.1f} and {other:.1f} to the x axis",
+            turn=Angle(turn), one=angles[0], other=Angle(angles[1]), second=part.state_labels[1],
         )  # fmt: skip
         details = [note("Curves that start in the same direction are not turned.")]
         rows += [Row(note("Position"), text, details)]
@@ -71,14 +71,14 @@ def _size(part: Flexure) -> Row:
 
 
 def _strain(part: Flexure, *, quick: bool) -> Row:
-    strains = (*part.strain, *(() if quick else (part.travel_strain,)))
+    strains = [*map(Strain, (*part.strain, *(() if quick else (part.travel_strain,))))]
     text = note(
-        "{one:.2f} % ({first}) and {other:.2f} % ({second}); {sheet} allows {limit:.2f} % in the long term"
+        "{one:.2f} ({first}) and {other:.2f} ({second}); {sheet} allows {limit:.2f} in the long term"
         if quick else
-        "{one:.2f} % ({first}) and {other:.2f} % ({second}), {between:.2f} % on the way between them; {sheet} "
-        "allows {limit:.2f} % in the long term",
-        one=100 * strains[0], other=100 * strains[1], between=100 * strains[-1],
-        sheet=part.sheet.name, limit=100 * part.sheet.max_strain, **_names(part),
+        "{one:.2f} ({first}) and {other:.2f} ({second}), {between:.2f} on the way between them; {sheet} "
+        "allows {limit:.2f} in the long term",
+        one=strains[0], other=strains[1], between=strains[-1],
+        sheet=part.sheet.name, limit=Strain(part.sheet.max_strain), **_names(part),
     )  # fmt: skip
     allowed = judge_strain(part.sheet, max(strains)).allowed
     return Row(note("Strain"), text, severity="note" if allowed else "warning")
@@ -107,43 +107,44 @@ def _stability_row(part: Flexure) -> Row:
 
 
 def _force_sentence(part: Flexure) -> Refusal:
-    turn = round(part.force_direction)
+    turn = Angle(round(part.force_direction))
     if not part.pair.bistable:
         sentence = note(
             "the end of the part can be clamped in two positions; moving the end between them takes "
-            "at most {force}, at {turn} degrees to the x axis",
+            "at most {force}, at {turn:.0f} to the x axis",
             force=part.force_text, turn=turn,
         )  # fmt: skip
         snap, jump = part.travel.snap, part.travel.forces_at_snap
         if snap is None or jump is None:
             return sentence
         return note(
-            "{sentence}; the part snaps after {snap:.3g} degrees of rotation, and the force jumps from "
-            "{before:.2g} to {after:.2g} N"
+            "{sentence}; the part snaps after {snap:.3g} of rotation, and the force jumps from "
+            "{before:.2g} to {after:.2g}"
             if part.travel.unit == "deg" else
             "{sentence}; the part snaps after {snap:.3g} of travel, and the force jumps from {before:.2g} to "
-            "{after:.2g} N",
-            sentence=sentence, snap=snap if part.travel.unit == "deg" else Length(snap),
-            before=jump[0], after=jump[1],
+            "{after:.2g}",
+            sentence=sentence, snap=(Angle if part.travel.unit == "deg" else Length)(snap),
+            before=jump[0], after=Force(jump[1]),
         )  # fmt: skip
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:
         return note(
             "not bistable: the part keeps one curve ({second}) only while pushed with {force}, "
-            "{at:.4g} from the start and at {turn} degrees to the x axis",
+            "{at:.4g} from the start and at {turn:.0f} to the x axis",
             force=part.force_text, at=at, turn=turn, second=part.state_labels[1],
         )  # fmt: skip
     sentence = note(
         "bistable: pushed {direction} at {at:.3g} from the start, the part snaps over at {force}, and back at "
-        "about {back:.2g} N"
+        "about {back:.2g}"
         if turn % 90 == 0 else
-        "bistable: pushed at {at:.3g} from the start, at {turn} degrees to the x axis, the part snaps over at "
-        "{force}, and back at about {back:.2g} N",
-        at=at, turn=turn, direction=direction_in_drawing(turn), force=part.force_text, back=back.largest_force,
+        "bistable: pushed at {at:.3g} from the start, at {turn:.0f} to the x axis, the part snaps over at "
+        "{force}, and back at about {back:.2g}",
+        at=at, turn=turn, direction=direction_in_drawing(turn), force=part.force_text,
+        back=Force(back.largest_force),
     )  # fmt: skip
     if part.travel.snap is None:
         return sentence
     return note(
-        "{sentence}; after {snap:.3g} of travel and about {work:.2g} mJ of work, the part snaps by itself",
-        sentence=sentence, snap=Length(part.travel.snap), work=part.travel.work,
+        "{sentence}; after {snap:.3g} of travel and about {work:.2g} of work, the part snaps by itself",
+        sentence=sentence, snap=Length(part.travel.snap), work=Energy(part.travel.work),
     )  # fmt: skip

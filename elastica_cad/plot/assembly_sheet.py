@@ -57,7 +57,7 @@ from elastica_cad.plot.model_pictures import (
     screen_of,
     size_text,
 )
-from elastica_cad.refusals import Length, Refusal, Wording, note, number_text, sentences
+from elastica_cad.refusals import Force, Length, Moment, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
@@ -459,13 +459,11 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
     def cells(part: EqualStrips) -> tuple[str, ...]:
         loads = part.strip.reactions()
-        loaded_ends = (loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment)
-        sizes = [(float(np.hypot(*force)), abs(moment)) for force, moment in loaded_ends]
-        return tuple(
-            f"{number_text(size, '.2g')} {unit}"
-            for end in sizes
-            for size, unit in zip(end, ("N", "N mm"), strict=True)
-        )
+        sizes = (
+            Force(np.hypot(*loads.start_force)), Moment(abs(loads.start_moment)),
+            Force(np.hypot(*loads.end_force)), Moment(abs(loads.end_moment)),
+        )  # fmt: skip
+        return tuple(f"{size:.2g}" for size in sizes)
 
     for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
         yield _range([part.name for part in parts]), *texts
@@ -746,7 +744,7 @@ def _plate_label(name: str, loop: FloatArray) -> Label:
 
 
 def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
-    text = element.name if tip is None else f"{element.name}, {number_text(element.force, '.2g')} N"
+    text = element.name if tip is None else f"{element.name}, {Force(element.force):.2g}"
     at = points[0] if tip is None else tip
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
 

@@ -17,7 +17,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, show_box
-from elastica_cad.refusals import number_text
+from elastica_cad.refusals import Mass, number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, freedom_text, held_ends
@@ -140,7 +140,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     require_record(strip, Strip, "what is drawn", "a Strip")
     sheet = strip.sheet
     size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
-    facts = f"{sheet.name}, {size}, {strip.mass_text}"
+    facts = f"{sheet.name}, {size}, {Mass(strip.mass)}"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     title = f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}"
     ends = () if strip.is_closed else held_ends(strip)

@@ -8,7 +8,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import bend, snap_percent
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Refusal, note
+from elastica_cad.refusals import Angle, Refusal, note
 from elastica_cad.strip.held_shape import closes
 from elastica_cad.strip.strip import Strip
 
@@ -32,9 +32,9 @@ def clamp_warning(strip: Strip) -> Refusal | None:
     turn, end = snap
     return note(
         "close to snapping: the strip snaps into another shape if the clamp at its {end} is turned by "
-        "{turn:.2g} degrees; usual errors are up to {error:.2g} degrees. Support the strip between its ends, or "
+        "{turn:.2g}; usual errors are up to {error:.2g}. Support the strip between its ends, or "
         "draw another curve",
-        end=note(end), turn=np.degrees(turn), error=np.degrees(error), severity="warning",
+        end=note(end), turn=Angle(np.degrees(turn)), error=Angle(np.degrees(error)), severity="warning",
     )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
 from elastica_cad.mechanics.tolerances import feels_modulus
-from elastica_cad.refusals import Length, Refusal, note, sentences
+from elastica_cad.refusals import Force, Length, Moment, Refusal, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
@@ -48,8 +48,8 @@ class Reactions:
     def __str__(self) -> str:
         start, end = (
             note(
-                "a force of {force:.3g} N (x {x:.3g}, y {y:.3g}) and a moment of {moment:.3g} N mm",
-                force=np.hypot(x, y), x=x, y=y, moment=moment,
+                "a force of {force:.3g} (x {x:.3g}, y {y:.3g}) and a moment of {moment:.3g}",
+                force=Force(np.hypot(x, y)), x=x, y=y, moment=Moment(moment),
             )
             for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
         )  # fmt: skip

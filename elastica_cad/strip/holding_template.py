@@ -15,7 +15,7 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Length, Listed, Refusal, note, number_text
+from elastica_cad.refusals import Angle, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Hole
@@ -107,8 +107,8 @@ def angle_text(degrees: float) -> Refusal:
     """
     if round(degrees, 1) == 0:
         return note("straight ahead")
-    text = "{angle:.1f} degrees to the left" if degrees > 0 else "{angle:.1f} degrees to the right"
-    return note(text, angle=abs(degrees))
+    text = "{angle:.1f} to the left" if degrees > 0 else "{angle:.1f} to the right"
+    return note(text, angle=Angle(abs(degrees)))
 
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
@@ -240,7 +240,7 @@ class HeldElement:
     face: FloatArray | None = None
 
     def __str__(self) -> str:
-        force = f"{number_text(self.force, '.2g')} N"
+        force = f"{Force(self.force):.2g}"
         at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
         if isinstance(self.action.element, Tie):
             length = norm(self.places[1] - self.places[0])
@@ -262,7 +262,7 @@ class HeldElement:
         noun = noun_of(element)
         if not isinstance(element, PointMass):
             return noun
-        return note("{noun} {mass:g} g", noun=noun, mass=float(element.mass))
+        return note("{noun} {mass:g}", noun=noun, mass=Mass(element.mass))
 
     @property
     def is_between_bars(self) -> bool:

@@ -60,7 +60,7 @@ from elastica_cad.mechanics.sideways import (
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.refusals import BareLength, FieldName, Length, Span, note, sentences
+from elastica_cad.refusals import BareLength, FieldName, Force, Length, Moment, Span, note, sentences
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
     StrainedCut,
@@ -581,12 +581,6 @@ class Strip:
         return self.layers[0].outline
 
     @property
-    def mass_text(self) -> str:
-        """Text with the mass in g, or in kg from 1000 g on."""
-        heavy = self.mass >= 1000
-        return note("{mass:.3g} kg" if heavy else "{mass:.3g} g", mass=self.mass / (1000 if heavy else 1))
-
-    @property
     def holes(self) -> tuple[Path, ...]:
         """Closed loops of the holes."""
         return self.layers[0].holes
@@ -636,10 +630,11 @@ class Strip:
             lap=Length(lap),
         )
         return note(
-            "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} N mm and "
-            "{force:.2g} N",
+            "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} and "
+            "{force:.2g}",
             how=how, place=(self.rod.curve.provenance or Provenance()).shown(self.rod.position[0]),
-            width=Length(self.end_widths[1]), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
+            width=Length(self.end_widths[1]), moment=Moment(abs(held.end_moment)),
+            force=Force(np.hypot(*held.end_force)),
         )  # fmt: skip
 
     @property

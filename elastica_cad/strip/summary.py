@@ -21,7 +21,19 @@ from elastica_cad.mechanics.mounting_errors import (
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
+from elastica_cad.refusals import (
+    Angle,
+    Force,
+    Length,
+    Listed,
+    Mass,
+    Moment,
+    Refusal,
+    Strain,
+    is_reported,
+    note,
+    sentences,
+)
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.clamp_errors import can_snap, clamp_warning
 from elastica_cad.strip.element_cuts import element_cuts
@@ -118,7 +130,7 @@ def size_row(strip: Strip) -> Row:
             if tabs
             else "{length:.1f} long, {breadth}, {mass}",
             length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
-            mass=strip.mass_text,
+            mass=Mass(strip.mass),
         ),
         (ratio, *backing),
     )  # fmt: skip
@@ -148,20 +160,20 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
     for states in zip(strip.strains, strip.unloaded_strains, strict=False):
         if worst in states:
             other = states[states[0] is worst]
-    text = "{strain:.2f} % at {at:.0f} from the start; {sheet} allows {limit:.2f} %"
+    text = "{strain:.2f} at {at:.0f} from the start; {sheet} allows {limit:.2f}"
     if round(1e4 * other.largest) != round(1e4 * worst.largest):
         text = (
-            "{strain:.2f} % at {at:.0f} from the start with the loads, {other:.2f} % without them; {sheet} allows "
-            "{limit:.2f} %"
+            "{strain:.2f} at {at:.0f} from the start with the loads, {other:.2f} without them; {sheet} allows "
+            "{limit:.2f}"
             if worst in strip.strains
-            else "{strain:.2f} % at {at:.0f} from the start without the loads, {other:.2f} % with them; {sheet} "
-            "allows {limit:.2f} %"
+            else "{strain:.2f} at {at:.0f} from the start without the loads, {other:.2f} with them; {sheet} "
+            "allows {limit:.2f}"
         )
     yield Row(
         note("Strain"),
         note(
-            text, strain=100 * worst.largest, at=Length(strip.max_strain_at), other=100 * other.largest,
-            sheet=worst.name, limit=100 * worst.limit,
+            text, strain=Strain(worst.largest), at=Length(strip.max_strain_at), other=Strain(other.largest),
+            sheet=worst.name, limit=Strain(worst.limit),
         ),
     )  # fmt: skip
 
@@ -246,7 +258,7 @@ def hold_row(strip: Strip) -> Row:
             apart = note("{ends}; the {end} is free: nothing holds it", ends=apart, end=note(name))
     forces = strip.reactions()
     start, end = (
-        note("force {force:.2g} N and moment {moment:.2g} N mm", force=np.hypot(*force), moment=abs(moment))
+        note("force {force:.2g} and moment {moment:.2g}", force=Force(np.hypot(*force)), moment=Moment(abs(moment)))
         for force, moment in (
             (forces.start_force, forces.start_moment), (forces.end_force, forces.end_moment),
         )
@@ -261,9 +273,9 @@ def hold_row(strip: Strip) -> Row:
     inward = forces.start_force @ chord / (norm(chord) or 1.0)
     if start == end and abs(inward) > ALONG * norm(forces.start_force):
         load = note(
-            "{apart}; the strip pushes the ends apart with {force:.2g} N, moment {moment:.2g} N mm at each end"
+            "{apart}; the strip pushes the ends apart with {force:.2g}, moment {moment:.2g} at each end"
             if inward > 0
-            else "{apart}; the strip pulls the ends together with {force:.2g} N, moment {moment:.2g} N mm at each "
+            else "{apart}; the strip pulls the ends together with {force:.2g}, moment {moment:.2g} at each "
             "end",
             apart=apart, **start.values,
         )  # fmt: skip
@@ -325,7 +337,9 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         return
     least, texts = ROUNDING_FRACTION * norm(rod.force).max(), []
     for action in rod.between:
-        text = _element_text(action, rod, bending_stiffness * action.size if action.size > least else 0.0)
+        text = _element_text(
+            action, rod, Force(bending_stiffness * action.size if action.size > least else 0)
+        )
         if (bar := bar_direction(action, rod)) is not None:
             text = note("{text} (bar {side})", text=text, side=side_of_bar(bar))
         texts.append(text)
@@ -442,8 +456,8 @@ FRICTION = 0.3
 """Largest force along the strip, as a fraction of the force across it, with which a ring does not slide."""
 
 
-def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
-    if action.is_one_sided and force == 0:
+def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
+    if action.is_one_sided and not force:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
         gap = -violation(action, ShapeOfRod.of(rod))
         return note(
@@ -454,19 +468,19 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
         )  # fmt: skip
     if isinstance(action.element, Tie):
         return note(
-            "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",
+            "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g}",
             start=Length(action.s[0]), end=Length(action.s[1]), force=force,
             length=Length(action.distance_on(rod.curve)),
         )  # fmt: skip
     angle = float(np.degrees(np.arctan2(*action.force[0][::-1])))
     if isinstance(action.element, Rail):
         return note(
-            "rail {at:.0f} from the start pushes the strip {direction} with {force:.2g} N",
+            "rail {at:.0f} from the start pushes the strip {direction} with {force:.2g}",
             at=Length(action.s[0]), direction=direction_in_drawing(angle), force=force,
         )  # fmt: skip
     pin = note(
-        "pin {at:.0f} from the start pushes the strip with {force:.2g} N at {angle:.0f} degrees",
-        at=Length(action.s[0]), force=force, angle=angle,
+        "pin {at:.0f} from the start pushes the strip with {force:.2g} at {angle:.0f}",
+        at=Length(action.s[0]), force=force, angle=Angle(angle),
     )  # fmt: skip
     assert isinstance(action.element, Pin)
     turn = np.radians(angle) - float(rod.curve.at(action.s).angle[0])
@@ -474,8 +488,8 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     if along <= FRICTION * across or action.element.hole or action.element.notch:
         return pin
     return note(
-        "{pin}, {along:.2g} N of it along the strip: a ring would slide, so screw a hinge to the strip",
-        pin=pin, along=along,
+        "{pin}, {along:.2g} of it along the strip: a ring would slide, so screw a hinge to the strip",
+        pin=pin, along=Force(along),
     )  # fmt: skip
 
 

@@ -12,7 +12,6 @@ from elastica_cad import (
     Perforated,
     Placed,
     PlaneCurve,
-    Rod,
     Sheet,
     Slot,
     Strip,
@@ -184,13 +183,6 @@ def test_plates_take_the_name_of_a_sheet():
         model.base_plate(3.0)
     with pytest.raises(InputError, match="did you mean mdf-3"):
         model.slotted_frame("mdf3")
-
-
-def test_a_mass_is_told_as_people_say_it():
-    assert strip().mass_text == f"{strip().mass:.3g} g"
-    heavy = Strip(Rod.straight(2500), Sheet.named("birch-plywood-6"), max_width=150, label="B")
-    assert heavy.mass > 1000
-    assert heavy.mass_text == f"{heavy.mass / 1000:.3g} kg"
 
 
 def test_the_least_published_radius_itself_is_no_fault():

@@ -33,7 +33,7 @@ from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, Gravity, PointMass, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Force, Length, Mass, note
 from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
 from elastica_cad.strip.styles import Style
 
@@ -359,9 +359,9 @@ def acting_words(item: Acting, places: Sequence[float]) -> str:
         case Tie():
             return note("Tie from {at:.4g} to {end:.4g}", **at, end=Length(places[1]))
         case PointForce(force=(x, y)):
-            return note("Force at {at:.4g}: {x:.3g} N along x, {y:.3g} N along y", **at, x=x, y=y)
+            return note("Force at {at:.4g}: {x:.3g} along x, {y:.3g} along y", **at, x=Force(x), y=Force(y))
         case _:
-            return note("Mass at {at:.4g}: {mass:.4g} g", **at, mass=item.mass)
+            return note("Mass at {at:.4g}: {mass:.4g}", **at, mass=Mass(item.mass))
 
 
 def _design_table(

@@ -15,18 +15,9 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import translate
 
+from elastica_cad import refusals
 from elastica_cad._text import printable
-from elastica_cad.refusals import (
-    BareLength,
-    Either,
-    FieldName,
-    Length,
-    Listed,
-    MaterialWidth,
-    Point,
-    Refusal,
-    Span,
-)
+from elastica_cad.refusals import MaterialWidth, Refusal, Worded
 from elastica_cad.translations import Translated
 
 NAMES = {
@@ -119,8 +110,7 @@ def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
 
 
 TYPES = {
-    kind.__name__: kind
-    for kind in (Length, BareLength, FieldName, MaterialWidth, Listed, Either, Span, Point)
+    name: kind for name, kind in vars(refusals).items() if isinstance(kind, type) and issubclass(kind, Worded)
 }
 """Types of values that messages format in a special way, by name."""
 
