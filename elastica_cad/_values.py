@@ -1,10 +1,11 @@
 """Checks of values from users, equality of records by value, and formatting of numbers in sentences."""
 
-from collections.abc import Iterable, Sized
+from collections.abc import Iterable, Mapping, Sized
 from dataclasses import fields, is_dataclass
+from enum import Enum
 from functools import cache
 from os import PathLike
-from pathlib import Path
+from pathlib import Path, PurePath
 from types import UnionType
 from typing import Any, TypeGuard, cast
 
@@ -306,12 +307,28 @@ def distinct_digits(first: float, other: float, digits: str) -> tuple[float, flo
     return next((pair for pair in rounded if pair[0] != pair[1]), rounded[0])
 
 
-def round_numbers(value: Any) -> Any:
-    """Round the numbers in a value to ten significant digits.
+def plain_data(value: Any) -> Any:
+    """Return a value for JSON: numbers rounded to ten significant digits, null for infinity and nan.
 
     Further digits are noise, which would make files of equal designs differ.
+
+    Examples
+    --------
+    >>> plain_data({"at": np.array([1 / 3, np.inf]), "file": PurePath("a.dxf")})
+    {'at': [0.3333333333, None], 'file': 'a.dxf'}
     """
-    array = np.asarray(value, dtype=float)
-    if array.ndim == 0:
-        return float(f"{float(array):.10g}")
-    return [round_numbers(row) for row in array]
+    if is_dataclass(value) and not isinstance(value, type):
+        value = {entry.name: getattr(value, entry.name) for entry in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): plain_data(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return plain_data(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain_data(item) for item in value]
+    if isinstance(value, Enum):
+        return value.name.lower()
+    if isinstance(value, PurePath):
+        return str(value)
+    if isinstance(value, float):
+        return float(f"{float(value):.10g}") if np.isfinite(value) else None
+    return value

@@ -1,9 +1,11 @@
-"""Labelled rows of reports, which text output, notebooks, FreeCAD and the web page display."""
+"""Labelled rows and tables of reports, which text output, notebooks, FreeCAD and the web page display."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
+from typing import Any
 
-from elastica_cad.refusals import Severity
+from elastica_cad.refusals import Severity, number_text
 
 LABEL_WIDTH = 11
 """Width of the column of labels in text."""
@@ -60,3 +62,36 @@ def printed_row(row: Row) -> str:
     """
     label = f"! {row.label}" if row.stops else row.label
     return f"{label:<{LABEL_WIDTH}} {row.text}"
+
+
+DECIMALS = {"mm": 2, "inch": 3, "deg": 1, "percent": 3, "safety": 2}
+"""Number of decimals in a column, by the unit at the end of its name. Other columns have three digits."""
+
+SYMBOLS = {"percent": "%", "Nmm": "N mm"}
+"""Units in headings that differ from the units in the names of columns."""
+
+
+def printed_table(columns: Mapping[str, Iterable[Any]]) -> Iterator[str]:
+    """Yield the lines of a table, aligned to the right: the headings and the rows.
+
+    The name of a column of numbers ends with its unit, as in `csv_text`.
+
+    Examples
+    --------
+    >>> print(*printed_table({"end_force_x_N": [12.345, -0.0], "turn_deg": [90, float("inf")]}), sep="\\n")
+    end force x N  turn deg
+             12.3      90.0
+                0         -
+    """
+    table = []
+    for name, values in columns.items():
+        *words, unit = name.split("_")
+        digits = f".{DECIMALS[unit]}f" if unit in DECIMALS else ".3g"
+        cells = [
+            value if isinstance(value, str) else number_text(value, digits) if isfinite(value) else "-"
+            for value in values
+        ]
+        heading = " ".join([*words, SYMBOLS.get(unit, unit)])
+        width = max(map(len, (heading, *cells)))
+        table.append([f"{cell:>{width}}" for cell in (heading, *cells)])
+    yield from map("  ".join, zip(*table, strict=True))

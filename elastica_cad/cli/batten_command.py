@@ -2,6 +2,7 @@
 pressed.
 """
 
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import numpy as np
 from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
+from elastica_cad._values import plain_data
 from elastica_cad.cli.options import (
     LENGTH,
     POINT,
@@ -20,16 +22,17 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
 )
-from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
+from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
-from elastica_cad.refusals import Length, number_text
-from elastica_cad.report_rows import Row, warning_row
+from elastica_cad.refusals import Force, Length, Mass, Strain
+from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 
 # default least size of a batten, as a fraction of the stock size
@@ -100,14 +103,9 @@ def batten(**chosen: Any) -> None:
     if chosen["leaves"] is not None:
         _write_plies(result, chosen)
         return
-    table, (depth, place) = result.table(stations), result.camber
-    report: dict[str, Any] = {
-        "length_mm": result.spec.length, "lying": result.spec.lying, "chord_mm": result.chord,
-        "camber": depth, "camber_place": place,
-        "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
-        "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
-        # in JSON, null replaces the infinite safety of ends that do not bend
-        "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
+    table = result.table(stations)
+    report = _quantities(result.strip) | {
+        "lying": result.spec.lying, "warnings": list(result.strip.warnings), "table": plain_data(table),
     }  # fmt: skip
     if chosen["weight"]:
         report["camber_with_weight"] = {
@@ -116,9 +114,17 @@ def batten(**chosen: Any) -> None:
         }
     written = _write(result.strip, stations, report, chosen)
     answer({"batten": report})
-    _report_batten(result, table)
+    level = chosen["lying"] and f", level under its own weight and bulging {chosen['lying']}"
+    _say_report(result.strip, report, f"ends {report['chord_mm']:.1f} apart", level or "")
+    s, s_inch, _, _, size, inch, strain, safety = table.values()
+    name = result.spec.stock.quantity
+    columns = {
+        "at_mm": s, "at_inch": s_inch, f"{name}_mm": size, f"{name}_inch": inch,
+        "strain_percent": 100 * strain, "safety": safety,
+    }  # fmt: skip
+    say(*printed_table(columns))
     for side, bow in report.get("camber_with_weight", {}).items():
-        camber = f"{100 * bow['camber']:.4g} % at {100 * bow['camber_place']:.4g} % of the chord"
+        camber = f"{Strain(bow['camber']):.4g} at {Strain(bow['camber_place']):.4g} of the chord"
         say_row(
             Row(
                 "Weight",
@@ -131,14 +137,10 @@ def batten(**chosen: Any) -> None:
 
 def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     glued = batten_result.of_leaves(chosen["leaves"])
-    strip, rod, section = batten_result.strip_of(glued), glued.rod, glued.section
-    depth, place = camber_of(rod)
-    force = float(np.hypot(*strip.reactions().start_force))
-    report = {
-        "length_mm": rod.length, "camber": depth, "camber_place": place, "end_force_N": force,
-        "mass_g": strip.mass, "deviation_mm": glued.deviation, "settled": glued.settled,
-        "max_strain": strip.max_strain, "strain_limit": strip.strain_limit,
-        "leaf_thickness_mm": strip.sheet.thickness, "leaf_width_mm": section.width,
+    strip, section = batten_result.strip_of(glued), glued.section
+    report = _quantities(strip) | {
+        "deviation_mm": Length(glued.deviation), "settled": glued.settled,
+        "leaf_thickness_mm": Length(strip.sheet.thickness), "leaf_width_mm": section.width,
         "leaves": [
             {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
             for name, leaf in zip(section.names, glued.leaves, strict=True)
@@ -146,29 +148,49 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     }  # fmt: skip
     written = _write(strip, None, report, chosen)
     answer({"batten": report})
-    plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
-    say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {number_text(strip.mass, '.4g')} g"))
-    camber = _camber_text(depth, place, float(np.hypot(*rod.chord)))
-    far = number_text(glued.deviation, ".2g")
-    say_row(Row("Camber", f"{camber}; the glued plies are at most {far} mm from the planed batten"))
     if not glued.settled:
         text = (
             "the search for the ends of the plies stopped early; other ends may come nearer to the "
             "planed batten"
         )
         say_row(warning_row(text))
-    _print_load(strip, force)
-    leaves = glued.leaves
-    say_table(
-        {
-            "ply": section.names,
-            "from mm": [f"{leaf.start:.1f}" for leaf in leaves],
-            "to mm": [f"{leaf.end:.1f}" for leaf in leaves],
-            "length mm": [f"{leaf.length:.1f}" for leaf in leaves],
-            "inch": [f"{leaf.length / MM_PER_INCH:.3f}" for leaf in leaves],
-        }
-    )
+    far = f"; the glued plies are at most {report['deviation_mm']:.2g} from the planed batten"
+    _say_report(strip, report, f"{chosen['leaves']} plies of {report['leaf_thickness_mm']:.4g}", far)
+    lengths = np.array([leaf.length for leaf in glued.leaves])
+    columns = {
+        "ply": section.names, "from_mm": [leaf.start for leaf in glued.leaves],
+        "to_mm": [leaf.end for leaf in glued.leaves], "length_mm": lengths, "inch": lengths / MM_PER_INCH,
+    }  # fmt: skip
+    say(*printed_table(columns))
     _print_files(written)
+
+
+def _quantities(strip: Strip) -> dict[str, Any]:
+    rod, (depth, place) = strip.rod, camber_of(strip.rod)
+    return {
+        "length_mm": Length(rod.length), "chord_mm": Length(norm(rod.chord)),
+        "camber": Strain(depth), "camber_place": Strain(place),
+        "end_force_N": Force(norm(strip.reactions().start_force)), "mass_g": Mass(strip.mass),
+        "max_strain": Strain(strip.max_strain), "strain_limit": Strain(strip.strain_limit),
+    }  # fmt: skip
+
+
+def _say_report(strip: Strip, report: Mapping[str, Any], size: str, camber: str) -> None:
+    chord, depth, place = report["chord_mm"], report["camber"], report["camber_place"]
+    deep = f"{Length(depth * chord):.1f} ({depth:.4g} of the chord)"
+    rows = [
+        Row("Size", f"{report['length_mm']:.1f} long, {size}, {report['mass_g']:.4g}"),
+        Row("Camber", f"{deep} at {Length(place * chord):.1f} ({place:.4g}) along the chord{camber}"),
+        *map(warning_row, strip.warnings),
+        Row("Force", f"{report['end_force_N']} at each end, pushed towards the other end"),
+        Row(
+            "Strain",
+            f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm; {strip.sheet.name} allows "
+            f"{report['strain_limit']:.2f}",
+        ),
+    ]
+    for row in rows:
+        say_row(row)
 
 
 CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
@@ -234,47 +256,3 @@ def _write(
 
         files.append(File(f"{name}.step", partial(write_strip_step, strip)))
     return write_files(files, chosen["output"], force=chosen["force"])
-
-
-def _report_batten(result: Batten, table: dict[str, FloatArray]) -> None:
-    depth, place = result.camber
-    quantity, lying = result.spec.stock.quantity, result.spec.lying
-    level = "" if lying is None else f", level under its own weight and bulging {lying}"
-    ends = f"ends {result.chord:.1f} mm apart"
-    say_row(
-        Row("Size", f"{result.spec.length:.1f} mm long, {ends}, {number_text(result.strip.mass, '.4g')} g")
-    )
-    say_row(Row("Camber", f"{_camber_text(depth, place, result.chord)}{level}"))
-    _print_load(result.strip, result.end_force)
-    s, s_inch, _, _, size, inch, strain, safety = table.values()
-    say_table(
-        {
-            "at mm": [f"{x:.1f}" for x in s],
-            "at inch": [f"{x:.3f}" for x in s_inch],
-            f"{quantity} mm": [f"{x:.2f}" for x in size],
-            f"{quantity} inch": [f"{x:.4f}" for x in inch],
-            "strain %": [f"{100 * x:.3f}" for x in strain],
-            "safety": [f"{x:.1f}" if np.isfinite(x) else "-" for x in safety],
-        }
-    )
-
-
-def _camber_text(depth: float, place: float, chord: float) -> str:
-    return (
-        f"{depth * chord:.1f} mm ({100 * depth:.4g} % of the chord) at {place * chord:.1f} mm "
-        f"({100 * place:.4g} %) along the chord"
-    )
-
-
-def _print_load(strip: Strip, end_force: float) -> None:
-    strain = (
-        f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm; "
-        f"{strip.sheet.name} allows {100 * strip.strain_limit:.2f} %"
-    )
-    warnings = [warning_row(text) for text in strip.warnings]
-    for row in (
-        *warnings,
-        Row("Force", f"{number_text(end_force)} N at each end, pushed towards the other end"),
-        Row("Strain", strain),
-    ):
-        say_row(row)

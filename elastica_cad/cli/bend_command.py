@@ -33,7 +33,7 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
+from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
 from elastica_cad.design.tables import Table
@@ -60,9 +60,9 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
 from elastica_cad.mechanics.sheets import require_flat
 from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.refusals import Energy, Force, Mass, Moment, Point, Strain, note, number_text
 from elastica_cad.refusals import Length as MmLength
-from elastica_cad.refusals import Point, note, number_text
-from elastica_cad.report_rows import Row, warning_row
+from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.holding_template import bar_direction
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
@@ -315,7 +315,7 @@ def _solve(spec: RodSpec) -> Rod | NearestRod:
     say(*spec.smoothing.notes)
     result = solve_rod(spec)
     if isinstance(result, NearestRod):
-        say(f"the strip is {number_text(result.deviation, '.2g')} mm off the drawn curve at most")
+        say(f"the strip is {MmLength(result.deviation):.2g} off the drawn curve at most")
     return result
 
 
@@ -406,14 +406,9 @@ def _print_shapes(
     change: dict[str, Any],
 ) -> None:
     states = [verdict.rating for verdict in verdicts]
-    say_table(
-        {
-            **(_distance_columns(shapes) if moved is None else _force_columns(moved)),
-            "start deg": [f"{np.degrees(shape.angle[0]):.1f}" for shape in shapes],
-            "end deg": [f"{np.degrees(shape.angle[-1]):.1f}" for shape in shapes],
-            "stability": states,
-        }
-    )
+    columns = _distance_columns(shapes) if moved is None else _force_columns(moved)
+    start, end = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
+    say(*printed_table(columns | {"start_deg": start, "end_deg": end, "stability": states}))
     say_row(
         Row(
             "Size",
@@ -436,7 +431,7 @@ def _print_shapes(
             say_row(row)
         worst = int(np.argmin(moved.safety))
         limit = f"safety {number_text(moved.safety[worst])}"
-        say_row(Row("Strain", f"at most {number_text(100 * moved.strain[worst])} %, {limit}"))
+        say_row(Row("Strain", f"at most {Strain(moved.strain[worst])}, {limit}"))
     say_row(_stability_row(states, shapes, moved, change))
     # leave out warnings about a snap, because `moved.warnings` below state where it happens
     texts = [
@@ -447,14 +442,9 @@ def _print_shapes(
         say_row(warning_row(warning))
     if moved is None:
         return
-    size, turns = moved.support_force.max(), moved.support_moment.max()
-    energy = number_text(moved.energy.max())
-    say_row(
-        Row(
-            "Force",
-            f"at most {number_text(size)} N and {number_text(turns)} N mm at an end; the strip stores {energy} mJ",
-        )
-    )
+    largest = f"{Force(moved.support_force.max())} and {Moment(moved.support_moment.max())}"
+    energy = Energy(moved.energy.max())
+    say_row(Row("Force", f"at most {largest} at an end; the strip stores {energy}"))
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].overloaded)
@@ -498,8 +488,8 @@ def _load_rows(loads: Sequence[PointMass | PointForce], *, weight: bool) -> Iter
     for load in loads:
         at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
         if isinstance(load, PointMass):
-            newtons = load.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-            texts.append(f"{load.mass:g} g at {at} ({number_text(newtons)} N)")
+            newtons = Force(load.mass * 1e-3 * STANDARD_GRAVITY_M_S2)
+            texts.append(f"{Mass(load.mass):g} at {at} ({newtons})")
         else:
             x, y = load.force
             texts.append(f"({x:g}, {y:g}) N at {at}")
@@ -512,41 +502,34 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
         return Row("Movement", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
-    far = number_text(distance, ".2g")
-    text = f"{strip} moves by at most {far} mm from its design"
+    far = f"{MmLength(distance):.2g} from its design"
     return Row(
-        "Movement",
-        f"{text}: the point {at:.0f} mm along the strip, {direction}",
+        "Movement", f"{strip} moves by at most {far}: the point {at:.0f} mm along the strip, {direction}"
     )
 
 
-def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:
-    distances = [np.hypot(*shape.chord) for shape in shapes]
+def _distance_columns(shapes: Sequence[Rod]) -> dict[str, Any]:
     return {
-        "ends apart mm": [f"{distance:.2f}" for distance in distances],
-        "smallest radius mm": [_smallest_radius(shape) for shape in shapes],
+        "ends_apart_mm": [norm(shape.chord) for shape in shapes],
+        "smallest_radius_mm": [_smallest_radius(shape) for shape in shapes],
     }
 
 
-def _force_columns(moved: Travel) -> dict[str, list[str]]:
+def _force_columns(moved: Travel) -> dict[str, Any]:
     size = moved.support_force[:, None]
     start, end = (
         np.where(np.abs(force) <= 1e-9 * size, 0.0, force) for force in (moved.start_force, moved.end_force)
     )
     # without loads, rails, pins and ties, the start has the opposite force of the end
     differs = bool((np.abs(start + end) > 1e-3 * size).any())
-    starts = {f"start force {axis} N": [number_text(x) for x in start[:, i]] for i, axis in enumerate("xy")}
+    path = {"deg": "turn_deg", "mm": "travel_mm", "%": "change_applied_percent"}[moved.unit]
     return {
-        f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change applied'}[moved.unit] } {moved.unit}": [
-            number_text(x, ".4g") for x in moved.path_length
-        ],
-        **(starts if differs else {}),
-        **{f"end force {axis} N": [number_text(x) for x in end[:, i]] for i, axis in enumerate("xy")},
-        "start moment N mm": [number_text(x) for x in moved.start_moment],
-        "end moment N mm": [number_text(x) for x in moved.end_moment],
-        "strain %": [number_text(100 * x) for x in moved.strain],
-        "safety": [number_text(x) for x in moved.safety],
-    }
+        path: moved.path_length,
+        **({"start_force_x_N": start[:, 0], "start_force_y_N": start[:, 1]} if differs else {}),
+        "end_force_x_N": end[:, 0], "end_force_y_N": end[:, 1],
+        "start_moment_Nmm": moved.start_moment, "end_moment_Nmm": moved.end_moment,
+        "strain_percent": 100 * moved.strain, "safety": moved.safety,
+    }  # fmt: skip
 
 
 def _smallest_radius(shape: Rod) -> str:

@@ -1,5 +1,6 @@
 """`elastica bow`: a rod or strip bent by a cord between its ends."""
 
+from collections.abc import Iterable, Mapping
 from functools import partial
 from math import isclose
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad._values import plain_data
 from elastica_cad.cli.options import (
     LENGTH,
     given_of,
@@ -20,7 +22,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_options, requested_curves, which_options
 from elastica_cad.cli.strip_options import typed_change
 from elastica_cad.cli.suggestions import suggest_later
-from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
+from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.form_finding.limits import FAR_SHARE, Limits
@@ -34,8 +36,8 @@ from elastica_cad.mechanics.sheets import ROD_KIND, Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of, room_for_hole
-from elastica_cad.refusals import number_text
-from elastica_cad.report_rows import Row, in_order, warning_row
+from elastica_cad.refusals import Force, Length, Strain, number_text
+from elastica_cad.report_rows import Row, in_order, printed_table, warning_row
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import cut_rows, size_row, strain_rows
@@ -121,19 +123,18 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     in_newtons = chosen["sheet"] is not None
     table = _table(fractions, shorter, in_newtons=in_newtons)
     report = {
-        "length_mm": result.length, "cord_mm": result.cord, "rise_mm": result.rise,
-        "pull_N": result.pull if in_newtons else None,
-        "pull_N_per_GPa": result.pull * MPA_PER_GPA / sheet.youngs_modulus,
-        "end_angles": result.end_angles.tolist(),
-        "deviation_mm": result.deviation, "ratio": result.strip.rod.ratio, "max_strain": result.strip.max_strain,
-        "strain_limit": result.strip.strain_limit if in_newtons else None,
+        "length_mm": Length(result.length), "cord_mm": Length(result.cord), "rise_mm": Length(result.rise),
+        "pull_N": Force(result.pull) if in_newtons else None,
+        "pull_N_per_GPa": Force(result.pull * MPA_PER_GPA / sheet.youngs_modulus),
+        "end_angles": result.end_angles.tolist(), "deviation_mm": Length(result.deviation),
+        "ratio": result.strip.rod.ratio, "max_strain": Strain(result.strip.max_strain),
+        "strain_limit": Strain(result.strip.strain_limit) if in_newtons else None,
         "margin": stability(result.strip.rod).margin, "warnings": list(result.strip.warnings) if in_newtons else [],
-        # in JSON, null replaces the infinite safety of a straight rod
-        "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
+        "shorter": plain_data(table),
     }  # fmt: skip
     written = _write(result, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
-    for row in in_order(_rows(result, in_newtons=in_newtons)):
+    for row in in_order(_rows(result, report)):
         say_row(row)
     _print_table(table)
     contents = {"csv": "the table", "json": "all numbers and the curve", "dxf": "drawing at full size"}
@@ -182,46 +183,40 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     return sheet, fields | {"section": RoundLaw(sheet, *rod), "ends": (Tab(0.0), Tab(0.0))}
 
 
-def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
-    strip = result.strip
+def _rows(result: Bow, report: Mapping[str, Any]) -> list[Row]:
+    strip, pull = result.strip, report["pull_N"]
     angles = dict.fromkeys(f"{angle:.1f}" for angle in np.degrees(np.abs(result.end_angles)))
-    rods = {} if in_newtons else known_rods()
-    per_rod = [
-        f"{number_text(_newtons(result.pull, rod), '.2g')} N as a {name}" for name, rod in rods.items()
-    ]
-    force = f"{number_text(result.pull)} N" if in_newtons else (
-        f"{', '.join(per_rod)} ({number_text(result.pull)} N per GPa of Young's modulus)"
-    )  # fmt: skip
-    shape = f"rise {result.rise:.1f} mm; ends at {' and '.join(angles)} degrees to the cord"
+    rods = known_rods() if pull is None else {}
+    per_rod = [f"{_newtons(result.pull, rod):.2g} as a {name}" for name, rod in rods.items()]
+    force = pull or f"{', '.join(per_rod)} ({report['pull_N_per_GPa']} per GPa of Young's modulus)"
+    shape = f"rise {report['rise_mm']:.1f}; ends at {' and '.join(angles)} degrees to the cord"
     verdict = stability(strip.rod)
     rows = [
-        size_row(strip)
-        if in_newtons
-        else Row("Size", f"{result.length:.1f} mm long, {strip.breadth('.1f')}"),
-        _curve_row(result),
-        Row("Cord", f"{result.cord:.1f} mm long, pulls with {force}; {shape}"),
+        Row("Size", f"{report['length_mm']:.1f} long, {strip.breadth('.1f')}") if rods else size_row(strip),
+        _curve_row(result, report["deviation_mm"]),
+        Row("Cord", f"{report['cord_mm']:.1f} long, pulls with {force}; {shape}"),
         Row("Stability", f"{verdict.rating} in its plane; sideways not computed")
         if verdict.rating == "stable"
         else warning_row(verdict.rating, "Stability"),
     ]
-    if not in_newtons:
-        limits = [f"a {name} allows {100 * rod.max_strain:.2f} %" for name, rod in rods.items()]
-        largest = f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm from the start"
+    if rods:
+        limits = [f"a {name} allows {Strain(rod.max_strain):.2f}" for name, rod in rods.items()]
+        largest = f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm from the start"
         return [*rows, Row("Strain", "; ".join([largest, *limits]))]
     reported = {*strip.strain_warnings}
     warnings = [warning_row(text) for text in strip.warnings if text not in reported]
     return [*rows, *strain_rows(strip), *cut_rows(result.pattern), *warnings]
 
 
-def _curve_row(result: Bow) -> Row:
+def _curve_row(result: Bow, far: Length) -> Row:
     noun = "strip" if result.strip.layout.size is None else "rod"
     even = (
         f"; a {noun} of constant section cannot follow it exactly"
         if isclose(result.strip.rod.ratio, 1)
         else ""
     )
-    text = f"the bent {noun} is at most {number_text(result.deviation)} mm from the drawn curve{even}"
-    if result.deviation <= FAR_SHARE * result.length:
+    text = f"the bent {noun} is at most {far} from the drawn curve{even}"
+    if far <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
 
@@ -239,45 +234,35 @@ def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict
     }
 
 
-def _heading(name: str) -> str:
-    words = name.replace("shorter", "cord shorter").replace("_per_", "/").replace("_percent", " %")
-    return words.replace("_", " ")
-
-
 def _print_table(table: dict[str, Any]) -> None:
     """Print the table. Without a sheet, the pull of a rod of each known material replaces the pull per GPa.
 
     A pull, or the safety with a sheet, is marked if the strain is above the limit of the material.
     """
-    formats = {
-        "shorter_percent": "g",
-        "cord_mm": ".1f",
-        "rise_mm": ".1f",
-        "strain_percent": ".2f",
-        "safety": ".2f",
-    }
-    columns: dict[str, list[str]] = {}
+    columns: dict[str, Any] = {}
     for name, values in table.items():
         if name == "pull_N_per_GPa":
             for material, rod in known_rods().items():
-                columns[f"{material.removeprefix('pultruded ')}_N"] = [
-                    ("! " if strain > 100 * rod.max_strain else "") + number_text(_newtons(pull, rod), ".3g")
-                    for pull, strain in zip(values, table["strain_percent"], strict=True)
-                ]
+                pulls = [number_text(_newtons(pull, rod)) for pull in values]
+                over = np.greater(table["strain_percent"], 100 * rod.max_strain)
+                columns[f"{material.removeprefix('pultruded ')}_N"] = _marked(pulls, over)
+        elif name == "safety":
+            columns[name] = _marked((f"{value:.2f}" for value in values), np.less(values, 1))
+        elif name == "shorter_percent":
+            columns["cord_shorter_percent"] = [f"{value:g}" for value in values]
         elif name != "margin":
-            columns[name] = [
-                ("! " if name == "safety" and value < 1 else "")
-                + number_text(value, formats.get(name, ".3g"))
-                for value in values
-            ]
-    is_over = any(cell.startswith("!") for cells in columns.values() for cell in cells)
-    say(f"If you shorten the cord{' (!: above the strain limit)' if is_over else ''}:")
-    say_table({_heading(name): cells for name, cells in columns.items()})
+            columns[name] = values
+    lines = [*printed_table(columns)]
+    say(f"If you shorten the cord{' (!: above the strain limit)' if '!' in ''.join(lines) else ''}:", *lines)
 
 
-def _newtons(pull: float, rod: Sheet) -> float:
-    """Return the pull of a rod of a known material, N, from the pull for a Young's modulus of 1 GPa."""
-    return pull * rod.youngs_modulus / MPA_PER_GPA
+def _marked(cells: Iterable[str], over: Iterable[bool]) -> list[str]:
+    return ["! " * bool(marked) + cell for cell, marked in zip(cells, over, strict=True)]
+
+
+def _newtons(pull: float, rod: Sheet) -> Force:
+    """Return the pull of a rod of a known material from the pull, N, for a Young's modulus of 1 GPa."""
+    return Force(pull * rod.youngs_modulus / MPA_PER_GPA)
 
 
 def _write(

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 import numpy as np
 
-from elastica_cad._values import round_numbers
 from elastica_cad.cli.element_options import ELEMENTS, element_options, elements_of
 from elastica_cad.cli.options import smooth_option
 from elastica_cad.cli.requested_curves import (
@@ -378,9 +377,9 @@ def _report_on_elements(rod: Rod) -> dict[str, Any]:
         if isinstance(action.element, Rail):
             angle = rod.curve.at(action.s).angle
             presses_left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
-            sides.append({"at": round_numbers(action.s[0]), "side": "right" if presses_left else "left"})
+            sides.append({"at": action.s[0], "side": "right" if presses_left else "left"})
     return {
-        "stability": {"word": verdict.word, "margin": round_numbers(verdict.margin)},
+        "stability": {"word": verdict.word, "margin": verdict.margin},
         "bars": sides,
         "advice_on_elements": _stability_row({"stability": {"word": verdict.word}, "bars": sides}).text,
     }
@@ -401,11 +400,11 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
 
 def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
     scaled_sheets = sheets_for_curve(curve, natural_curvature)
-    sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in scaled_sheets]
+    sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
     question = unit_question(scaled_sheets[0].scale, curve.length)
     advice = [_widths_row(ratio).text, _sheets_row(sheets, question).text]
     return {
-        "ratio": round_numbers(ratio),
+        "ratio": ratio,
         "sheets": sheets,
         "unit_question": question,
         "advice_on_sheets": advice,

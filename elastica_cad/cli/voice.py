@@ -3,20 +3,18 @@
 import json
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field, fields, is_dataclass, replace
-from enum import Enum
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePath
 from threading import Event, Thread
 from types import MappingProxyType
 from typing import Any
 
 import click
-import numpy as np
 
 from elastica_cad._text import printable
-from elastica_cad._values import round_numbers
+from elastica_cad._values import plain_data
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.errors import ElasticaError, FaultError, InputError, NotConvergedError, StrainError
 from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
@@ -166,13 +164,6 @@ def _print_row(row: Row, *, err: bool) -> None:
         echo(f"{'':<{LABEL_WIDTH}} {detail}", err=err)
 
 
-def say_table(columns: Mapping[str, Sequence[str]]) -> None:
-    """Print columns of numbers under their titles, aligned to the right."""
-    widths = [max(map(len, (title, *cells))) for title, cells in columns.items()]
-    for row in (tuple(columns), *zip(*columns.values(), strict=True)):
-        say("  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=True)))
-
-
 def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
     """Report the written files in a row. `contents` has descriptions by file name."""
     written = list(paths)
@@ -195,7 +186,7 @@ def cut_text(kerf: float) -> str:
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
     """Set the record that `--json` prints. Records, arrays and paths become plain JSON."""
     if voice().as_json:
-        voice().record = _simplify(record)
+        voice().record = plain_data(record)
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
@@ -242,33 +233,6 @@ def _clear_step() -> None:
 
 def _print_json(record: Any) -> None:
     echo(json.dumps(record, indent=1, ensure_ascii=False))
-
-
-def _simplify(value: Any) -> Any:
-    """Return a value for JSON: numbers rounded to ten digits, null for infinity and nan.
-
-    Examples
-    --------
-    >>> _simplify({"at": np.array([1.0, np.inf]), "file": PurePath("a.dxf")})
-    {'at': [1.0, None], 'file': 'a.dxf'}
-    """
-    if is_dataclass(value) and not isinstance(value, type):
-        return {entry.name: _simplify(getattr(value, entry.name)) for entry in fields(value)}
-    if isinstance(value, Mapping):
-        return {str(key): _simplify(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return _simplify(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_simplify(item) for item in value]
-    if isinstance(value, Enum):
-        return value.name.lower()
-    if isinstance(value, PurePath):
-        return str(value)
-    if isinstance(value, np.generic):
-        return _simplify(value.item())
-    if isinstance(value, float):
-        return round_numbers(value) if np.isfinite(value) else None
-    return value
 
 
 LOOK_S = 0.2

@@ -3,7 +3,7 @@
 from dataclasses import asdict
 from typing import Any
 
-from elastica_cad._values import require_record, round_numbers
+from elastica_cad._values import plain_data, require_record
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 
 
@@ -17,7 +17,7 @@ def report_check(check: EquilibriumCheck) -> dict[str, Any]:
         "realizable": check.realizable,
         "reasons": list(check.reasons),
         "warnings": list(check.warnings),
-        "inflections": round_numbers(check.inflections),
+        "inflections": plain_data(check.inflections),
         "undecided": None if check.undecided is None else asdict(check.undecided),
         "advice": str(check),
     }

@@ -6,14 +6,12 @@ from typing import Any
 from urllib.parse import quote
 
 from elastica_cad._text import html_text
-from elastica_cad._values import require_record, round_numbers
+from elastica_cad._values import plain_data, require_record
 from elastica_cad.design.reports import (
     list_versions,
-    report_blank,
     report_held,
     report_measuring,
-    report_reactions,
-    report_sideways,
+    strip_quantities,
 )
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.geometry.path import largest_deviation
@@ -55,7 +53,7 @@ def report_model(
     for value, what in ((files, "files"), (held or {}, "held")):
         require_record(value, Mapping, what, "a mapping from names")
     drawn = {entry.label: entry for entry in entries}
-    return {
+    report: dict[str, Any] = plain_data({
         "schema": MODEL_SCHEMA,
         "name": model.name,
         "versions": list_versions(),
@@ -85,29 +83,29 @@ def report_model(
         "joints": [
             {
                 "strips": [model.single_name_of(i) for i in joint.members],
-                "angle": round_numbers(joint.angle),
-                "position": round_numbers(joint.position),
+                "angle": joint.angle,
+                "position": joint.position,
             }
             for joint in model.joints
         ],
         "sheets": [
             {
                 "drawing": nest.name,
-                "size": round_numbers(nest.sheet_size),
+                "size": nest.sheet_size,
                 "pieces": nest.counts,
                 "grain": nest.grain,
-                "filled": round_numbers(nest.filled / nest.used),
-                "share": round_numbers(nest.share),
+                "filled": nest.filled / nest.used,
+                "share": nest.share,
             }
             for nest in nests
         ],
         "pieces": cut_list.count,
-        "cut_length": round_numbers(cut_list.cut_length),
-        "mass": round_numbers(cut_list.mass),
+        "cut_length": cut_list.cut_length,
+        "mass": cut_list.mass,
         "blocks": [
             {
                 "name": row.part,
-                "size": round_numbers([row.length, row.width, row.thickness]),
+                "size": [row.length, row.width, row.thickness],
                 "count": row.count,
                 "color": row.color,
             }
@@ -116,7 +114,7 @@ def report_model(
         "stock": [
             {
                 "sheet": item.sheet,
-                "size": round_numbers(item.size),
+                "size": item.size,
                 "count": item.count,
                 "sawn": list(item.sawn),
             }
@@ -124,29 +122,22 @@ def report_model(
         ],
         "reports": list(model.reports),
         "files": dict(files),
-    }
+    })  # fmt: skip
+    return report
 
 
 def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
-    deviation = round_numbers(largest_deviation(entry.curve, strip.rod.curve))
+    deviation = largest_deviation(entry.curve, strip.rod.curve)
     if not entry.section:
         return {"deviation": deviation}
-    off_section = round_numbers(entry.off_section)
+    off_section = entry.off_section
     return {"deviation": deviation, "section": entry.section, "curve_off_section": off_section}
 
 
 def _strip(strip: Strip) -> dict[str, Any]:
-    low, high = strip.width.extremes
-    return {
+    return strip_quantities(strip) | {
         "sheet": strip.sheet.name,
-        "length": round_numbers(strip.rod.length),
-        "ratio": round_numbers(strip.rod.ratio),
-        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
-        "largest_strain": round_numbers(strip.max_strain),
-        "mass": round_numbers(strip.mass),
-        "sideways": report_sideways(strip.sideways),
-        "reactions": report_reactions(strip.reactions()),
-        "blank": report_blank(strip),
+        "largest_strain": strip.max_strain,
         "slots": len(strip.slots),
         "warnings": list(strip.warnings),
     }

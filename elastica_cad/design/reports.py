@@ -1,12 +1,11 @@
 """Reports on strips as plain data."""
 
-from collections.abc import Mapping
 from itertools import zip_longest
 from typing import Any
 
 import numpy as np
 
-from elastica_cad._values import is_whole, require_record, round_numbers
+from elastica_cad._values import is_whole, plain_data, require_record
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.form_finding.fairing_request import Smoothing
@@ -14,10 +13,9 @@ from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.mechanics.elements import NOUNS, Tie
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
-from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
 from elastica_cad.refusals import FieldName, Length, note
-from elastica_cad.strip.held_shape import HeldShape, Reactions
+from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.holding_template import (
     distance_between,
     distance_of_tips,
@@ -48,7 +46,7 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
     if not rest.any():
         return None
     s = np.linspace(0.0, strip.rod.length, STATIONS if np.ptp(rest) > 0 else 2)
-    return {"s": round_numbers(s), "curvature": round_numbers(strip.rod.rest_at(s))}
+    return {"s": plain_data(s), "curvature": plain_data(strip.rod.rest_at(s))}
 
 
 def pre_bend_message(strip: Strip) -> str:
@@ -142,31 +140,14 @@ def report_strip(
             most_stations=MOST_STATIONS,
         )
     rod, sheet = strip.rod, strip.sheet
-    low, high = strip.width.extremes
     unstable = None if stability is None else instability(strip, stability)
-    return {
-        "schema": REPORT_SCHEMA,
-        "name": name,
-        "versions": list_versions(),
-        "units": _UNITS,
-        "files": files,
-        "curve": curve_record(rod.curve),
-        "check": None if rod.check is None else report_check(rod.check),
-        "nearest": None if near is None else _nearest_report(near),
+    numbers = strip_quantities(strip) | {
         "stability": None if stability is None else _stability_report(strip, stability),
-        "sideways": report_sideways(strip.sideways),
         "creep": _creep(strip),
-        "moved_by_snapping": round_numbers(rod.moved),
-        "smoothing": None if smoothing is None else _smoothing_report(smoothing),
-        "length": round_numbers(rod.length),
-        "ratio": round_numbers(rod.ratio),
+        "moved_by_snapping": rod.moved,
         "residual": rod.residual,
-        "gravity": None
-        if rod.gravity is None
-        else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
+        "gravity": rod.gravity,
         "stations": _stations_report(strip, stations),
-        "blank": report_blank(strip),
-        "width": _rounded({"least": low, "largest": high}),
         "sheet": {
             "name": sheet.name,
             "thickness": sheet.thickness,
@@ -175,31 +156,47 @@ def report_strip(
             "max_strain": sheet.max_strain,
             "source": sheet.source,
         },
-        "strain": {
-            "largest": round_numbers(strip.max_strain),
-            "at": round_numbers(strip.max_strain_at),
-            "limit": strip.strain_limit,
-        },
+        "strain": {"largest": strip.max_strain, "at": strip.max_strain_at, "limit": strip.strain_limit},
         "without_loads": _without_loads(strip),
         "backing_side": strip.backing_side or None,
         "ends": _ends(strip),
         "held": _held(strip),
         "measuring": report_measuring(strip),
         "joint": _joint(strip),
-        "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
-        "reactions": report_reactions(strip.reactions()),
         "between": _between(strip),
         "warnings": [*strip.warnings, *([] if unstable is None else [unstable])],
     }
-
-
-def _rounded(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the values with rounded numbers. Texts, flags and None are unchanged."""
     return {
-        name: value if value is None or isinstance(value, str | bool) else round_numbers(value)
-        for name, value in values.items()
+        "schema": REPORT_SCHEMA,
+        "name": name,
+        "versions": list_versions(),
+        "units": _UNITS,
+        "files": files,
+        # curves are not rounded, because strips are made from them again
+        "curve": curve_record(rod.curve),
+        "check": None if rod.check is None else report_check(rod.check),
+        "nearest": None if near is None else _nearest_report(near),
+        "smoothing": None if smoothing is None else _smoothing_report(smoothing),
+        **plain_data(numbers),
     }
+
+
+def strip_quantities(strip: Strip) -> dict[str, Any]:
+    """Return the quantities that the reports of a strip and of a model state about a strip."""
+    low, high = strip.width.extremes
+    return {
+        "length": strip.rod.length,
+        "ratio": strip.rod.ratio,
+        "width": {"least": low, "largest": high},
+        "mass": strip.mass,
+        "sideways": {
+            "word": strip.sideways.word, "margin": strip.sideways.margin,
+            "overloaded": strip.sideways.overloaded, "meaning": strip.sideways.meaning,
+        },
+        "reactions": strip.reactions(),
+        "blank": report_blank(strip),
+    }  # fmt: skip
 
 
 def _without_loads(strip: Strip) -> dict[str, Any] | None:
@@ -210,7 +207,7 @@ def _without_loads(strip: Strip) -> dict[str, Any] | None:
         for strains in (strip.strains, strip.unloaded_strains)
     )
     moved, at, _ = farthest_move(strip.rod, strip.unloaded)
-    return _rounded({"strain": unloaded, "strain_with_loads": loaded, "moved": moved, "moved_at": at})
+    return {"strain": unloaded, "strain_with_loads": loaded, "moved": moved, "moved_at": at}
 
 
 def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
@@ -219,18 +216,10 @@ def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
         word, meaning = "low", warning
     return {
         "stable": stability.stable,
-        "margin": round_numbers(stability.margin),
+        "margin": stability.margin,
         "word": word,
         "meaning": meaning,
     }
-
-
-def report_sideways(verdict: SidewaysStability) -> dict[str, Any]:
-    """Return the stability against tipping sideways as plain data."""
-    return _rounded({
-        "word": verdict.word, "margin": verdict.margin, "overloaded": verdict.overloaded,
-        "meaning": verdict.meaning,
-    })  # fmt: skip
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
@@ -251,23 +240,18 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
             }  # fmt: skip
         if moved is not None:
             row["moved_per_mm"] = moved
-        rows.append(_rounded(row))
+        rows.append(row)
     return rows
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
-    return _rounded({
+    return {
         "s": s, "stiffness": rod.profile(s), "width": strip.width(s), "material": layout.material(s),
         "backing": None if layout.backing is None else layout.backing.width(s),
         **{name: size(s) for name, size in strip.tapered.items()},
-    })  # fmt: skip
-
-
-def report_reactions(reactions: Reactions) -> dict[str, Any]:
-    """Return the forces (N) and moments (N mm) at both ends as plain data."""
-    return _rounded(vars(reactions))
+    }  # fmt: skip
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
@@ -279,8 +263,8 @@ def _layers(strip: Strip) -> list[dict[str, Any]]:
     return [
         {
             "sheet": layer.sheet.name,
-            "thickness": layer.sheet.thickness if worked is None else round_numbers(worked.extremes[1]),
-            "mass": round_numbers(layer.mass if worked is None else strip.mass),
+            "thickness": layer.sheet.thickness if worked is None else worked.extremes[1],
+            "mass": layer.mass if worked is None else strip.mass,
         }
         for layer in strip.layers
     ]
@@ -294,11 +278,11 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
     except NotConvergedError as problem:
         return {"factor": strip.creep, "problem": str(problem)}
     assert crept is not None
-    return _rounded({
+    return {
         "factor": crept.factor, "basis": "exact" if crept.exact else "effective modulus", "sag": crept.sag,
         "force_share": crept.force_share, "end_forces": crept.end_forces * strip.bending_stiffness,
         "margin": crept.stability.margin, "word": crept.stability.word, "kept_bend": crept.kept_share,
-    })  # fmt: skip
+    }  # fmt: skip
 
 
 def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
@@ -307,7 +291,7 @@ def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
         "moved": smoothing.moved, "allowed": fairing and fairing.tolerance,
         "ratio_as_drawn": fairing and smoothing.ratio_as_drawn, "healed": smoothing.healed,
     }  # fmt: skip
-    return _rounded(numbers) | {"drawn": fairing and curve_record(smoothing.drawn)}
+    return {**plain_data(numbers), "drawn": fairing and curve_record(smoothing.drawn)}
 
 
 def _nearest_report(near: NearestRod) -> dict[str, Any]:
@@ -316,9 +300,9 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
         "status": near.status.name.lower(),
         "message": near.status.value,
         "met": near.met,
-        "deviation": round_numbers(near.deviation),
+        "deviation": plain_data(near.deviation),
         "binding": [
-            {"name": bound.name, "limit": bound.limit, "cost": round_numbers(bound.cost)}
+            {"name": bound.name, "limit": bound.limit, "cost": plain_data(bound.cost)}
             for bound in near.binding
         ],
     }
@@ -331,15 +315,15 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
     """
     return {
         "expected": float(f"{shape.expected:.2g}"),
-        "deviation": round_numbers(shape.deviation),
+        "deviation": shape.deviation,
         "open": float(f"{shape.open:.2g}"),
         "sheet": {
             cause: float(f"{mm:.2g}") for cause, mm in {"all": shape.sheet_adds, **shape.sheet}.items()
         },
-        "parts": _rounded(shape.parts),
+        "parts": shape.parts,
         "made_up_for": list(shape.made_up_for),
         "ends": {
-            end: _rounded({"shift": pose.shift, "turn": pose.turn})
+            end: {"shift": pose.shift, "turn": pose.turn}
             for end, pose in (("start", shape.start), ("end", shape.end))
         },
         "notes": list(shape.notes),
@@ -350,9 +334,9 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     if strip.is_closed:
         return None
     ends = held_ends(strip)
-    by_end = _rounded({
+    by_end = {
         "distance": distance_between(ends), "tips": distance_of_tips(ends), "meaning": str(ends_message(strip)),
-    })  # fmt: skip
+    }  # fmt: skip
     for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
         placed = {
             "position": end.position + 0.0, "angle": end.angle, "from_the_line": end.tilt, "tab": end.tab,
@@ -360,11 +344,11 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
         holes = [
             {
                 "at": hole.at, "across": hole.across, "diameter": hole.diameter,
-                "from_the_start": round_numbers(np.round(place, 6) + 0.0),
+                "from_the_start": np.round(place, 6) + 0.0,
             }
             for hole, place in zip(end.holes, places, strict=True)
         ]  # fmt: skip
-        by_end[name] = _rounded(placed) | {"holes": holes}
+        by_end[name] = placed | {"holes": holes}
     return by_end
 
 
@@ -398,11 +382,11 @@ def _joint(strip: Strip) -> dict[str, Any] | None:
         return None
     held = strip.reactions()
     return {
-        "place": round_numbers(strip.rod.position[0]),
+        "place": strip.rod.position[0],
         "lap": strip.ends[1].length,
-        "widths": round_numbers(np.array(strip.end_widths)),
-        "moment": round_numbers(held.end_moment),
-        "force": round_numbers(held.end_force),
+        "widths": np.array(strip.end_widths),
+        "moment": held.end_moment,
+        "force": held.end_force,
         "meaning": strip.joint,
     }
 

@@ -24,6 +24,7 @@ from elastica_cad.mechanics.loads import Gravity, Supports, Weight
 from elastica_cad.mechanics.rod import Rod, camber_of, csv_text
 from elastica_cad.model.leaf_stack import LeafStack
 from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.report_rows import DECIMALS
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import ends_message
 from elastica_cad.strip.lettering import Text, engravable
@@ -33,9 +34,6 @@ from elastica_cad.strip.strip_spec import DOWN, StripSpec
 from elastica_cad.strip.tapered_solids import side_view
 
 DEFAULT_STATIONS = 21
-
-DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Number of decimals in a column of the CSV table, by the unit that ends the column's name."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
