@@ -31,7 +31,7 @@ from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
-from elastica_cad.refusals import Force, Length, Mass, Strain
+from elastica_cad.refusals import Length, Mass, Strain
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 
@@ -170,7 +170,7 @@ def _quantities(strip: Strip) -> dict[str, Any]:
     return {
         "length_mm": Length(rod.length), "chord_mm": Length(norm(rod.chord)),
         "camber": Strain(depth), "camber_place": Strain(place),
-        "end_force_N": Force(norm(strip.reactions().start_force)), "mass_g": Mass(strip.mass),
+        "end_force_N": strip.reactions().sizes[0][0], "mass_g": Mass(strip.mass),
         "max_strain": Strain(strip.max_strain), "strain_limit": Strain(strip.strain_limit),
     }  # fmt: skip
 

@@ -406,7 +406,10 @@ def _print_shapes(
     change: dict[str, Any],
 ) -> None:
     states = [verdict.rating for verdict in verdicts]
-    columns = _distance_columns(shapes) if moved is None else _force_columns(moved)
+    columns: dict[str, Any] = _force_columns(moved) if moved is not None else {
+        "ends_apart_mm": [norm(shape.chord) for shape in shapes],
+        "smallest_radius_mm": [_smallest_radius(shape) for shape in shapes],
+    }  # fmt: skip
     start, end = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
     say(*printed_table(columns | {"start_deg": start, "end_deg": end, "stability": states}))
     say_row(
@@ -506,13 +509,6 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     return Row(
         "Movement", f"{strip} moves by at most {far}: the point {at:.0f} mm along the strip, {direction}"
     )
-
-
-def _distance_columns(shapes: Sequence[Rod]) -> dict[str, Any]:
-    return {
-        "ends_apart_mm": [norm(shape.chord) for shape in shapes],
-        "smallest_radius_mm": [_smallest_radius(shape) for shape in shapes],
-    }
 
 
 def _force_columns(moved: Travel) -> dict[str, Any]:

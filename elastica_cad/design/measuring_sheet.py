@@ -19,10 +19,10 @@ from elastica_cad.strip.holding_template import MARKS, heights_of_marks
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.measuring import (
     ANGLES,
+    KINDS,
     LENGTHS,
     MEANINGS,
     READING_ERROR_MM,
-    UNITS,
     Measuring,
     row_label,
 )
@@ -196,7 +196,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     rows += [
         (
             row_label(measure),
-            f"{measuring.expected[measure]:.1f} +/- {measuring.uncertain[measure]:.1f} {UNITS[measure]} "
+            f"{measuring.expected[measure]:.1f} +/- {KINDS[measure](measuring.uncertain[measure]):.1f} "
             f"{WORDS[measure]}",
         )
         for measure in (*LENGTHS, *ANGLES)
@@ -206,7 +206,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
         rows.append(("Cause", MEANINGS[cause].format(amount=1)))
         if len(changes) == 1:
             largest = sorted(changes[0].items(), key=lambda change: -abs(change[1]))[:3]
-            differences = ", ".join(f"{row_label(key)} {value:+.1f} {UNITS[key]}" for key, value in largest)
+            differences = ", ".join(f"{row_label(key)} {KINDS[key](value):+.1f}" for key, value in largest)
             rows.append(("", f"Differences: {differences}"))
     for k, row in enumerate(rows, 2):
         texts += [

@@ -130,8 +130,7 @@ def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
     deviation = largest_deviation(entry.curve, strip.rod.curve)
     if not entry.section:
         return {"deviation": deviation}
-    off_section = entry.off_section
-    return {"deviation": deviation, "section": entry.section, "curve_off_section": off_section}
+    return {"deviation": deviation, "section": entry.section, "curve_off_section": entry.off_section}
 
 
 def _strip(strip: Strip) -> dict[str, Any]:

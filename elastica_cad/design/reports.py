@@ -228,20 +228,24 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
     A tie also has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
     mm, per mm of error in the position of a rail or pin, or in the length of a tie.
     """
-    rows = []
     moves = displacements_per_mm(strip.rod)
-    for action, moved in zip_longest(strip.rod.acting, moves):
-        row = {
-            "kind": NOUNS[type(action.element)], "at": action.s, "force": strip.bending_stiffness * action.force,
-        }  # fmt: skip
-        if isinstance(action.element, Tie):
-            row |= {
-                "length": action.distance_on(strip.rod.curve), "pull": strip.bending_stiffness * action.size,
-            }  # fmt: skip
-        if moved is not None:
-            row["moved_per_mm"] = moved
-        rows.append(row)
-    return rows
+    return [
+        {
+            "kind": NOUNS[type(action.element)],
+            "at": action.s,
+            "force": strip.bending_stiffness * action.force,
+            **(
+                {
+                    "length": action.distance_on(strip.rod.curve),
+                    "pull": strip.bending_stiffness * action.size,
+                }
+                if isinstance(action.element, Tie)
+                else {}
+            ),
+            **({} if moved is None else {"moved_per_mm": moved}),
+        }
+        for action, moved in zip_longest(strip.rod.acting, moves)
+    ]
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
@@ -338,17 +342,16 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
         "distance": distance_between(ends), "tips": distance_of_tips(ends), "meaning": str(ends_message(strip)),
     }  # fmt: skip
     for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
-        placed = {
+        by_end[name] = {
             "position": end.position + 0.0, "angle": end.angle, "from_the_line": end.tilt, "tab": end.tab,
+            "holes": [
+                {
+                    "at": hole.at, "across": hole.across, "diameter": hole.diameter,
+                    "from_the_start": np.round(place, 6) + 0.0,
+                }
+                for hole, place in zip(end.holes, places, strict=True)
+            ],
         }  # fmt: skip
-        holes = [
-            {
-                "at": hole.at, "across": hole.across, "diameter": hole.diameter,
-                "from_the_start": np.round(place, 6) + 0.0,
-            }
-            for hole, place in zip(end.holes, places, strict=True)
-        ]  # fmt: skip
-        by_end[name] = placed | {"holes": holes}
     return by_end
 
 

@@ -28,7 +28,7 @@ from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_ro
 from elastica_cad.model.plate_pairs import UPRIGHT_COSINE
 from elastica_cad.model.plates import BasePlate, numbered, tips_below
 from elastica_cad.model.rocking import rocking_tabs
-from elastica_cad.refusals import FieldName, Length, Listed, note, number_text, sentences
+from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.clamp_errors import can_snap
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.lettering import numbers_note
@@ -398,7 +398,7 @@ def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> list[str]:
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [
-        f"{name} {number_text(held[name].deviation, '.2g')} mm"
+        f"{name} {Length(held[name].deviation):.2g}"
         for name in names
         if name in locked and name in held and held[name].deviation > CLEARANCE
     ]

@@ -320,7 +320,7 @@ class Batten:
     @property
     def end_force(self) -> float:
         """Force that presses the ends together, N."""
-        return float(np.hypot(*self.strip.reactions().start_force))
+        return float(self.strip.reactions().sizes[0][0])
 
     def of_leaves(self, leaves: int) -> LeafedRod:
         """Return the stack of glued plies that is closest to the batten. Plies differ only in length.

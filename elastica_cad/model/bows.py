@@ -77,7 +77,7 @@ class Bow:
     @property
     def pull(self) -> float:
         """Force in the cord, N."""
-        return float(np.hypot(*self.strip.reactions().start_force))
+        return float(self.strip.reactions().sizes[0][0])
 
     @property
     def rise(self) -> float:

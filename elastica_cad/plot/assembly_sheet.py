@@ -57,7 +57,7 @@ from elastica_cad.plot.model_pictures import (
     screen_of,
     size_text,
 )
-from elastica_cad.refusals import Force, Length, Moment, Refusal, Wording, note, number_text, sentences
+from elastica_cad.refusals import Force, Length, Refusal, Wording, note, number_text, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
@@ -458,12 +458,7 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
     def cells(part: EqualStrips) -> tuple[str, ...]:
-        loads = part.strip.reactions()
-        sizes = (
-            Force(np.hypot(*loads.start_force)), Moment(abs(loads.start_moment)),
-            Force(np.hypot(*loads.end_force)), Moment(abs(loads.end_moment)),
-        )  # fmt: skip
-        return tuple(f"{size:.2g}" for size in sizes)
+        return tuple(f"{size:.2g}" for end in part.strip.reactions().sizes for size in end)
 
     for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
         yield _range([part.name for part in parts]), *texts

@@ -45,6 +45,12 @@ class Reactions:
     end_force: FloatArray
     end_moment: float
 
+    @property
+    def sizes(self) -> tuple[tuple[Force, Moment], tuple[Force, Moment]]:
+        """Sizes of force and moment at the start, and at the end."""
+        start = Force(norm(self.start_force)), Moment(abs(self.start_moment))
+        return start, (Force(norm(self.end_force)), Moment(abs(self.end_moment)))
+
     def __str__(self) -> str:
         start, end = (
             note(

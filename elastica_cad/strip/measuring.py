@@ -10,7 +10,7 @@ from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import norm, turn_between, unit
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import number_text
+from elastica_cad.refusals import Angle, Length, Quantity, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.holding_template import MARKS, distance_of_tips, heights_of_marks, held_ends, upward
@@ -22,7 +22,7 @@ LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle",
 
 Lengths are in mm and angles in degrees. Heights and angles are measured from the line between the ends."""
 
-UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
+KINDS: dict[str, type[Quantity]] = dict.fromkeys(LENGTHS, Length) | dict.fromkeys(ANGLES, Angle)
 
 SKETCHED = 61
 """Number of points of the curve in `Measuring.shape`."""
@@ -251,13 +251,10 @@ class Measuring:
         )
 
     def _row(self, name: str, measured: float) -> Row:
-        expected, uncertain, unit = self.expected[name], self.uncertain[name], UNITS[name]
-        range_text = f"{number_text(expected, '.4g')} +/- {number_text(uncertain, '.2g')}"
-        text = f"{number_text(measured, '.4g')} {unit} measured, {range_text} {unit} expected"
-        difference = measured - expected
-        outside = (
-            f": difference {number_text(difference, '+.2g')} {unit}" if abs(difference) > uncertain else ""
-        )
+        expected, kind = self.expected[name], KINDS[name]
+        uncertain, difference = kind(self.uncertain[name]), kind(measured - expected)
+        text = f"{kind(measured):.4g} measured, {number_text(expected, '.4g')} +/- {uncertain:.2g} expected"
+        outside = f": difference {difference:+.2g}" if abs(difference) > uncertain else ""
         return Row(row_label(name), text + outside)
 
     def _verdict(self, measured: Mapping[str, float], errors: Mapping[str, float]) -> list[Row]:

@@ -60,7 +60,7 @@ from elastica_cad.mechanics.sideways import (
     sideways_stability_of,
     stations_of_sideways,
 )
-from elastica_cad.refusals import BareLength, FieldName, Force, Length, Moment, Span, note, sentences
+from elastica_cad.refusals import BareLength, FieldName, Length, Span, note, sentences
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import (
     StrainedCut,
@@ -622,7 +622,7 @@ class Strip:
         """Sentence on the joint of a closed strip and its load; empty for an open strip."""
         if not self.is_closed:
             return ""
-        held, lap = self.reactions(), self.ends[1].length
+        lap, (_, (force, moment)) = self.ends[1].length, self.reactions().sizes
         how = note(
             "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start"
             if lap
@@ -633,8 +633,7 @@ class Strip:
             "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} and "
             "{force:.2g}",
             how=how, place=(self.rod.curve.provenance or Provenance()).shown(self.rod.position[0]),
-            width=Length(self.end_widths[1]), moment=Moment(abs(held.end_moment)),
-            force=Force(np.hypot(*held.end_force)),
+            width=Length(self.end_widths[1]), moment=moment, force=force,
         )  # fmt: skip
 
     @property

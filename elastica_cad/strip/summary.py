@@ -27,7 +27,6 @@ from elastica_cad.refusals import (
     Length,
     Listed,
     Mass,
-    Moment,
     Refusal,
     Strain,
     is_reported,
@@ -258,11 +257,9 @@ def hold_row(strip: Strip) -> Row:
             apart = note("{ends}; the {end} is free: nothing holds it", ends=apart, end=note(name))
     forces = strip.reactions()
     start, end = (
-        note("force {force:.2g} and moment {moment:.2g}", force=Force(np.hypot(*force)), moment=Moment(abs(moment)))
-        for force, moment in (
-            (forces.start_force, forces.start_moment), (forces.end_force, forces.end_moment),
-        )
-    )  # fmt: skip
+        note("force {force:.2g} and moment {moment:.2g}", force=force, moment=moment)
+        for force, moment in forces.sizes
+    )
     load: str = note(
         "{apart}; {load} at each end"
         if start == end
@@ -271,7 +268,7 @@ def hold_row(strip: Strip) -> Row:
     )  # fmt: skip
     chord = ends[1].position - ends[0].position
     inward = forces.start_force @ chord / (norm(chord) or 1.0)
-    if start == end and abs(inward) > ALONG * norm(forces.start_force):
+    if start == end and abs(inward) > ALONG * forces.sizes[0][0]:
         load = note(
             "{apart}; the strip pushes the ends apart with {force:.2g}, moment {moment:.2g} at each end"
             if inward > 0

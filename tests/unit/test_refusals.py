@@ -1,14 +1,18 @@
 """Errors carry a record: template, typed values, places and changes; old names of options say what they are now."""
 
+import json
 import pickle
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
+import numpy as np
 import pytest
 
 from elastica_cad import InputError, NotConvergedError, NotRealizable, PlaneCurve, check_equilibrium
 from elastica_cad.errors import Change, Length
-from elastica_cad.refusals import Listed, Point, note, sentences
+from elastica_cad.refusals import Angle, Energy, Force, Listed, Mass, Moment, Point, Strain, note, sentences
+from elastica_cad.report_rows import printed_table
+from elastica_cad.translations import Translated
 from tests.command_line import run
 
 WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it
@@ -27,6 +31,41 @@ def test_a_template_is_filled_and_its_values_keep_their_types():
     assert FAR.refusal.kind == "input"
     assert FAR.refusal.severity == "error"
     assert str(InputError("write {i} for the count")) == "write {i} for the count"
+
+
+@pytest.mark.parametrize(
+    ("value", "english", "german"),
+    [
+        (Force(12.345), "12.3 N", "12,3 N"),
+        (Moment(0.125), "0.125 N mm", "0,125 N mm"),
+        (Energy(2.5), "2.5 mJ", "2,5 mJ"),
+        (Angle(-7.25), "-7.25 degrees", "-7,25 Grad"),
+        (Mass(999), "999 g", "999 g"),
+        (Mass(1234), "1.23 kg", "1,23 kg"),
+        (Strain(0.0048), "0.48 %", "0,48 %"),
+    ],
+)
+def test_a_number_has_the_unit_of_its_kind_in_every_language(value, english, german):
+    words = Translated("de")
+    words.point = ","
+    message = note("it is {value}", value=value)
+    assert (str(message), str(value)) == (f"it is {english}", english)
+    assert words.sentence(message) == f"it is {german}"
+    assert json.loads(json.dumps(message.record["values"])) == {"value": float(value)}
+
+
+def test_a_column_is_headed_and_rounded_by_the_unit_in_its_name():
+    table = {
+        "rise_mm": [1, 23.456],
+        "strain_percent": [0.5, 1 / 3],
+        "safety": [np.inf, 2],
+        "state": ["a", "b"],
+    }
+    assert [*printed_table(table)] == [
+        "rise mm  strain %  safety  state",
+        "   1.00     0.500       -      a",
+        "  23.46     0.333    2.00      b",
+    ]
 
 
 def test_a_place_is_added_once_and_leaves_the_text():
