@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextvars import ContextVar
 from dataclasses import dataclass
 from decimal import Decimal
-from math import isfinite
+from math import degrees, isfinite
 from string import Formatter
 from typing import Any, Literal
 
@@ -30,8 +30,8 @@ class Quantity(Worded, float):
 
     Examples
     --------
-    >>> f"{Force(12.345)}, {Strain(0.00456):.2f}, {Mass(1234)}, {Angle(30):.1f}"
-    '12.3 N, 0.46 %, 1.23 kg, 30.0 degrees'
+    >>> f"{Force(12.345)}, {Strain(0.00456):.2f}, {Mass(1234)}, {Angle(0.5):.1f}"
+    '12.3 N, 0.46 %, 1.23 kg, 28.6 degrees'
     """
 
     UNIT = ""
@@ -83,10 +83,19 @@ class Energy(Quantity):
     UNIT = "mJ"
 
 
-class Angle(Quantity):
+class Degrees(Quantity):
     """Angle in degrees."""
 
     UNIT = "degrees"
+
+
+class Angle(Degrees):
+    """Angle in rad, shown in degrees."""
+
+    @property
+    def shown(self) -> tuple[float, str]:
+        """Number and unit that are shown."""
+        return degrees(self), self.UNIT
 
 
 class Mass(Quantity):
@@ -503,6 +512,8 @@ def _with_places(text: str, where: Mapping[str, Any]) -> str:
 def _plain(value: Any) -> Any:
     if isinstance(value, bool | str) or value is None:
         return value
+    if isinstance(value, Quantity):
+        value = value.shown[0]
     if isinstance(value, int | float):
         return value if isfinite(value) else str(value)
     if isinstance(value, Mapping):

@@ -402,10 +402,9 @@ def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: Natura
     scaled_sheets = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
     question = unit_question(scaled_sheets[0].scale, curve.length)
-    advice = [_widths_row(ratio).text, _sheets_row(sheets, question).text]
     return {
         "ratio": ratio,
         "sheets": sheets,
         "unit_question": question,
-        "advice_on_sheets": advice,
+        "advice_on_sheets": [_widths_row(ratio).text, _sheets_row(sheets, question).text],
     }

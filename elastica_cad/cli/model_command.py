@@ -206,14 +206,14 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         more = [f"These are {', '.join(names)}.", *details] if names[1:] else details
         say_row(Row(label, text, more, severity))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
-    metres = cut_list.cut_length / 1000
     pieces = "" if cut_list.count == len(model.placed) else (
         f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
     )  # fmt: skip
     say_row(
         Row(
             "Model",
-            f"{model.name}: {count_strips(model)}{joints}; {pieces}{metres:.1f} m of cuts, {Mass(cut_list.mass)}",
+            f"{model.name}: {count_strips(model)}{joints}; {pieces}{cut_list.cut_length / 1000:.1f} m of "
+            f"cuts, {Mass(cut_list.mass)}",
         )
     )
     if deviations := contents.deviations:

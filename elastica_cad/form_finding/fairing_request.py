@@ -27,7 +27,7 @@ from elastica_cad.mechanics.theorem1 import (
     outlier_message,
     require_bendable,
 )
-from elastica_cad.refusals import FieldName, Length, Severity, note
+from elastica_cad.refusals import Angle, FieldName, Length, Severity, note
 
 LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
@@ -175,9 +175,9 @@ class Smoothing:
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
-                "Corners of at most {angle:.0f} degrees, at which pieces of the curve met, were rounded. This "
+                "Corners of at most {angle:.0f}, at which pieces of the curve met, were rounded. This "
                 "moved the curve by at most {far:.2g}.",
-                angle=np.degrees(LARGEST_REMOVED_RAD), far=Length(self.healed),
+                angle=Angle(LARGEST_REMOVED_RAD), far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
@@ -205,10 +205,10 @@ class Smoothing:
                 )
             )  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
-            sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
+            sharpest = max(abs(corner.angle) for corner in self.drawn.tangent_breaks)
             notes.append(note(
-                "The smoothing also rounded corners of at most {angle:.2g} degrees.",
-                angle=sharpest, severity="warning",
+                "The smoothing also rounded corners of at most {angle:.2g}.",
+                angle=Angle(sharpest), severity="warning",
             ))  # fmt: skip
         return tuple(notes)
 

@@ -14,7 +14,7 @@ from elastica_cad.form_finding.limits import MET, ActiveLimit, Keep, Limits, Mea
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Either, Length, note, sentences
+from elastica_cad.refusals import Angle, Either, Length, note, sentences
 
 if TYPE_CHECKING:
     from elastica_cad.form_finding.nearest_task import SearchPoint
@@ -278,8 +278,7 @@ def _violation_sentence(near: NearestRod, binding: ActiveLimit) -> str:
         by = Length(binding.broken * near.target.length)
         return note("The strip violates a limit by {by}: {missed}.", missed=missed, by=by)
     if binding.unit == "angle":
-        angle = np.degrees(binding.broken)
         return note(
-            "The strip violates a limit by {angle:.3g} degrees: {missed}.", missed=missed, angle=angle
+            "The strip violates a limit by {angle:.3g}: {missed}.", missed=missed, angle=Angle(binding.broken)
         )
     return note("The strip violates a limit: {missed}.", missed=missed)

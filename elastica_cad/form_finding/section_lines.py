@@ -32,7 +32,7 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
+from elastica_cad.refusals import Angle, Change, Length, Listed, Point, Span, note
 
 IN_PLANE = 1e-12
 """Distance below which a vertex is in a plane, as a fraction of the size of the surface."""
@@ -501,8 +501,8 @@ def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:
 def _sharpest(line: SectionLine, turned: FloatArray) -> str:
     worst = int(turned.argmax())
     return note(
-        "the section has a corner of {angle:.3g} degrees at {place}",
-        angle=np.degrees(turned[worst]),
+        "the section has a corner of {angle:.3g} at {place}",
+        angle=Angle(turned[worst]),
         place=_place(line, line.points[worst + 1]),
     )
 
@@ -658,10 +658,10 @@ def remove_false_inflections(
         if not len(_false_bends(simpler, turn)):
             return simpler
     raise NotConvergedError(
-        "the curve bends to one side and back by less than {turn:.2g} degrees ({stretches} from its start), and "
+        "the curve bends to one side and back by less than {turn:.2g} ({stretches} from its start), and "
         "smoothing by less than {most} does not remove these bends: draw the curve without them",
         stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
-        turn=np.degrees(turn),
+        turn=Angle(turn),
         most=Length(most),
     )
 

@@ -14,7 +14,7 @@ from elastica_cad.form_finding.plane_sections import FARTHEST_MM
 from elastica_cad.form_finding.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along, points_at
-from elastica_cad.refusals import Length, Point, Refusal, note, sentences
+from elastica_cad.refusals import Angle, Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
 
@@ -340,7 +340,7 @@ class CornerSplit:
     @property
     def name(self) -> str:
         """Name of the split in messages."""
-        return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.corners))
+        return note("a turn of more than {turn:.4g} at a corner", turn=Angle(self.corners))
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
         """Return the pieces of a line, split at corners."""

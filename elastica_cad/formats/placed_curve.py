@@ -13,7 +13,7 @@ from elastica_cad.formats.chains import curve_from_run, holes_on_chains, join_ru
 from elastica_cad.formats.edges import Edge, Run, sample_run
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.refusals import Length, Point, note
+from elastica_cad.refusals import Angle, Length, Point, note
 
 # largest deviation of a drawing from its plane: in mm, and as a fraction of the size of the drawing
 NOISE_MM, NOISE_SHARE = 0.05, 1e-3
@@ -151,9 +151,8 @@ def place_chain(
                     count=len(run),
                 )
             raise InputError(
-                "edges meet at a corner of {turn:.3g} degrees at {place}: make them tangent or round "
-                "the corner",
-                turn=np.degrees(turn),
+                "edges meet at a corner of {turn:.3g} at {place}: make them tangent or round the corner",
+                turn=Angle(turn),
                 place=Point(before.end),
             )
     frame = frame_of(run)

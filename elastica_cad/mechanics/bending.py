@@ -70,7 +70,7 @@ from elastica_cad.mechanics.newton_continuation import (
 )
 from elastica_cad.mechanics.rod import Rod, resample
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
-from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
+from elastica_cad.refusals import Degrees, FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
@@ -498,11 +498,8 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
         return ()
     return (
         note(
-            (
-                "the strip turns by {turn:.0f} degrees between two nodes, so its shape is inaccurate: use more "
-                "samples"
-            ),
-            turn=turn,
+            ("the strip turns by {turn:.0f} between two nodes, so its shape is inaccurate: use more samples"),
+            turn=Degrees(turn),
             severity="warning",
         ),
     )

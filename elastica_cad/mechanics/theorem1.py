@@ -22,7 +22,7 @@ from elastica_cad.mechanics.loads import (
     Supports,
     require_curve,
 )
-from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
+from elastica_cad.refusals import Angle, Degrees, FieldName, Length, Listed, Refusal, note, sentences
 
 
 @dataclass(frozen=True)
@@ -491,23 +491,23 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < SMOOTH_TURN for turn in beside):
                 return note(
-                    "the points turn by {angle:.3g} degrees at {shown}, but are too few to distinguish a corner "
+                    "the points turn by {angle:.3g} at {shown}, but are too few to distinguish a corner "
                     "from a tight bend. Give more points there, or split the curve{smooth}",
-                    angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
+                    angle=Degrees(abs(here)), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(corners, key=lambda corner: abs(corner.angle))
-    values = {
-        "places": lengths(c.s for c in corners), "angle": np.degrees(abs(sharpest.angle)),
+    values: dict[str, Any] = {
+        "places": lengths(c.s for c in corners), "angle": Angle(abs(sharpest.angle)),
         "shown": _shown_on(curve, curve.evaluate(sharpest.t)), "smooth": _smoothing_advice(curve),
     }  # fmt: skip
     if len(corners) > 1:
         return note(
             "the curve has corners {places} from its start, but a strip bends without kinks. The sharpest, of "
-            "{angle:.3g} degrees, is at {shown}. Round the corners, or split the curve there{smooth}",
+            "{angle:.3g}, is at {shown}. Round the corners, or split the curve there{smooth}",
             **values,
         )
     return note(
-        "the curve has a corner {places} from its start, at {shown}, of {angle:.3g} degrees, but a strip "
+        "the curve has a corner {places} from its start, at {shown}, of {angle:.3g}, but a strip "
         "bends without kinks. Round the corner, or split the curve there{smooth}",
         **values,
     )
@@ -521,20 +521,20 @@ def _seam_message(curve: PlaneCurve) -> str:
             if turn.t == curve.domain[0]:
                 return _undecided_message(provenance, turn, [0.0])
     return note(
-        "the closed curve has a corner of {angle:.3g} degrees at {shown}, where its ends meet, but a strip "
+        "the closed curve has a corner of {angle:.3g} at {shown}, where its ends meet, but a strip "
         "bends without kinks. Round the corner, or leave a gap between the ends{smooth}",
-        angle=np.degrees(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_smoothing_advice(curve),
+        angle=Angle(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
 
 def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
-        "the curve turns by {angle:.2g} degrees at {shown}, {places} from its start, because of a corner or a "
+        "the curve turns by {angle:.2g} at {shown}, {places} from its start, because of a corner or a "
         "rounding error: the handle of this node is only {handle} long, so the rounding of numbers in the file "
-        "can turn it by {bound:.2g} degrees. Save the drawing with more decimals, or lengthen the handles of "
+        "can turn it by {bound:.2g}. Save the drawing with more decimals, or lengthen the handles of "
         "this node",
-        angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
-        handle=Length(turn.handle), bound=np.degrees(turn.bound),
+        angle=Angle(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
+        handle=Length(turn.handle), bound=Angle(turn.bound),
     )  # fmt: skip
 
 

@@ -18,7 +18,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import left_of, points_at, unit, unit_vectors
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
-from elastica_cad.refusals import BareLength, Length, Refusal, both_names, note
+from elastica_cad.refusals import Angle, BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, StripEnd, Tab
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
@@ -234,12 +234,12 @@ class EndFixture(EqualByValue):
         if self.engrave is None:
             object.__setattr__(self, "engrave", self.tab.name)
         if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
-            lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
+            lean = np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis))))
             raise InputError(
-                "{who}: the strip leans by {lean:.3g} degrees, but a block on a floor needs an upright "
+                "{who}: the strip leans by {lean:.3g}, but a block on a floor needs an upright "
                 "strip. Leave out the floor; the block is then at right angles to its tab",
                 who=who,
-                lean=lean,
+                lean=Angle(lean),
             )
         if self.lowest < -LEVEL:
             raise InputError(
@@ -294,10 +294,10 @@ class EndFixture(EqualByValue):
         if depth > 0:
             shift, turn = self.lean
             warnings.append(note(
-                "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the "
+                "The pocket of {fixture} is turned by {angle:.2g} and moved by {shift:.2g}, so that the "
                 "loaded tab has its designed direction. In the drawing, the wall of the pocket overlaps the "
                 "straight tab by up to {depth:.2g}. Do not correct the pocket.",
-                fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)),
+                fixture=self.label, angle=Angle(abs(turn)), shift=Length(abs(shift)),
                 depth=Length(depth), severity="note",
             ))  # fmt: skip
         return tuple(warnings)

@@ -10,7 +10,7 @@ from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.refusals import Degrees, FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
@@ -152,10 +152,10 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         shift = max(seat.room for _, _, seat in held)
         if shift >= NO_PLAY_MM or turn >= NO_PLAY_DEGREES:
             messages.append(note(
-                "In the {name}, a tab can tip within a range of {turn:.2g} degrees" if shift < NO_PLAY_MM else
+                "In the {name}, a tab can tip within a range of {turn:.2g}" if shift < NO_PLAY_MM else
                 "In the {name}, a tab can shift by {across:.2g}" if turn < NO_PLAY_DEGREES else
-                "In the {name}, a tab can shift by {across:.2g} and tip within a range of {turn:.2g} degrees",
-                name=name, across=Length(shift), turn=turn,
+                "In the {name}, a tab can shift by {across:.2g} and tip within a range of {turn:.2g}",
+                name=name, across=Length(shift), turn=Degrees(turn),
             ))  # fmt: skip
     return tuple(messages)
 

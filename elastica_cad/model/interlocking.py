@@ -19,7 +19,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import left_of, norm, unit
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
-from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.refusals import Angle, Length, Listed, note, sentences
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import (
@@ -434,11 +434,11 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
         width = max(
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
         )
-        degrees = np.degrees(min(joint.angle[0] for joint in group))
+        angle = Angle(min(joint.angle[0] for joint in group))
         messages.append(note(
-            "{a} and {b} cross at an angle of {degrees:.3g} degrees, {places} from the start of {a}, so the slots "
+            "{a} and {b} cross at an angle of {degrees:.3g}, {places} from the start of {a}, so the slots "
             "are up to {width} wide: increase the angle for a better hold",
-            a=a, b=b, degrees=degrees, places=places, width=Length(width),
+            a=a, b=b, degrees=angle, places=places, width=Length(width),
         ))  # fmt: skip
     order = _order_message(names, joints) if joints else note("no strips cross, so no slots were cut")
     return (*messages, order)

@@ -38,7 +38,7 @@ from elastica_cad.model.plates import (
     up_to_tenth,
     with_shoulders,
 )
-from elastica_cad.refusals import Length, Refusal, note, sentences
+from elastica_cad.refusals import Angle, Length, Refusal, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
@@ -445,8 +445,8 @@ def _moved_slot(
 def _bends_too_far(plate: BasePlate, tab: PlacedTab, cures: Cures) -> InputError:
     return InputError(
         "{name}: the load of the strip bends the tab of {name_2} too far. Slots follow tabs that bend by at most "
-        "{most:.0f} degrees and meet the plate at more than {flattest:.0f} degrees: {cures}",
-        name=plate.name, name_2=tab.name, most=np.degrees(MOST_BENT_RAD), flattest=np.degrees(FLATTEST_RAD),
+        "{most:.0f} and meet the plate at more than {flattest:.0f}: {cures}",
+        name=plate.name, name_2=tab.name, most=Angle(MOST_BENT_RAD), flattest=Angle(FLATTEST_RAD),
         cures=cures(np.inf),
     )  # fmt: skip
 
@@ -630,14 +630,14 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     if not any(fit):
         flattest = max(-float((outs @ n).max()) for n in normals)
         raise InputError(
-            "{name}: the tabs meet the plate at {lean:.3g} degrees, but slots need more than {steep:.0f} degrees. "
+            "{name}: the tabs meet the plate at {lean:.3g}, but slots need more than {steep:.0f}. "
             "Hold the tabs with fixtures, or let the strips meet the plate more steeply."
             if flattest > 0
             else "{name}: the tabs point in too many directions for one plate: hold them with fixtures, or make "
             "the directions of the ends more similar",
             name=name,
-            lean=np.degrees(np.arcsin(np.clip(flattest, 0.0, 1.0))),
-            steep=np.degrees(FLATTEST_RAD),
+            lean=Angle(np.arcsin(np.clip(flattest, 0.0, 1.0))),
+            steep=Angle(FLATTEST_RAD),
         )
     spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
     better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM

@@ -32,7 +32,7 @@ from elastica_cad.geometry.plane_points import (
 from elastica_cad.mechanics.sheets import Sheet, require_flat
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
 from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, refuse_other_ends
-from elastica_cad.refusals import FieldName, Point, both_names, note
+from elastica_cad.refusals import Angle, Degrees, FieldName, Point, both_names, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import LEAST_LABEL_MM, Text, engravable, engraved_names, text_width
@@ -617,12 +617,12 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
-            "{name}: the tab of {name_2} is at {given:.3g} degrees to the plate, but a slot needs more than "
-            "{flattest_rad:.0f} degrees. Use a fixture there",
+            "{name}: the tab of {name_2} is at {given:.3g} to the plate, but a slot needs more than "
+            "{flattest_rad:.0f}. Use a fixture there",
             name=options.name,
             name_2=tab.name,
-            given=np.degrees(np.arcsin(max(0.0, down))),
-            flattest_rad=np.degrees(FLATTEST_RAD),
+            given=Angle(np.arcsin(max(0.0, down))),
+            flattest_rad=Angle(FLATTEST_RAD),
         )
     edges = ground.local(tab.edges)
     step = ground.axes @ tab.frame.x_axis
@@ -852,12 +852,12 @@ def ring_plate(
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise FaultError(
-            "{name}: the tabs meet the plane of the ring at {lean:.3g} degrees. Slots need more than "
-            "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. Shorten or lengthen the "
+            "{name}: the tabs meet the plane of the ring at {lean:.3g}. Slots need more than "
+            "{steep:.0f}, and tabs glued flat need less than {flat:.0f}. Shorten or lengthen the "
             "strips until their ends are steeper or flatter.",
             name=name,
-            lean=lean,
-            steep=steep,
+            lean=Degrees(lean),
+            steep=Degrees(steep),
             flat=flat,
         )
     below = middle > height

@@ -18,7 +18,7 @@ from elastica_cad.model.held_tabs import (
 )
 from elastica_cad.model.plate_pairs import fitting_tabs, pair_with_tabs, with_tabs
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length, tabs_of
-from elastica_cad.refusals import Change, FieldName, Length, note, sentences
+from elastica_cad.refusals import Angle, Change, FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
 from elastica_cad.strip.tab_seats import TabSeat
@@ -45,21 +45,21 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
             toward, away = _tipping_angles(strip, end, seat)
             messages.append(note(
                 "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
-                "degrees towards the other end and by {away:.0f} degrees in the opposite direction. The tab "
+                "towards the other end and by {away:.0f} in the opposite direction. The tab "
                 "does not keep the drawn angle; {shape}. {cure}",
-                strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
-                shape=_deviation_sentence(strip, tab_seats(holders)), severity="warning",
+                strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=Angle(toward),
+                away=Angle(away), shape=_deviation_sentence(strip, tab_seats(holders)), severity="warning",
                 cure=_suggestions(strip, end, placed, holders, two_plates),
             ))  # fmt: skip
     return tuple(messages)
 
 
 def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, degrees, by which a strip can tip at one end, towards and away from its other end."""
+    """Return the angles, rad, by which a strip can tip at one end, towards and away from its other end."""
     here, other = (
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
-    right, left = np.abs(np.degrees(seat.turning))
+    right, left = np.abs(seat.turning)
     # if the tab turns to the left of the curve, the strip tips to its right, in the direction z
     lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.pairs.flexure import STATES, Flexure
-from elastica_cad.refusals import Angle, Energy, Force, Length, Refusal, Span, Strain, note
+from elastica_cad.refusals import Degrees, Energy, Force, Length, Refusal, Span, Strain, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import direction_in_drawing
@@ -42,7 +42,7 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
         text = note(
             "{second} is turned by {turn:.1f}, because both states start in the same clamp, and the drawn "
             "curves start at {one:.1f} and {other:.1f} to the x axis",
-            turn=Angle(turn), one=angles[0], other=Angle(angles[1]), second=part.state_labels[1],
+            turn=Degrees(turn), one=angles[0], other=Degrees(angles[1]), second=part.state_labels[1],
         )  # fmt: skip
         details = [note("Curves that start in the same direction are not turned.")]
         rows += [Row(note("Position"), text, details)]
@@ -107,7 +107,7 @@ def _stability_row(part: Flexure) -> Row:
 
 
 def _force_sentence(part: Flexure) -> Refusal:
-    turn = Angle(round(part.force_direction))
+    turn = Degrees(round(part.force_direction))
     if not part.pair.bistable:
         sentence = note(
             "the end of the part can be clamped in two positions; moving the end between them takes "
@@ -123,7 +123,7 @@ def _force_sentence(part: Flexure) -> Refusal:
             if part.travel.unit == "deg" else
             "{sentence}; the part snaps after {snap:.3g} of travel, and the force jumps from {before:.2g} to "
             "{after:.2g}",
-            sentence=sentence, snap=(Angle if part.travel.unit == "deg" else Length)(snap),
+            sentence=sentence, snap=(Degrees if part.travel.unit == "deg" else Length)(snap),
             before=jump[0], after=Force(jump[1]),
         )  # fmt: skip
     at = Length(part.pushed[0])

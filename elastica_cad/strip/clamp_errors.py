@@ -2,8 +2,6 @@
 
 from functools import lru_cache
 
-import numpy as np
-
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import bend, snap_percent
 from elastica_cad.mechanics.rod import Rod
@@ -34,7 +32,7 @@ def clamp_warning(strip: Strip) -> Refusal | None:
         "close to snapping: the strip snaps into another shape if the clamp at its {end} is turned by "
         "{turn:.2g}; usual errors are up to {error:.2g}. Support the strip between its ends, or "
         "draw another curve",
-        end=note(end), turn=Angle(np.degrees(turn)), error=Angle(np.degrees(error)), severity="warning",
+        end=note(end), turn=Angle(turn), error=Angle(error), severity="warning",
     )  # fmt: skip
 
 

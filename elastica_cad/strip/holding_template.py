@@ -15,7 +15,7 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.refusals import Angle, Force, Length, Listed, Mass, Refusal, note
+from elastica_cad.refusals import Degrees, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Hole
@@ -108,7 +108,7 @@ def angle_text(degrees: float) -> Refusal:
     if round(degrees, 1) == 0:
         return note("straight ahead")
     text = "{angle:.1f} to the left" if degrees > 0 else "{angle:.1f} to the right"
-    return note(text, angle=Angle(abs(degrees)))
+    return note(text, angle=Degrees(abs(degrees)))
 
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:

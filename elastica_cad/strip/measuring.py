@@ -10,7 +10,7 @@ from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import norm, turn_between, unit
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.refusals import Angle, Length, Quantity, number_text
+from elastica_cad.refusals import Degrees, Length, Quantity, number_text
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.holding_template import MARKS, distance_of_tips, heights_of_marks, held_ends, upward
@@ -22,7 +22,7 @@ LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle",
 
 Lengths are in mm and angles in degrees. Heights and angles are measured from the line between the ends."""
 
-KINDS: dict[str, type[Quantity]] = dict.fromkeys(LENGTHS, Length) | dict.fromkeys(ANGLES, Angle)
+KINDS: dict[str, type[Quantity]] = dict.fromkeys(LENGTHS, Length) | dict.fromkeys(ANGLES, Degrees)
 
 SKETCHED = 61
 """Number of points of the curve in `Measuring.shape`."""

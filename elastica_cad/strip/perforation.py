@@ -21,7 +21,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sections import PerforatedSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import MATERIAL_WIDTH, Either, FieldName, note
+from elastica_cad.refusals import MATERIAL_WIDTH, Angle, Either, FieldName, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.strip.outline import Ends, Tab, close_chain, graphs
@@ -414,9 +414,9 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             yield note(
-                "the ligaments (material between holes) {s} from the start are inclined by {angle:.0f} degrees, "
+                "the ligaments (material between holes) {s} from the start are inclined by {angle:.0f}, "
                 "too much for an exact stiffness: use fewer holes along the strip, each at least {long} long",
-                angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
+                angle=Angle(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             )  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))

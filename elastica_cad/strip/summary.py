@@ -22,7 +22,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import (
-    Angle,
+    Degrees,
     Force,
     Length,
     Listed,
@@ -477,7 +477,7 @@ def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
         )  # fmt: skip
     pin = note(
         "pin {at:.0f} from the start pushes the strip with {force:.2g} at {angle:.0f}",
-        at=Length(action.s[0]), force=force, angle=Angle(angle),
+        at=Length(action.s[0]), force=force, angle=Degrees(angle),
     )  # fmt: skip
     assert isinstance(action.element, Pin)
     turn = np.radians(angle) - float(rod.curve.at(action.s).angle[0])

@@ -25,7 +25,7 @@ from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.stability_limits import Course
-from elastica_cad.refusals import Angle, Length, Refusal, note
+from elastica_cad.refusals import Degrees, Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
 
 RESOLUTION_FRACTION = 1e-4
@@ -171,7 +171,7 @@ class Travel:
         if self.is_still:
             return note("{percent:.3g} % of the change", percent=at)
         if self.is_turn:
-            return note("{degrees:.4g} of turn", degrees=Angle(at))
+            return note("{degrees:.4g} of turn", degrees=Degrees(at))
         return note("{at:.4g} of travel", at=Length(round(at, 2)))
 
     @property

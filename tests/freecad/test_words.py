@@ -16,13 +16,16 @@ from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
 from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.refusals import (
     MATERIAL_WIDTH,
+    Angle,
     BareLength,
     Either,
     FieldName,
+    Force,
     Length,
     Listed,
     Point,
     Span,
+    Strain,
     note,
     sentences,
 )
@@ -341,6 +344,7 @@ def test_a_stored_message_has_all_its_values():
         note("{far} from {place}", far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
         note("{long} by {wide}", long=BareLength(5), wide=Length(1.25)),
         note("{count} {flag} {share:.3g}", count=3, flag=True, share=np.float64(0.123456)),
+        note("{force} at {turn}, {strain:.2f}", force=Force(1.5), turn=Angle(30), strain=Strain(0.00456)),
         note("set {name}, or {other}", name=FieldName("max_width"), other=MATERIAL_WIDTH),
         note("{either}", either=Either(["widen it", note("take {name}", name="another sheet")])),
     ])  # fmt: skip

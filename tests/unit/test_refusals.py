@@ -10,7 +10,19 @@ import pytest
 
 from elastica_cad import InputError, NotConvergedError, NotRealizable, PlaneCurve, check_equilibrium
 from elastica_cad.errors import Change, Length
-from elastica_cad.refusals import Angle, Energy, Force, Listed, Mass, Moment, Point, Strain, note, sentences
+from elastica_cad.refusals import (
+    Angle,
+    Degrees,
+    Energy,
+    Force,
+    Listed,
+    Mass,
+    Moment,
+    Point,
+    Strain,
+    note,
+    sentences,
+)
 from elastica_cad.report_rows import printed_table
 from elastica_cad.translations import Translated
 from tests.command_line import run
@@ -39,7 +51,8 @@ def test_a_template_is_filled_and_its_values_keep_their_types():
         (Force(12.345), "12.3 N", "12,3 N"),
         (Moment(0.125), "0.125 N mm", "0,125 N mm"),
         (Energy(2.5), "2.5 mJ", "2,5 mJ"),
-        (Angle(-7.25), "-7.25 degrees", "-7,25 Grad"),
+        (Degrees(-7.25), "-7.25 degrees", "-7,25 Grad"),
+        (Angle(np.pi / 6), "30 degrees", "30 Grad"),
         (Mass(999), "999 g", "999 g"),
         (Mass(1234), "1.23 kg", "1,23 kg"),
         (Strain(0.0048), "0.48 %", "0,48 %"),
@@ -51,7 +64,7 @@ def test_a_number_has_the_unit_of_its_kind_in_every_language(value, english, ger
     message = note("it is {value}", value=value)
     assert (str(message), str(value)) == (f"it is {english}", english)
     assert words.sentence(message) == f"it is {german}"
-    assert json.loads(json.dumps(message.record["values"])) == {"value": float(value)}
+    assert json.loads(json.dumps(message.record["values"])) == {"value": pytest.approx(value.shown[0])}
 
 
 def test_a_column_is_headed_and_rounded_by_the_unit_in_its_name():
