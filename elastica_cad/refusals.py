@@ -107,13 +107,17 @@ class Mass(Quantity):
         return (self / 1000, "kg") if self >= 1000 else (self, "g")
 
 
-class Strain(Quantity):
-    """Strain without unit, shown in percent."""
+class Share(Quantity):
+    """Fraction of a whole, shown in percent."""
 
     @property
     def shown(self) -> tuple[float, str]:
         """Number and unit that are shown."""
         return 100 * self, "%"
+
+
+class Strain(Share):
+    """Strain, shown in percent."""
 
 
 class FieldName(Worded, str):

@@ -31,7 +31,7 @@ from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.cross_sections import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.rod import camber_of
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing
-from elastica_cad.refusals import Length, Mass, Strain
+from elastica_cad.refusals import Length, Mass, Share, Strain
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 
@@ -124,7 +124,7 @@ def batten(**chosen: Any) -> None:
     }  # fmt: skip
     say(*printed_table(columns))
     for side, bow in report.get("camber_with_weight", {}).items():
-        camber = f"{Strain(bow['camber']):.4g} at {Strain(bow['camber_place']):.4g} of the chord"
+        camber = f"{Share(bow['camber']):.4g} at {Share(bow['camber_place']):.4g} of the chord"
         say_row(
             Row(
                 "Weight",
@@ -149,11 +149,12 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     written = _write(strip, None, report, chosen)
     answer({"batten": report})
     if not glued.settled:
-        text = (
-            "the search for the ends of the plies stopped early; other ends may come nearer to the "
-            "planed batten"
+        say_row(
+            warning_row(
+                "the search for the ends of the plies stopped early; other ends may come nearer to the "
+                "planed batten"
+            )
         )
-        say_row(warning_row(text))
     far = f"; the glued plies are at most {report['deviation_mm']:.2g} from the planed batten"
     _say_report(strip, report, f"{chosen['leaves']} plies of {report['leaf_thickness_mm']:.4g}", far)
     lengths = np.array([leaf.length for leaf in glued.leaves])
@@ -169,7 +170,7 @@ def _quantities(strip: Strip) -> dict[str, Any]:
     rod, (depth, place) = strip.rod, camber_of(strip.rod)
     return {
         "length_mm": Length(rod.length), "chord_mm": Length(norm(rod.chord)),
-        "camber": Strain(depth), "camber_place": Strain(place),
+        "camber": Share(depth), "camber_place": Share(place),
         "end_force_N": strip.reactions().sizes[0][0], "mass_g": Mass(strip.mass),
         "max_strain": Strain(strip.max_strain), "strain_limit": Strain(strip.strain_limit),
     }  # fmt: skip
