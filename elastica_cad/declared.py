@@ -8,13 +8,14 @@ import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence, Sized
 from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
-from functools import cache, cached_property
+from functools import cache
 from pkgutil import resolve_name
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._values import is_number, is_one_of, is_series, is_whole
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.refusals import note, sentences

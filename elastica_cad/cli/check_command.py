@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import chain, count, groupby
 from math import ceil
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad.cli.element_options import ELEMENTS, element_options, elements_of
 from elastica_cad.cli.options import smooth_option
 from elastica_cad.cli.requested_curves import (

@@ -1,11 +1,11 @@
 """Drawn curve in units of its length, and measures of the distance of a rod from the curve."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.constraints import thin_rows

@@ -5,11 +5,11 @@ The strip has no weight, as Theorem 1 of the paper requires.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import require_flag
 from elastica_cad.errors import InputError

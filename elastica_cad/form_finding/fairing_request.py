@@ -1,17 +1,17 @@
 """Smoothing of a drawn curve, on request or if the outline of the strip would have steps or corners."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._values import require_record
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.fairing import Fairing, fair_curve, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.tangent_healing import LARGEST_REMOVED_RAD
 from elastica_cad.mechanics.equilibrium_check import examine
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
     NaturalCurvature,
@@ -19,6 +19,7 @@ from elastica_cad.mechanics.loads import (
     require_natural_curvature,
     require_supports,
 )
+from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.theorem1 import (
     KINK_SHARE,
@@ -122,7 +123,8 @@ class Smoothing:
 
     def _weightless_rod_on(self, curve: PlaneCurve) -> Rod | None:
         try:
-            return optimal_rod(curve, supports=self.supports, natural_curvature=self.natural_curvature)
+            supports = self.supports or Supports()
+            return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
         except ElasticaError:
             return None
 

@@ -3,11 +3,11 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
 from elastica_cad.form_finding.limits import MET, ActiveLimit, Keep, Limits, Measure, require_limits

@@ -1,10 +1,10 @@
 """Request for a nearest rod, with the length of the drawn curve as the unit of length."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError

@@ -5,12 +5,12 @@ The unit of length is the length of the target curve.
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, NamedTuple, Self, TypeAlias, cast
 
 import numpy as np
 
 from elastica_cad import _native
+from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError

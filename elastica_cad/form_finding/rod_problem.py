@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.constraints import (

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TypeAlias
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.form_finding.fairing_request import Smoothing, check_smooth
 from elastica_cad.form_finding.limits import Keep, Limits, Measure

@@ -7,11 +7,11 @@ points of a search are only nearly in equilibrium, and derivatives predict the p
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.form_finding.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic

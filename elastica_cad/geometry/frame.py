@@ -1,11 +1,11 @@
 """Position and orientation of planes in space."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import hypot, isfinite
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, require_number, require_record
 from elastica_cad.errors import InputError

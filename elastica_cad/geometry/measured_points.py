@@ -1,10 +1,10 @@
 """Source of a curve in a file, and the points to which a curve was fitted, with their noise."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import rounded_up
 from elastica_cad.geometry.plane_points import (

@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from math import acos, atan, atan2, ceil, cos, dist, floor, isfinite, pi, sin
 from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number
 from elastica_cad.errors import InputError

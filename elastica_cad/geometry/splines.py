@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from math import ceil, cos, pi
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive

@@ -1,13 +1,13 @@
 """Shapes and animation of a strip whose end slides along a line or rotates."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from os import PathLike
 from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import distinct_digits, is_number, require_record
 from elastica_cad.errors import InputError

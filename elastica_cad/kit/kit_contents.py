@@ -3,9 +3,9 @@
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._values import and_more, counted
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.design.kit_spec import HolderKind, KitSpec

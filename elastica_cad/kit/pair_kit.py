@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting

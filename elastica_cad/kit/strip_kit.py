@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import request_record

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from itertools import product
 from typing import Annotated, Literal, TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import (
     EqualByValue,

@@ -16,11 +16,11 @@ One integration for each of these numbers is therefore enough.
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import NoReturn
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import EqualByValue
@@ -615,15 +615,11 @@ class RodRequest(EqualByValue):
         """Curve that is the requested rest shape."""
         return self.curve
 
-    @property
+    @cached_property
     def check(self) -> EquilibriumCheck:
         """Result of the check of Theorem 1; under forces between the ends, inflections need not be on a line."""
-        # a known check takes no lock: up to Python 3.11 all requests share one, which is held here while a curve
-        # is smoothed, and smoothing solves rods itself
-        return self._examined if self.known_check is None else self.known_check
-
-    @cached_property
-    def _examined(self) -> EquilibriumCheck:
+        if self.known_check is not None:
+            return self.known_check
         return self.examined()
 
     def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from itertools import pairwise
 from math import isclose
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive

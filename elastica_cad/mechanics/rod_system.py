@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import dot, unit_vectors
 from elastica_cad.mechanics.bracing import bracing_of

@@ -1,12 +1,12 @@
 """Battens of tapered stock, with tables and drawings for the workshop."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 from textwrap import wrap
 from typing import Literal
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import numbers

@@ -7,11 +7,11 @@ little over a face.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import combinations
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
 from elastica_cad.geometry.plane_points import dot, left_of, near_pairs, norm, turns_along, unit_vectors

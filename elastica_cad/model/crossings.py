@@ -14,12 +14,13 @@ If the rulings are parallel, n is zero. A common ruling then passes through each
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path_intersections import segment_crossings

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 from itertools import combinations
 from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import EqualByValue, and_more, require_record
 from elastica_cad.declared import Option, require_declared

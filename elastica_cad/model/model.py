@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import partial
 from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike, Takes, required
 from elastica_cad._values import counted, direction, is_whole, several, three

@@ -1,11 +1,11 @@
 """Request for a part with two rest shapes: two curves, a sheet, and limits."""
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Annotated, Literal
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError

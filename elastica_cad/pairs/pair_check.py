@@ -12,10 +12,10 @@ some N has the sign of d everywhere, and the same zeros with the same orders. Th
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, InputError

@@ -4,11 +4,11 @@ The rod with the least stiffness ratio and bend, or with the largest least thick
 """
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Annotated, Literal, NoReturn, TypeAlias
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.declared import Option

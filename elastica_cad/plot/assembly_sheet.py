@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import accumulate, groupby, zip_longest
 from os import PathLike
 from textwrap import wrap
@@ -12,6 +11,7 @@ from unicodedata import east_asian_width
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted, is_one_of
 from elastica_cad.errors import InputError

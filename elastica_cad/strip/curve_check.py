@@ -1,11 +1,11 @@
 """Check whether a strip can take a drawn curve, and changes that make an impossible curve possible."""
 
 from dataclasses import dataclass, field, fields
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import examine

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Annotated
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several

@@ -2,12 +2,12 @@
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError, rounded_up

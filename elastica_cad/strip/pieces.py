@@ -4,12 +4,12 @@ from bisect import bisect_left, bisect_right, insort
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 from itertools import count
 from operator import itemgetter
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, require_record, value_key

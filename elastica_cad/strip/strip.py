@@ -3,13 +3,13 @@
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import rows_table
 from elastica_cad._types import EMPTY, ArrayLike, FloatArray, Takes, required
 from elastica_cad._values import (

@@ -4,11 +4,11 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from dataclasses import fields as fields_of
-from functools import cached_property
 from typing import Annotated, Any, TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import EMPTY, Takes
 from elastica_cad._values import EqualByValue, is_number, is_one_of, is_series, require_record, several
 from elastica_cad.declared import Option, require_declared

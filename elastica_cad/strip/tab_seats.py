@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import chain, pairwise, repeat
 from operator import itemgetter
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError
