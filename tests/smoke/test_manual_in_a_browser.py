@@ -36,7 +36,7 @@ def test_a_page_of_the_manual(tmp_path):
     site = built(tmp_path / "site", "--english")
     shown = (site / "reference" / "python.html").read_text(encoding="utf-8")
     packages = {"design", "formats", "form_finding", "geometry", "mechanics", "model", "pairs", "plot"}
-    packages |= {"published", "strip"}
+    packages |= {"paper", "strip"}
     assert [name for name in ec.__all__ if name not in packages and f'id="{name.lower()}"' not in shown] == []
     assert crawled(site, "--page", "tutorials/first_strip.html") == 1
     assert 'href="contributing.html"' in (site / "trust.html").read_text(encoding="utf-8")
