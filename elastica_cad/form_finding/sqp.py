@@ -5,7 +5,9 @@ points of a search are only nearly in equilibrium, and derivatives predict the p
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from typing import Generic, NamedTuple, TypeVar
 
@@ -499,6 +501,19 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     return best
 
 
+_STEPS_LEFT = ContextVar("_STEPS_LEFT", default=np.inf)
+
+
+@contextmanager
+def at_most(steps: int) -> Iterator[None]:
+    """Let all searches of the block take this number of steps together; then they raise NotConvergedError."""
+    before = _STEPS_LEFT.set(steps)
+    try:
+        yield
+    finally:
+        _STEPS_LEFT.reset(before)
+
+
 def minimize(
     program: NonlinearProgram[Point], start: Point, *, known: Sequence[Outcome[Point]] = ()
 ) -> Outcome[Point]:
@@ -513,7 +528,7 @@ def minimize(
     Raises
     ------
     NotConvergedError
-        No initial point was found.
+        No initial point was found, or the steps of `at_most` are used up.
     """
     walk = _Walk(_begin(program, start), np.zeros(program.highest_penalties.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
@@ -524,6 +539,9 @@ def minimize(
             if program.apart(walk.here.local.point, other.point) < SETTINGS.same_optimum**2 * other.objective:
                 return replace(other, iterations=iteration)
         iteration += 1
+        _STEPS_LEFT.set(_STEPS_LEFT.get() - 1)
+        if _STEPS_LEFT.get() < 0:
+            raise NotConvergedError("the search took more steps than allowed")
         walk.advance()
         broken.append(walk.here.violation)
         before = max(broken[-SETTINGS.patience :]) if iteration > SETTINGS.patience else np.inf

@@ -14,6 +14,9 @@ MOST_CORNERS = 100
 MOST_INFLECTIONS = 500
 """Largest number of inflections of a curve for which a rail, pin or tie is sought without a request."""
 
+MOST_STEPS = 300
+"""Largest number of steps of all searches for a nearest curve together that follow one refusal."""
+
 
 def not_tried(curve: PlaneCurve) -> Refusal | None:
     """Return why nothing is computed for a curve without a request, or None for a curve of usual size."""

@@ -12,6 +12,7 @@ from elastica_cad.errors import Change, ElasticaError, StrainError, rounded_up
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
+from elastica_cad.form_finding.sqp import at_most
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
@@ -22,7 +23,7 @@ from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
-from elastica_cad.mechanics.trials import MOST_CORNERS, MOST_INFLECTIONS, not_tried
+from elastica_cad.mechanics.trials import MOST_CORNERS, MOST_INFLECTIONS, MOST_STEPS, not_tried
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
@@ -274,17 +275,18 @@ def suggest(
     # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     try:
-        for changes in _changes(spec, problem, fields):
-            tried = (change for change in changes if fields is None or change.field in fields)
-            held = (
-                try_change(
-                    spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size
+        with at_most(MOST_STEPS):
+            for changes in _changes(spec, problem, fields):
+                tried = (change for change in changes if fields is None or change.field in fields)
+                held = (
+                    try_change(
+                        spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size
+                    )
+                    for change in islice(tried, MOST_TRIED)
                 )
-                for change in islice(tried, MOST_TRIED)
-            )
-            found += islice(filter(None, held), 1)
-            if len(found) == MOST_SUGGESTIONS:
-                break
+                found += islice(filter(None, held), 1)
+                if len(found) == MOST_SUGGESTIONS:
+                    break
     except (KeyboardInterrupt, MemoryError) as error:
         interrupt = error
     yield from _in_order(found)
