@@ -584,8 +584,10 @@ def _suggestions_for_necks(
 ) -> tuple[str, tuple[Change, ...]]:
     wider, nearest = _change_of_width(strip, times), change_to_nearest(strip.rod)
     field = outline_field(strip.style)
-    too_thin = wider and find_thin_places(
-        [strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least
+    # a strip that is wider than long is no remedy, and its places take long to compare
+    too_thin = wider and (
+        times * strip.width.extremes[1] > strip.rod.length
+        or find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least)
     )
     judged = strip.strain_verdict
     if too_thin or not (judged.allowed or judged.unloaded):
