@@ -25,6 +25,7 @@ from elastica_cad import (
     stability,
 )
 from elastica_cad.form_finding.editable_curve import coarse_curve
+from elastica_cad.form_finding.sqp import at_most
 
 pytestmark = pytest.mark.core
 
@@ -289,6 +290,12 @@ def test_what_binds_tells_the_slope():
     cost = next(b.cost for b in near.binding if b.name == "ratio")
     a, b = (nearest_rod(WAVE, Limits(ratio=r)).mean_deviation for r in (1.95, 2.05))
     assert cost == pytest.approx((a - b) / 0.1, rel=0.1)
+
+
+def test_the_searches_of_a_block_share_their_steps():
+    with at_most(3), pytest.raises(NotConvergedError, match="more steps than allowed"):
+        nearest_rod(WAVE, Limits(ratio=2.0))
+    assert nearest_rod(WAVE, Limits(ratio=2.0)).met
 
 
 def test_out_of_reach_is_said():

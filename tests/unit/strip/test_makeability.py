@@ -71,6 +71,11 @@ def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     assert find_strip_faults(strip((40, 1, 40), max_width=120.0)) == ()
 
 
+def test_a_strip_is_not_made_wider_than_it_is_long():
+    (fault,) = find_strip_faults(strip((160, 1, 160), max_width=80.0))
+    assert fault.cure == "Let the program change the curve so that the widths differ less"
+
+
 def test_a_strip_that_is_overstrained_at_every_width_is_not_made_wider():
     loop = PlaneCurve.spline([(0, 0), (310, 160), (-50, 160), (260, 0)], degree=3)
     assert not make_strip(loop, "pom-0.5", max_width=90).strain_verdict.allowed

@@ -99,6 +99,15 @@ def test_no_nearest_curve_is_sought_for_more_than_100_corners():
     assert list(suggest(spec, refusal.value)) == []
 
 
+def test_the_searches_after_a_refusal_share_a_bound_of_steps(monkeypatch):
+    spec = ec.StripSpec(ec.PlaneCurve.arc((0, 0), 60, 0, 3), "oak-3", max_width=12)
+    with pytest.raises(ec.ElasticaError, match="strain") as refused:
+        spec.make()
+    assert [found.change.field for found in suggest(spec, refused.value)][-1] == "nearest"
+    monkeypatch.setattr(suggestions, "MOST_STEPS", 1)
+    assert [found.change.field for found in suggest(spec, refused.value)] == ["sheet", "size"]
+
+
 def test_no_change_of_a_curve_of_very_many_pieces_is_tried(monkeypatch, tmp_path):
     wave = ec.PlaneCurve.spline(ZIGZAG, degree=3)
     spec = ec.StripSpec(wave, "pom-0.5", max_width=20)
