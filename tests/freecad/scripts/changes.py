@@ -50,7 +50,7 @@ def pointed_at(widget):
 
 def found(name):
     """What the panel offers when its search has ended."""
-    until(lambda: not panel().form.searching.isVisible() and len(suggestions()) > 0)
+    until(lambda: not panel().form.searching.isVisible() and len(suggestions()) > 0, 120)
     answers[name] = suggestions()
 
 
