@@ -506,7 +506,7 @@ _STEPS_LEFT = ContextVar("_STEPS_LEFT", default=np.inf)
 
 @contextmanager
 def at_most(steps: int) -> Iterator[None]:
-    """Let all searches of the block take this number of steps together; then they raise NotConvergedError."""
+    """Limit the total number of steps of the searches in a `with` block; beyond it they raise NotConvergedError."""
     before = _STEPS_LEFT.set(steps)
     try:
         yield

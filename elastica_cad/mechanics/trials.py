@@ -15,7 +15,7 @@ MOST_INFLECTIONS = 500
 """Largest number of inflections of a curve for which a rail, pin or tie is sought without a request."""
 
 MOST_STEPS = 300
-"""Largest number of steps of all searches for a nearest curve together that follow one refusal."""
+"""Largest total number of steps of the searches for a nearest curve after one refusal."""
 
 
 def not_tried(curve: PlaneCurve) -> Refusal | None:
