@@ -150,6 +150,12 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     "-o out.",
                     kept=requested.path,
                 )
+            if shared := sorted({*map(str, places)} & {*voice().files}):
+                raise InputError(
+                    "{path} is already a file of another curve. Rename one of the two curves in the drawing, or "
+                    "write one of them to another folder with --curve and -o.",
+                    path=shared[0],
+                )
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
             if len(curves) > 1 and not voice().verbose:

@@ -99,6 +99,18 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     assert f"in {out} (cut: drawn-arch.dxf and drawn-bow.dxf)" in done.stdout
 
 
+def test_no_file_of_one_curve_replaces_a_file_of_another(drawing, tmp_path):
+    drawing.write_text(drawing.read_text().replace('id="bow"', 'id="arch-holding"'))
+    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step", "--force")
+    done = run("strip", drawing, "--all", *wishes, "-o", tmp_path, code=2)
+    template = tmp_path / "drawn-arch-holding.dxf"
+    assert f"{template} is already a file of another curve" in done.stderr
+    alone = tmp_path / "alone"
+    run("strip", drawing, "--curve", "arch", *wishes, "-o", alone)
+    drawn = [path.read_text().splitlines()[2:] for path in (template, alone / template.name)]
+    assert drawn[0] == drawn[1], "apart from the comment with the command"
+
+
 def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(drawing, tmp_path):
     """When a pupil draws her curve anew it is the last of the file; the numbers of all others change."""
     drawing.write_text(drawing.read_text().replace('id="bow"', 'id="path9" inkscape:label="Böw"'))
