@@ -39,14 +39,14 @@ def _refuse_constant(name: str) -> None:
     raise ValueError(name)  # NaN and Infinity are not JSON
 
 
-def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
+def _head_of(question: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keys of a request that are repeated in the answer, so that the page can match them."""
     return {name: question[name] for name in ("id", "do", "kind") if name in question}
 
 
 def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
-    """Return an error as the answer to a request that no worker can answer."""
-    return json.dumps(head_of(question) | refused(problem)).encode()
+    """Return an error as the answer to a request that no worker can answer, in the language of the page."""
+    return _text_answer(question, refused(problem))
 
 
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
@@ -73,10 +73,15 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(
             InputError("The design cannot be read because values have the wrong type. Correct them.")
         )
-    words, head = _PageWords(request.get("language", "en")), head_of(request)
     if isinstance(response, Download):
-        return b"file", json.dumps(head | {"name": response.name}).encode() + b"\n" + response.content
-    return b"text", json.dumps(head | _translated(response, words), allow_nan=False).encode()
+        head = json.dumps(_head_of(request) | {"name": response.name}).encode()
+        return b"file", head + b"\n" + response.content
+    return b"text", _text_answer(request, response)
+
+
+def _text_answer(request: Mapping[str, Any], response: Any) -> bytes:
+    words = _PageWords(request.get("language", "en"))
+    return json.dumps(_head_of(request) | _translated(response, words), allow_nan=False).encode()
 
 
 class _PageWords(Translated):

@@ -50,17 +50,17 @@ class Workers:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
-    def request(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
+    def request(self, page: int, question: dict[str, Any], line: bytes, send: Send) -> bool:
         """Queue a request. It replaces a waiting request of the same kind from the same page.
 
         Return False if too many other requests from the page are waiting.
         """
-        key = (page, f"{head.get('do')} {head.get('kind', '')}")
+        key = (page, f"{question.get('do')} {question.get('kind', '')}")
         if key not in self._waiting:
             if sum(waiting == page for waiting, _ in self._waiting) >= MOST_WAITING:
                 return False
             self._arrived.release()
-        self._waiting[key] = head, line, send
+        self._waiting[key] = question, line, send
         return True
 
     def forget(self, page: int) -> None:
@@ -74,19 +74,22 @@ class Workers:
             while True:
                 process = process or await _start_worker(self._saved)
                 await self._arrived.acquire()
-                head, line, send = self._waiting.pop(next(iter(self._waiting)))
+                question, line, send = self._waiting.pop(next(iter(self._waiting)))
                 if not line:
                     continue
-                seconds = LONGEST_S.get(str(head.get("do")), USUAL_S)
+                seconds = LONGEST_S.get(str(question.get("do")), USUAL_S)
                 try:
                     kind, content = await asyncio.wait_for(_response(process, line), seconds)
-                except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as problem:
+                except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as failure:
                     await _end(process)
                     process = None
-                    late = isinstance(problem, TimeoutError)
-                    reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
-                    kind, content = b"text", refused_answer(head, refusal)
+                    reason = "The request needed too much memory. Use fewer strips, samples or holes."
+                    if isinstance(failure, TimeoutError):
+                        reason = (
+                            "The request took longer than {seconds} s. Use fewer strips, samples or holes."
+                        )
+                    problem = InputError(reason, seconds=round(seconds))
+                    kind, content = b"text", refused_answer(question, problem)
                 # the page may have been closed meanwhile
                 with suppress(Exception):
                     await send(kind, content)

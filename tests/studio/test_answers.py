@@ -1,5 +1,6 @@
 """What the page is answered, without the server between."""
 
+import asyncio
 import json
 import re
 from itertools import count
@@ -20,6 +21,7 @@ from elastica_cad.web.answers import Download, answer, requested_spec, with_poin
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
 from elastica_cad.web.worker import reply
+from elastica_cad.web.workers import LONGEST_S, Workers
 from tests.studio.conftest import ARCH, WAVE, design, wave, without_command
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
@@ -62,6 +64,27 @@ def test_rows_are_in_the_language_of_the_page():
     text = " ".join(sentence for row in rows for sentence in (row["text"], *row["details"]))
     assert re.search(r"\d,\d mm lang", text)
     assert not re.search(r"\b(the|is|long|apart|about|at)\b", text), text
+
+
+def test_a_request_that_takes_too_long_is_refused_in_the_language_of_the_page(monkeypatch):
+    monkeypatch.setitem(LONGEST_S, "strip", 0.0)
+    question = {"do": "strip", "id": 7, "design": design(), "language": "de"}
+
+    async def first_answer():
+        workers, answered = Workers(None), asyncio.get_running_loop().create_future()
+
+        async def send(kind, content):
+            answered.set_result(json.loads(content))
+
+        workers.start()
+        assert workers.request(1, question, json.dumps(question).encode(), send)
+        found = await answered
+        await workers.stop()
+        return found
+
+    found = asyncio.run(first_answer())
+    assert (found["id"], found["do"]) == (7, "strip")
+    assert found["refused"]["message"].startswith("Die Anfrage dauerte länger als 0 s.")
 
 
 def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
