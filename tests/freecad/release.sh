@@ -11,7 +11,7 @@ packages="make freecad qt6-svg-plugins xvfb xauth xdotool openbox imagemagick py
 [ "$(id -u)" = 0 ] || { echo "debootstrap needs root: sudo tests/freecad/release.sh $release"; exit 1; }
 command -v debootstrap >/dev/null || apt-get install -y -qq --no-install-recommends debootstrap >/dev/null
 
-leave() { for place in project dev proc; do mountpoint -q "$root/$place" && umount "$root/$place"; done; true; }
+leave() { for place in project dev proc; do mountpoint -q "$root/$place" && umount --lazy "$root/$place"; done; true; }
 trap leave EXIT
 if [ ! -e "$root/made" ]; then
 	rm -rf --one-file-system "$root"
