@@ -1,5 +1,6 @@
-"""Parser for TOML from users, with limited memory."""
+"""Strings of TOML, and a parser for TOML from users, with limited memory."""
 
+import json
 import re
 import tomllib
 from typing import Any
@@ -31,3 +32,15 @@ def parse_toml(text: str) -> dict[str, Any]:
         line = text.count("\n", 0, match.start()) + 1
         raise tomllib.TOMLDecodeError(f"Key of more than {DEEPEST_KEY} parts (at line {line}, column 1)")
     return tomllib.loads(text)
+
+
+def toml_string(text: str) -> str:
+    """Return the text as a basic string of TOML.
+
+    Examples
+    --------
+    >>> print(toml_string('plywood 1/32"'))
+    "plywood 1/32\\""
+    """
+    # a string of JSON, apart from the only control character that JSON allows
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from elastica_cad._toml import toml_string
+
 
 def toml_text(table: Mapping[str, Any]) -> str:
     """Return a table as TOML.
@@ -47,7 +49,7 @@ def _line(key: str, value: Any) -> str:
 
 def toml_key(key: str) -> str:
     """Return a key as TOML, in quotes if necessary."""
-    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else toml_string(key)
 
 
 def _value(value: Any) -> str:
@@ -55,7 +57,7 @@ def _value(value: Any) -> str:
         return "{ " + ", ".join(f"{toml_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_value(item) for item in value) + "]"
-    return json.dumps(value, ensure_ascii=False)
+    return toml_string(value) if isinstance(value, str) else json.dumps(value)
 
 
 def seen_from(path: str | Path, folder: Path) -> str:

@@ -18,7 +18,7 @@ import numpy as np
 
 from elastica_cad._notebook import html_table
 from elastica_cad._text import plain_name
-from elastica_cad._toml import parse_toml
+from elastica_cad._toml import parse_toml, toml_string
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path, with_article
 from elastica_cad.declared import Field, Option, declared
@@ -130,17 +130,10 @@ def _finite_number(value: Any, where: str) -> float:
     return number
 
 
-def toml_text(text: str) -> str:
-    """Return the text as a basic string of TOML."""
-    import json
-
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
 def _toml_value(value: str | float | tuple[float, float]) -> str:
     if isinstance(value, tuple):
         return f"[{value[0]!r}, {value[1]!r}]"
-    return toml_text(value) if isinstance(value, str) else repr(float(value))
+    return toml_string(value) if isinstance(value, str) else repr(float(value))
 
 
 class NominalRatio(float):
@@ -792,7 +785,7 @@ class Sheet:
 
     def toml(self) -> str:
         """Return the sheet as an entry of a file that `load_sheets` reads."""
-        lines = [f"[sheets.{toml_text(self.name)}]"]
+        lines = [f"[sheets.{toml_string(self.name)}]"]
         for key, field_name in ((key, entry.name) for key, entry in sheet_keys().items()):
             value = getattr(self, field_name)
             if value is None or (field_name in ("kind", "source") and not value):

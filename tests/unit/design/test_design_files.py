@@ -1,5 +1,7 @@
 """Design files: what they mean, and one clear sentence for each thing that is wrong in them."""
 
+import tomllib
+
 import numpy as np
 import pytest
 
@@ -17,6 +19,7 @@ from elastica_cad import (
 from elastica_cad.design import read_design
 from elastica_cad.design.records import parsed_line
 from elastica_cad.design.tables import Slips
+from elastica_cad.design.toml_text import toml_text
 from elastica_cad.files import read_surface
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model import rocking_tabs
@@ -677,3 +680,9 @@ def test_a_backslash_in_the_name_of_a_file_of_sheets_is_named(read):
         InputError, match=r'sheets_file: the file "a\\nb\.toml" does not exist. Write / in place'
     ):
         read(f'sheets_file = "a\\nb.toml"\n{HEAD}[[strips]]\n{ARC}\n')
+
+
+def test_a_table_is_read_as_written_whatever_characters_it_has():
+    signs = "".join(map(chr, [*range(0x3000), 0xFEFF, 0x1F44D, 0x10FFFF]))
+    table = {"name": signs, "strips": [{"label": "left", "curve": {signs: signs}}]}
+    assert tomllib.loads(toml_text(table)) == table
