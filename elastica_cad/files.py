@@ -6,7 +6,7 @@ Readers and writers are imported on first use, because a command usually reads a
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import (
@@ -29,7 +29,95 @@ if TYPE_CHECKING:
     from elastica_cad.strip.strip import Strip
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
-CURVE_SUFFIXES = (".dxf", ".svg", ".svgz", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
+
+
+class CurveFormat(NamedTuple):
+    """A kind of file with curves. Messages, help of the commands and the page follow from `CURVE_FORMATS`.
+
+    Attributes
+    ----------
+    name : str
+        Name in messages and help.
+    suffixes : tuple of str
+    read : callable
+        Function that returns the `DrawnFile` of a path. Its other arguments are those of `read_drawing`.
+    remark : str
+        What such a file contains, or needs, if its name does not tell.
+    begins : bytes
+        Pattern of the first bytes, by which standard input is recognised. Other input is read as CSV.
+    is_text : bool
+        True if the page can read such a file.
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    read: Callable[..., DrawnFile]
+    remark: str = ""
+    begins: bytes = b"(?!)"
+    is_text: bool = True
+
+
+def _read_dxf(path: Path, **settings: Any) -> DrawnFile:
+    from elastica_cad.formats.dxf_curves import read_dxf_drawing
+
+    return read_dxf_drawing(path, **settings)
+
+
+def _read_svg(path: Path, **settings: Any) -> DrawnFile:
+    try:
+        from elastica_cad.formats.svg_curves import read_svg_drawing
+    except ImportError as error:
+        raise missing_library(f"reading {path.name} needs cssselect2", "cssselect2") from error
+    return read_svg_drawing(path, **settings)
+
+
+def _read_csv(path: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
+    from elastica_cad.formats.point_files import read_csv_drawing
+
+    return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
+
+
+def _read_text(path: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
+    from elastica_cad.formats.point_files import read_text_drawing
+
+    return read_text_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
+
+
+def _read_json(path: Path, *, unit: str | None, **_: Any) -> DrawnFile:
+    from elastica_cad.formats.json_curves import read_json_drawing
+
+    return read_json_drawing(path, unit=unit)
+
+
+def _read_step(path: Path, *, unit: str | None, **_: Any) -> DrawnFile:
+    try:
+        from elastica_cad.kernel.step_files import read_step_drawing
+    except ImportError as error:
+        raise _no_kernel(path) from error
+    return read_step_drawing(path, unit=unit)
+
+
+CURVE_FORMATS = (
+    CurveFormat(
+        "DXF", (".dxf",), _read_dxf, begins=rb"AutoCAD Binary DXF|(999\s.*\s+)?0\s+SECTION"
+    ),
+    CurveFormat("SVG", (".svg",), _read_svg, begins=b"<"),
+    CurveFormat("compressed SVG", (".svgz",), _read_svg, begins=rb"\x1f\x8b", is_text=False),
+    CurveFormat("CSV", (".csv",), _read_csv, "measured points"),
+    CurveFormat(
+        "TXT", (".txt",), _read_text, "measured points, or control points of a spline",
+        rb"\d+[ \t]+\d+[ \t]*\r?\n",
+    ),
+    CurveFormat("JSON", (".json",), _read_json, "written by this program", rb"[{\[]"),
+    CurveFormat(
+        "STEP", KERNEL_SUFFIXES, _read_step, "needs build123d or CadQuery", b"ISO-10303-21", is_text=False
+    ),
+)  # fmt: skip
+
+
+def listed_formats() -> str:
+    """Return the names of all `CURVE_FORMATS`, with their remarks, as a list in a sentence."""
+    return ", ".join(f"{kind.name} ({kind.remark})" if kind.remark else kind.name for kind in CURVE_FORMATS)
 
 
 def read_curves(
@@ -107,46 +195,17 @@ def read_drawing(
         In DXF and SVG, also join ends that meet at a corner.
     """
     with name_source(path) as file:
-        suffix = file.suffix.lower()
-        if suffix == ".dxf":
-            from elastica_cad.formats.dxf_curves import read_dxf_drawing
-
-            return read_dxf_drawing(
-                file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
-            )
-        if suffix in (".svg", ".svgz"):
-            try:
-                from elastica_cad.formats.svg_curves import read_svg_drawing
-            except ImportError as error:
-                raise missing_library(f"reading {file.name} needs cssselect2", "cssselect2") from error
-            return read_svg_drawing(
-                file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
-            )
-        if suffix in (".csv", ".txt"):
-            from elastica_cad.formats.point_files import read_csv_drawing, read_text_drawing
-
-            read = read_csv_drawing if suffix == ".csv" else read_text_drawing
-            return read(file, fit_tolerance=fit_tolerance, unit=unit)
-        if suffix == ".json":
-            from elastica_cad.formats.json_curves import read_json_drawing
-
-            return read_json_drawing(file, unit=unit)
-        if suffix in KERNEL_SUFFIXES:
-            return _kernel_drawing(file, unit)
+        for kind in CURVE_FORMATS:
+            if file.suffix.lower() in kind.suffixes:
+                return kind.read(
+                    file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
+                )
     raise InputError(
         "{path} ends in {suffix!r}, but files of curves end in {curve_suffixes}. Export the curve to such a file.",
         path=path,
-        suffix=suffix,
-        curve_suffixes=", ".join(CURVE_SUFFIXES),
+        suffix=file.suffix.lower(),
+        curve_suffixes=", ".join(suffix for kind in CURVE_FORMATS for suffix in kind.suffixes),
     )
-
-
-def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
-    try:
-        from elastica_cad.kernel.step_files import read_step_drawing
-    except ImportError as error:
-        raise _no_kernel(path) from error
-    return read_step_drawing(path, unit=unit)
 
 
 def read_model(path: str | Path) -> "Model":

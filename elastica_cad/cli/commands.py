@@ -55,7 +55,7 @@ ALIKE = {"name": "label"}
 """Options with the same use in different commands: the name in some commands, and the name in the others."""
 
 FILES = {
-    "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
+    "curve": "name a file with the curve, such as arch.dxf, or - for standard input",
     "first": "name the file with the first rest shape, or a design file with a table [pair]",
     "design": "name a design file; `elastica new pavilion` writes an example",
     "mesh": "name the file of a mesh (OBJ, STL, PLY) or of a STEP body",
@@ -118,6 +118,13 @@ class _Sentences(click.Group):
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
             return super().make_context(*args, **options)
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from elastica_cad.files import listed_formats
+
+        assert self.help is not None
+        self.help = self.help.replace("FORMATS", listed_formats())
+        super().format_help_text(ctx, formatter)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
@@ -284,10 +291,9 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica bow arch.dxf --rod 8                 a rod bent by a cord
       elastica sections pot.obj --radial 16         curves where 16 half planes cut a mesh or a STEP body
 
-    Curves come from DXF, SVG, CSV, JSON, TXT (points, or control points of a spline) and, if build123d or CadQuery
-    is installed, STEP. Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v. The
-    options below may stand before or after the command. `elastica help` lists all settings of a strip (keys of a
-    design file and of --set), and `elastica help KEY` explains a key.
+    Curves come from files: FORMATS. Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json
+    and -v. The options below may stand before or after the command. `elastica help` lists all settings of a strip
+    (keys of a design file and of --set), and `elastica help KEY` explains a key.
 
     Exit codes: 0 done, with warnings or without; 1 the input is valid, but no strip can be made (no strip can take
     the curve, this is undecided, a limit of the request or of the workshop is not met, such as --margin, --ratio or

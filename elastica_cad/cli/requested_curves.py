@@ -19,7 +19,7 @@ from elastica_cad.cli.options import join_options
 from elastica_cad.cli.voice import say_row, voice, warn
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import InputError, quoted
-from elastica_cad.files import read_drawing
+from elastica_cad.files import CURVE_FORMATS, read_drawing
 from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile
 from elastica_cad.formats.source_file import LARGEST_FILE
 from elastica_cad.geometry.fairing import round_corners
@@ -67,15 +67,7 @@ def _standard_input(ctx: click.Context) -> Path:
 
 def _suffix(data: bytes) -> str:
     head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
-    if head.startswith((b"<", b"\x1f\x8b")):
-        return ".svg"
-    if head.startswith((b"{", b"[")):
-        return ".json"
-    if head.startswith(b"ISO-10303-21"):
-        return ".step"
-    if head.startswith(b"AutoCAD Binary DXF") or re.match(rb"(999\s.*\s+)?0\s+SECTION", head):
-        return ".dxf"
-    return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
+    return next((kind.suffixes[0] for kind in CURVE_FORMATS if re.match(kind.begins, head)), ".csv")
 
 
 UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])

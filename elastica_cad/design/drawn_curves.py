@@ -103,7 +103,7 @@ class CurveOfFile(_Curve):
     In `file`, `id` and `layer`, {i} stands for the number of the strip, as in labels.
     """
 
-    file: Annotated[str, Option("File name, relative to the design file: DXF, SVG, CSV, JSON or STEP.")]
+    file: Annotated[str, Option("Name of a file with curves, relative to the design file.")]
     number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
     id: Annotated[
         str | None,

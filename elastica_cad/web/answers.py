@@ -19,7 +19,7 @@ from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
 from elastica_cad.design.tables import with_present_keys
 from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
-from elastica_cad.files import read_curves
+from elastica_cad.files import CURVE_FORMATS, read_curves
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats.source_file import read_below
@@ -85,7 +85,7 @@ DRAWN_NODES = 160
 CHORD_MM = 0.05
 """Largest distance, mm, between the cut outline and the lines on the screen."""
 
-DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
+DROPPED = (*(suffix for kind in CURVE_FORMATS if kind.is_text for suffix in kind.suffixes), ".toml")
 """Files that may be dropped on the page, by suffix."""
 
 CATALOGUES: dict[str, Language] = {"de": "de", "zh": "zh-CN"}

@@ -11,7 +11,7 @@ from elastica_cad.mechanics.sheets import sheets_by_kind
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.translations import catalogue
-from elastica_cad.web.answers import CATALOGUES, DOWNLOADS
+from elastica_cad.web.answers import CATALOGUES, DOWNLOADS, DROPPED
 from elastica_cad.web.saved_design import OF_MODELS
 
 
@@ -35,6 +35,7 @@ def page_words() -> dict[str, Any]:
             [kind, [[sheet.name, sheet.full_name] for sheet in sheets]]
             for kind, sheets in sheets_by_kind().items()
         ],
+        "dropped": DROPPED,
         "downloads": [kind for kind in DOWNLOADS if kind not in missing],
         "missing": missing,
         "model_keys": OF_MODELS,

@@ -150,13 +150,13 @@ class Studio {
       this.drawing.mode = noun;
       this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
     }]));
-    const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
+    const file = html("input", { type: "file", accept: this.hello.dropped.join(), hidden: true, onchange: () => this.open(file.files[0]) });
     const missing = Object.entries(this.hello.missing);
     const downloads = this.downloads = menu("downloads", "download", "Download", ...[...this.hello.downloads, "design"].map((kind) => [FILES[kind], "data-kind", kind, () => this.download(kind)]));
     for (const [kind, reason] of missing) downloads.lastChild.append(html("p", {}, `${t("Not available")}: ${t(FILES[kind])}. ${t("To get it")}: `, html("code", {}, reason)));
     // On a phone the tools of class `rare` are behind `all`.
     const tools = html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
-      html("div", {}, tool("starts", "Start from", () => this.starts()), tool("open", "Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
+      html("div", {}, tool("starts", "Start from", () => this.starts()), tool("open", "Open", () => file.click(), { title: `${t("Drop a file on the drawing")}: ${this.hello.dropped.join(", ")}` }), file,
         this.hello.file ? tool("save", "Save", () => this.save(), { class: "save rare", title: this.hello.file }) : null),
       html("div", { class: "steps" }, tool("undo", "Undo", () => this.history.undo()), tool("redo", "Redo", () => this.history.redo())),
       html("div", {}, this.mode, this.keeping, adding, this.pairing),

@@ -400,7 +400,7 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("check", "Missing argument 'CURVE': name the file with the curve (DXF, SVG, CSV, JSON, STEP), or"),
+        ("check", "Missing argument 'CURVE': name a file with the curve, such as arch.dxf, or"),
         ("model", "Missing argument 'DESIGN': name a design file; `elastica new pavilion` writes an example"),
         ("sections", "Missing argument 'MESH': name the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
         ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME. Material: the name of a sheet"),

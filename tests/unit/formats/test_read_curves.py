@@ -2,13 +2,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from elastica_cad import Drawing, InputError, MissingDependencyError, PlaneCurve, read_curves, save
 from elastica_cad import Path as GeometryPath
-from elastica_cad.files import CURVE_SUFFIXES
+from elastica_cad.cli.commands import elastica
+from elastica_cad.files import CURVE_FORMATS
 from elastica_cad.formats import curves_json
 from elastica_cad.geometry import Spline
 from elastica_cad.strip import LayeredPath
+from elastica_cad.web.vocabulary import page_words
 
 
 def test_the_suffix_chooses_the_reader(tmp_path):
@@ -32,7 +35,19 @@ def test_svg_and_dxf(tmp_path):
     assert read_curves(tmp_path / "a.dxf", unit="mm")[0].length == pytest.approx(2.5 * np.pi)
 
 
-@pytest.mark.parametrize("suffix", CURVE_SUFFIXES)
+SUFFIXES = [suffix for kind in CURVE_FORMATS for suffix in kind.suffixes]
+
+
+@pytest.mark.parametrize("kind", CURVE_FORMATS, ids=lambda kind: kind.name)
+def test_every_format_is_offered_everywhere(kind):
+    text = " ".join(CliRunner().invoke(elastica, ["--help"]).output.split())
+    assert kind.name in text
+    assert kind.remark in text
+    assert all(suffix in read_curves.__doc__ for suffix in kind.suffixes)
+    assert set(kind.suffixes) & set(page_words()["dropped"]) == set(kind.suffixes if kind.is_text else ())
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
 def test_what_is_no_file_of_that_kind_gets_one_sentence(tmp_path, suffix):
     missing, folder, empty, junk = (tmp_path / f"{n}{suffix}" for n in ("missing", "folder", "empty", "junk"))
     folder.mkdir()
