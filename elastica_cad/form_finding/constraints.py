@@ -1,24 +1,27 @@
 """Constraints of the nearest rod: limits to meet, and properties of the drawn curve to keep."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import hypot
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.form_finding.limits import ActiveLimit, Box, HalfPlane, LimitUnit
+from elastica_cad.form_finding.limits import STRAIN_TITLE, ActiveLimit, LimitUnit, Places, Room
 from elastica_cad.form_finding.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import note
+
+MARGIN_TITLE = "the stability margin"
 
 # largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
 # threads at 64 rows
 MOST_ROWS = 56
-
-STRAIN_TITLE = "the strain limit of the sheet (use a thinner sheet)"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +44,8 @@ class Constraint(ABC):
         Upper bound of the penalty for a violation of 1.
     near_balance_only : bool
         True if the constraint is only meaningful for rods nearly in equilibrium.
+    limit, sentence
+        See `ActiveLimit`.
     """
 
     name: str = ""
@@ -49,14 +54,12 @@ class Constraint(ABC):
     one_sided: bool = False
     penalty: float = 100.0
     near_balance_only: bool = False
-
-    def bound(self, size: float) -> float | None:  # noqa: ARG002 - used by `CurvatureLimit`
-        """Return the limit in its unit if it is one number. `size` is the length of the target, mm."""
-        return None
+    limit: float | None = None
+    sentence: Callable[[Any, Rod], str] | None = None
 
     def slope(self, size: float) -> float:
         """Return the change of the values if the limit is relaxed by 1 in its unit."""
-        return 1 / size if self.unit == "length" else 1.0
+        return 1 / size if self.unit == "length" else 1 / (self.limit or 1.0)
 
     def binding(self, values: FloatArray, multipliers: FloatArray, size: float, per: float) -> ActiveLimit:
         """Return the effect of the constraint on the distance.
@@ -70,8 +73,8 @@ class Constraint(ABC):
             broken, total = np.abs(values), float(np.linalg.norm(multipliers))
         title = note(self.name if self.title is None else self.title)
         return ActiveLimit(
-            self.name, self.bound(size), per * total * self.slope(size), float(broken.max(initial=0.0)),
-            title, self.unit,
+            self.name, self.limit, per * total * self.slope(size), float(broken.max(initial=0.0)),
+            title, self.unit, self.sentence,
         )  # fmt: skip
 
     @abstractmethod
@@ -351,26 +354,32 @@ _SAFETY_SHARE = 0.01
 _TANGENT_STEP = 1e-3
 
 
+def margin_sentence(limit: float, rod: Rod) -> str:
+    """Return the message on a rod whose stability margin is below its limit."""
+    rating = stability(rod)
+    return note(
+        "The stability margin is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
+        limit=limit, margin=rating.margin, word=note(rating.rating),
+    )  # fmt: skip
+
+
 @dataclass(frozen=True, kw_only=True)
 class MarginLimit(Constraint):
     """Condition that the stability margin, divided by the least stiffness, is at least `limit`."""
 
     limit: float
     name: str = "margin"
-    title: str | None = "the stability margin"
+    title: str | None = MARGIN_TITLE
     unit: LimitUnit = "number"
     one_sided: bool = True
     penalty: float = 1.0
     near_balance_only: bool = True
+    sentence: Callable[[Any, Rod], str] | None = margin_sentence
 
     @property
     def scale(self) -> float:
         """Difference between limit and margin that is scaled to a violation of 1."""
         return max(10.0, abs(self.limit))
-
-    def bound(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
-        """Return the limit of the margin."""
-        return self.limit
 
     def slope(self, size: float) -> float:  # noqa: ARG002 - a margin has no unit
         """Return the change of the value by a unit change of the limit."""
@@ -501,18 +510,27 @@ def _bend(rod: MappedRod, size: float) -> FloatArray:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BendLimit(Constraint):
-    """Condition that the change of curvature at every node is at most its limit."""
+class StrainLimit(Constraint):
+    """Condition that the strain at every node is within its limit."""
 
+    section: SectionScale
+    strain: float | None
+    size: float
+    name: str = "strain"
+    title: str | None = STRAIN_TITLE
+    unit: LimitUnit = "number"
     one_sided: bool = True
     penalty: float = 1.0
 
-    @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / (curvature limit * length of the target) at nodes of this `stiffness` (n+1,)."""
+        """Return the strain, divided by the strain limit, for a curvature changed by 1 / length of the target.
+
+        The result (n+1,) is for nodes of this `stiffness` (n+1,).
+        """
+        return self.section.strain(stiffness, self.strain) / self.size
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 - |change of curvature| / limit at the nodes (n+1,)."""
+        """Return 1 - strain / limit at the nodes (n+1,)."""
         return 1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -528,83 +546,34 @@ class BendLimit(Constraint):
 
 
 @dataclass(frozen=True, kw_only=True)
-class CurvatureLimit(BendLimit):
-    """Condition that the change of curvature at every node is at most the constant `limit`.
+class AtNodes(Constraint):
+    """Condition that all nodes meet a limit of places, which is given in mm.
 
-    `limit` is a curvature times the length of the target.
+    Positions of the rod are relative to `origin`, in units of `size`, mm.
     """
 
-    limit: float
-    name: str = "curvature"
-    title: str | None = "the curvature limit"
-    unit: LimitUnit = "number"
-
-    def bound(self, size: float) -> float:
-        """Return the limit of the curvature, 1/mm."""
-        return self.limit / size
-
-    def slope(self, size: float) -> float:
-        """Return the change of the values by a change of the limit by 1/mm."""
-        return size / self.limit
-
-    def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / `limit` at the nodes (n+1,)."""
-        return np.full(stiffness.shape, 1 / self.limit)
-
-
-@dataclass(frozen=True, kw_only=True)
-class StrainLimit(BendLimit):
-    """Condition that the strain at every node is within its limit."""
-
-    section: SectionScale
-    strain: float | None
+    room: Callable[[Places], Room]
     size: float
-    name: str = "strain"
-    title: str | None = STRAIN_TITLE
-    unit: LimitUnit = "number"
-
-    def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return the strain, divided by the strain limit, for a curvature changed by 1 / length of the target.
-
-        The result (n+1,) is for nodes of this `stiffness` (n+1,).
-        """
-        return self.section.strain(stiffness, self.strain) / self.size
-
-
-@dataclass(frozen=True, kw_only=True)
-class KeepOut(Constraint):
-    """Condition that all nodes are outside a region, which is given in mm.
-
-    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are not checked, because they
-    can be on the border.
-    """
-
-    region: HalfPlane | Box
-    size: float
-    origin: tuple[float, float]
+    origin: tuple[float, float] = (0.0, 0.0)
     kept: tuple[bool, bool] = (False, False)
-    name: str = "keep-out"
-    title: str | None = "the keep-out regions"
-    unit: LimitUnit = "length"
     one_sided: bool = True
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the distances of the nodes from the region (n+1,), divided by `size`."""
-        return self._clearance(rod)[0]
+        """Return the values of the limit at the nodes (n+1,)."""
+        return self._at_nodes(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the indices and derivatives of the values at nodes near the region: see `Constraint.rows`."""
+        """Return the indices and derivatives of the values at nodes near the limit: see `Constraint.rows`."""
         rod = sensitivities.rod
-        value, gradient = self._clearance(rod)
-        near = thin_rows(np.flatnonzero(value < 0.1), -value)
-        d = sensitivities.position[near]
-        return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
+        values, by_position, by_bend = self._at_nodes(rod)
+        near = thin_rows(np.flatnonzero(values < (0.1 if self.unit == "length" else 1 - _NEAR)), -values)
+        by_moment = by_bend / self.size / rod.stiffness
+        rows = _nodal_rows(sensitivities, near, by_moment, -by_moment * rod.moments / rod.stiffness)
+        return near, rows + np.einsum("ik,ikp->ip", by_position[near], sensitivities.position[near])
 
-    def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-        value, gradient = self.region.clearance(rod.position * self.size + self.origin)
-        value = value / self.size
-        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
-        return value, gradient
+    def _at_nodes(self, rod: MappedRod) -> Room:
+        s, position = np.linspace(0.0, self.size, rod.stiffness.size), rod.position * self.size + self.origin
+        return self.room(Places(self.size, s, position, _bend(rod, self.size), self.kept))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,8 +1,9 @@
 """Limits that a strip must meet, and properties of the drawn curve that it must keep."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Annotated, Literal, TypeAlias, cast
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias, cast
 
 import numpy as np
 
@@ -10,9 +11,13 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, numbers, pair, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length, note
+
+if TYPE_CHECKING:
+    from elastica_cad.mechanics.rod import Rod
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
@@ -45,14 +50,90 @@ class ActiveLimit:
         Limit in suggestions to relax it, such as "the ratio limit"; "" if it cannot be relaxed.
     unit : "number", "length", "angle" or ""
         Unit of the limit: a number without unit or a curvature, mm, or rad; "" if it is not a number.
+    sentence : callable, optional
+        Function of `limit` and of a rod that violates it: the message, in place of the usual sentence.
     """
 
     name: str
     limit: float | None
-    cost: float
+    cost: float = 0.0
     broken: float = 0.0
     title: str = ""
     unit: LimitUnit = ""
+    sentence: "Callable[[Any, Rod], str] | None" = field(default=None, repr=False, compare=False)
+
+
+class Places(NamedTuple):
+    """Places along a bent strip: nodes of a rod, or stations of glued plies.
+
+    Attributes
+    ----------
+    length : float
+        Length of the drawn curve, mm.
+    s : (n,) array
+        Arc length on the drawn curve, mm.
+    position : (n, 2) array
+        Positions, mm.
+    bend : (n,) array
+        Change of curvature by bending, 1/mm.
+    kept : (bool, bool)
+        For start and end, True if its position is that of the drawn curve.
+    """
+
+    length: float
+    s: FloatArray
+    position: FloatArray
+    bend: FloatArray
+    kept: tuple[bool, bool]
+
+
+Room: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
+"""Values (n,) of places, at least 0 where a limit is met, in the unit of `ActiveLimit.broken`.
+
+Their derivatives follow: by position / length (n, 2) and by the change of curvature (n,)."""
+
+
+class PlaceLimit(NamedTuple):
+    """A limit that each place of a strip meets by itself, such as a region or a largest curvature.
+
+    Attributes
+    ----------
+    field : str
+        Field of `Limits` that sets the limit.
+    active : ActiveLimit
+        Name, limit, title, unit and sentence.
+    room : callable
+        Function that returns the `Room` of `Places`.
+    stricter : callable
+        Function that returns `Limits` with this limit made stricter by a fraction of its value.
+    """
+
+    field: str
+    active: ActiveLimit
+    room: Callable[[Places], Room]
+    stricter: "Callable[[Limits, float], Limits]" = lambda limits, _: limits
+
+
+def _room_in_region(region: "HalfPlane | Box", places: Places) -> Room:
+    distance, gradient = region.clearance(places.position)
+    distance[[0, -1]] = np.where(places.kept, places.length, distance[[0, -1]])
+    return distance / places.length, gradient, np.zeros(distance.size)
+
+
+def _room_to_bend(limit: float, places: Places) -> Room:
+    bend = places.bend
+    return 1 - np.abs(bend) / limit, np.zeros(places.position.shape), -np.sign(bend) / limit
+
+
+def _radius_sentence(limit: float, rod: "Rod") -> str:
+    return note(
+        "The smallest radius is {radius}, below the limit of {least}.",
+        least=Length(rounded_up(1 / limit, 3)),
+        radius=Length(rounded_down(1 / float(np.abs(rod.curvature).max()), 3)),
+    )
+
+
+STRAIN_TITLE = "the strain limit of the sheet (use a thinner sheet)"
 
 
 @dataclass(frozen=True)
@@ -275,6 +356,24 @@ class Limits:
         """Largest stiffness ratio that both `ratio` and `width` allow."""
         by_width = UNLIMITED_RATIO if self.width is None else self.width[1] / self.width[0]
         return float(min(UNLIMITED_RATIO if self.ratio is None else self.ratio, by_width))
+
+    def at_places(self, *, strain: bool) -> Iterator[PlaceLimit]:
+        """Yield the limits that each place of a strip meets by itself.
+
+        `strain` is True if the strain limit of the sheet bounds the curvature, because no section gives the strain.
+        """
+        curvature = self.largest_curvature if strain else self.curvature
+        if curvature is not None:
+            title = "the curvature limit" if curvature == self.curvature else STRAIN_TITLE
+            yield PlaceLimit(
+                "curvature",
+                ActiveLimit("curvature", curvature, title=title, unit="number", sentence=_radius_sentence),
+                partial(_room_to_bend, curvature),
+                lambda limits, by: limits.tightened(curvature=1 + by),
+            )
+        kept_out = ActiveLimit("keep-out", None, title="the keep-out regions", unit="length")
+        for region in self.keep_out:
+            yield PlaceLimit("keep_out", kept_out, partial(_room_in_region, region))
 
     @property
     def largest_curvature(self) -> float | None:

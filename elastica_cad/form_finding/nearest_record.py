@@ -9,11 +9,10 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
-from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.form_finding.limits import MET, ActiveLimit, Keep, Limits, Measure, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Angle, Either, Length, note, sentences
 
 if TYPE_CHECKING:
@@ -259,20 +258,8 @@ def _step(binding: ActiveLimit) -> tuple[str | Length, float]:
 
 
 def _violation_sentence(near: NearestRod, binding: ActiveLimit) -> str:
-    if binding.name == "margin" and binding.limit is not None:
-        rating = stability(near.rod)
-        return note(
-            "The stability margin is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
-            limit=binding.limit, margin=rating.margin, word=note(rating.rating),
-        )  # fmt: skip
-    if binding.name == "curvature" and binding.limit is not None:
-        radius = Length(rounded_down(1 / float(np.abs(near.rod.curvature).max()), 3))
-        least = Length(rounded_up(1 / binding.limit, 3))
-        return note(
-            "The smallest radius is {radius}, below the limit of {least}.",
-            least=least,
-            radius=radius,
-        )
+    if binding.sentence is not None:
+        return binding.sentence(binding.limit, near.rod)
     missed = note(binding.name)
     if binding.unit == "length":
         by = Length(binding.broken * near.target.length)

@@ -10,16 +10,19 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
-from elastica_cad.form_finding.constraints import (
-    Constraint,
-    CurvatureLimit,
-    KeepOut,
-    MarginLimit,
-    StrainLimit,
-)
+from elastica_cad.form_finding.constraints import MARGIN_TITLE, margin_sentence
 from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves, leaf_bends
-from elastica_cad.form_finding.limits import MET, ActiveLimit, Keep, Limits, Measure, require_limits
+from elastica_cad.form_finding.limits import (
+    MET,
+    STRAIN_TITLE,
+    ActiveLimit,
+    Keep,
+    Limits,
+    Measure,
+    Places,
+    require_limits,
+)
 from elastica_cad.form_finding.nearest_record import NearestRod, judge_search
 from elastica_cad.form_finding.nearest_task import NearestTask, SearchPoint
 from elastica_cad.form_finding.rod_map import MappedRod
@@ -360,10 +363,8 @@ def _start(
 
 _STRICTER = 6  # largest number of searches for a stack of plies, with stricter and stricter limits
 _BEYOND = 1.2  # a violated limit is tightened by this factor times the violation
-_OF_PLIES = (
-    "ratio", "width", "length", "margin", "curvature", "sheet", "strain", "keep_out", "ends", "tangents",
-)  # fmt: skip
-"""Limits and kept properties that a search for plies meets."""
+_OF_PLIES = {"ratio", "width", "length", "margin", "sheet", "strain", "ends", "tangents"}
+"""Limits and kept properties that a search for plies meets, besides `Limits.at_places`."""
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
@@ -374,11 +375,12 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     limit, the limits of the taper are tightened.
     """
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
+    met = _OF_PLIES | {limit.field for limit in limits.at_places(strain=False)}
     unmet = [
         f"`{name}.{entry.name}`"
         for name, record in (("limits", limits), ("keep", keep))
         for entry in fields(record)
-        if entry.name not in _OF_PLIES and getattr(record, entry.name) not in (entry.default, False)
+        if entry.name not in met and getattr(record, entry.name) not in (entry.default, False)
     ]
     if unmet:
         raise InputError(f"a stack of plies cannot meet {' or '.join(unmet)}. Leave out these limits")
@@ -392,15 +394,16 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
         laid = lay_leaves(taper, section, tangents=keep.both_tangents)
     strict = limits
     for _ in range(_STRICTER):
-        if laid is not None and not _violated_limits(laid, limits):
+        if laid is not None and not _violated_limits(laid, curve.length, limits, keep):
             break
         task = NearestTask.of(replace(request, limits=strict, section=section.relaxed))
         near = _find_rod(replace(task, grows=False))
         steps += near.iterations
         laid = lay_leaves(near.rod, section, tangents=keep.both_tangents)
-        strict = _stricter_limits(strict, _violated_limits(laid, limits))
+        for limit, stricter in _violated_limits(laid, curve.length, limits, keep):
+            strict = stricter(strict, _BEYOND * limit.broken)
     assert laid is not None
-    broken = _violated_limits(laid, limits)
+    broken = tuple(limit for limit, _ in _violated_limits(laid, curve.length, limits, keep))
     missed = max((binding.broken for binding in broken), default=0.0)
     target = TargetCurve.of(curve)
     position = (laid.rod.position - target.origin) / target.size
@@ -428,39 +431,45 @@ def _rod_on_curve(request: RodSpec, section: Section | None) -> Rod:
     return rod_of_request(replace(request, section=section, samples=None))
 
 
-def _violated_limits(laid: LeafedRod, limits: Limits) -> tuple[ActiveLimit, ...]:
+def _violated_limits(
+    laid: LeafedRod, length: float, limits: Limits, keep: Keep
+) -> list[tuple[ActiveLimit, Callable[[Limits, float], Limits]]]:
+    """Return the limits that a stack violates, each with the function that makes it stricter.
+
+    `length` is the length of the drawn curve, mm.
+    """
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
-    shares: dict[type[Constraint], tuple[float | None, float]] = {}
-    if limits.margin is not None:
-        scale = max(10.0, abs(limits.margin))
-        shares[MarginLimit] = limits.margin, (limits.margin - stability(rod).margin) / scale
-    if limits.curvature is not None:
-        shares[CurvatureLimit] = limits.curvature, float(bend.max()) / limits.curvature - 1
+    position = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
+    places = Places(length, s / rod.length * length, position, bend, keep.both_ends)
+    found = [
+        (active, -float(room(places)[0].min()), stricter)
+        for _, active, room, stricter in limits.at_places(strain=False)
+    ]
+    if (least := limits.margin) is not None:
+        active = ActiveLimit("margin", least, title=MARGIN_TITLE, unit="number", sentence=margin_sentence)
+        scale = max(10.0, abs(least))
+        found.append(
+            (
+                active,
+                (least - stability(rod).margin) / scale,
+                lambda limits, by: replace(limits, margin=(limits.margin or 0.0) + by * scale),
+            )
+        )
     if limits.sheet is not None:
         (strain,) = laid.section.strains(bend, laid.section.sheet.thickness * laid.section.counts(s))
-        shares[StrainLimit] = None, strain.largest / (limits.strain or strain.limit) - 1
-    if limits.keep_out:
-        inside = -min(float(region.clearance(rod.position)[0][1:-1].min()) for region in limits.keep_out)
-        shares[KeepOut] = None, inside / rod.length
-    return tuple(
-        ActiveLimit(kind.name, limit, 0.0, over, note(kind.title or ""), kind.unit)
-        for kind, (limit, over) in shares.items()
+        found.append(
+            (
+                ActiveLimit("strain", None, title=STRAIN_TITLE, unit="number"),
+                strain.largest / (limits.strain or strain.limit) - 1,
+                lambda limits, by: limits.tightened(strain=1 + by),
+            )
+        )
+    return [
+        (replace(active, broken=over, title=note(active.title)), stricter)
+        for active, over, stricter in found
         if over > MET
-    )
-
-
-def _stricter_limits(limits: Limits, broken: tuple[ActiveLimit, ...]) -> Limits:
-    for binding in broken:
-        more = 1 + _BEYOND * binding.broken
-        if binding.name == "margin":
-            scale = max(10.0, abs(binding.limit or 0.0))
-            limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * binding.broken * scale)
-        elif binding.name == "curvature":
-            limits = limits.tightened(curvature=more)
-        elif binding.name == "strain":
-            limits = limits.tightened(strain=more)
-    return limits
+    ]
 
 
 _MOST_NODES = 5000  # more nodes hardly change the shape

@@ -11,16 +11,14 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.constraints import (
-    STRAIN_TITLE,
+    AtNodes,
     Constraint,
-    CurvatureLimit,
     EndAngle,
     EndForce,
     EndMoment,
     EndPosition,
     FollowedMarginLimit,
     InflectionLine,
-    KeepOut,
     LargestSection,
     LeastStiffness,
     MarginLimit,
@@ -312,16 +310,16 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         constraints.append(
             InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task))
         )
-    curvature = limits.largest_curvature if task.section is None else limits.curvature
     if task.section is not None and limits.sheet is not None:
         constraints.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
-    if curvature is not None:
-        title = "the curvature limit" if curvature == limits.curvature else STRAIN_TITLE
-        constraints.append(CurvatureLimit(limit=curvature * target.size, title=title))
     constraints += [
-        KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
-        for region in limits.keep_out
-    ]
+        AtNodes(
+            room=room, size=target.size, origin=_pair(target.origin), kept=keep.both_ends, name=active.name,
+            title=active.title, unit=active.unit, limit=active.limit, sentence=active.sentence,
+            penalty=100.0 if active.unit == "length" else 1.0,
+        )
+        for _, active, room, _ in limits.at_places(strain=task.section is None)
+    ]  # fmt: skip
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
         constraints.append(LeastStiffness())
     if limits.margin is not None:

@@ -21,9 +21,11 @@ from elastica_cad import (
     stability,
 )
 from elastica_cad.errors import rounded_up
-from elastica_cad.form_finding.constraints import CurvatureLimit
+from elastica_cad.form_finding import ActiveLimit
+from elastica_cad.form_finding.limits import PlaceLimit
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.formats import curves_json
+from elastica_cad.mechanics import LeavesLaw
 from tests.command_line import run
 
 ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)
@@ -138,23 +140,51 @@ def test_nothing_is_advised_where_nothing_binds():
     )
 
 
-@dataclass(frozen=True, kw_only=True)
-class Radii(CurvatureLimit):
-    """A limit that no list knows."""
+@dataclass(frozen=True, eq=False)
+class MoreLimits(Limits):
+    """Limits with one that no list knows: a least radius between two places."""
 
-    name: str = "radii"
-    title: str | None = None
+    radius: tuple[float, float, float] | None = None
+
+    def at_places(self, *, strain):
+        yield from super().at_places(strain=strain)
+        if self.radius is not None:
+            active = ActiveLimit("radius of a part", self.radius[0], title="the least radius", unit="number")
+            yield PlaceLimit("radius", active, self._room, MoreLimits.stricter)
+
+    def _room(self, places):
+        radius, start, end = self.radius
+        radii = np.where((places.s >= start) & (places.s <= end), radius, 0.0)
+        return 1 - radii * abs(places.bend), np.zeros((radii.size, 2)), -radii * np.sign(places.bend)
+
+    def stricter(self, by):
+        radius, start, end = self.radius
+        return replace(self, radius=(radius * (1 + by), start, end))
 
 
-def test_a_limit_names_itself_in_advice():
-    near = nearest_rod(ARCH, Limits(4, curvature=0.02))
-    limit = Radii(limit=0.02 * ARCH.length)
-    binding = limit.binding(np.array([-0.01, 1.0]), np.array([2.0, 0.0]), ARCH.length, 1.0)
-    assert (binding.title, binding.limit, binding.broken) == ("radii", pytest.approx(0.02), 0.01)
-    (advice,) = replace(near, binding=(binding,)).advice
-    assert advice.startswith("To come nearer to the drawn curve, relax radii: a change of 10 %")
-    (broken, relax) = replace(near, binding=(binding,), status=Status.NOT_MET).advice
-    assert (broken, relax) == ("The strip violates a limit: radii.", "Relax radii.")
+def test_a_new_limit_binds_and_names_itself_in_advice():
+    middle = (0.4 * ARCH.length, 0.6 * ARCH.length)
+    near = nearest_rod(ARCH, MoreLimits(4, radius=(150.0, *middle)))
+    share = near.rod.s / near.rod.length
+    bent = np.abs(near.rod.curvature[(share > 0.401) & (share < 0.599)])
+    assert near.met
+    assert 1 / bent.max() == pytest.approx(150, rel=1e-5)
+    (advice, *_) = near.advice
+    assert advice.startswith("To come nearer to the drawn curve, relax the least radius: a change of 10 %")
+    (binding,) = (binding for binding in near.binding if binding.name == "radius of a part")
+    unmet = replace(near, binding=(replace(binding, broken=0.01),), status=Status.NOT_MET)
+    assert unmet.advice == ("The strip violates a limit: radius of a part.", "Relax the least radius.")
+
+
+def test_glued_plies_meet_a_new_limit():
+    plies = LeavesLaw(Sheet.named("birch-plywood-0.8"), 6, 20)
+    free = nearest_rod(ARCH, Limits(), section=plies)
+    least = 1.1 / np.abs(free.rod.curvature).max()
+    near = nearest_rod(ARCH, MoreLimits(radius=(least, 0.0, ARCH.length)), section=plies)
+    names = [binding.name for binding in near.binding]
+    assert near.met or names == ["radius of a part"]
+    assert near.deviation > free.deviation
+    assert np.abs(near.rod.curvature).max() < 0.99 * np.abs(free.rod.curvature).max()
 
 
 def test_records_travel_with_what_was_asked():

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad import Box, HalfPlane, PlaneCurve, Sheet, Supports
+from elastica_cad import Box, HalfPlane, Limits, PlaneCurve, Sheet, Supports
 from elastica_cad.form_finding import constraints as kept
 from elastica_cad.form_finding import constraints as limits
 from elastica_cad.form_finding.curve_distance import (
@@ -47,6 +47,13 @@ def derivative(function, z, j, h=1e-5):  # rounding and curvature weigh alike
     return (function(z + e) - function(z - e)) / (2 * h)
 
 
+def at_nodes(request):
+    return [
+        limits.AtNodes(room=limit.room, unit=limit.active.unit, size=100.0, origin=(1.0, 2.0))
+        for limit in request.at_places(strain=False)
+    ]
+
+
 CONSTRAINTS = [
     kept.EndPosition(target=(0.5, 0.2)),
     kept.EndAngle(target=0.3),
@@ -55,10 +62,8 @@ CONSTRAINTS = [
     kept.EndForce(axis=1, scale=3.0),
     limits.MarginLimit(limit=5.0),
     limits.MarginLimit(limit=-2.0, name="margin of a rod with a pinned end"),
-    limits.CurvatureLimit(limit=4.0),
+    *at_nodes(Limits(curvature=0.04, keep_out=[HalfPlane((0, 10), (0.3, 1)), Box((-500, -20), (40, 2))])),
     limits.StrainLimit(section=SectionScale(GLUED, 25e3, 8.0), strain=0.02, size=200.0),
-    limits.KeepOut(region=HalfPlane((0, 10), (0.3, 1)), size=100.0, origin=(1.0, 2.0)),
-    limits.KeepOut(region=Box((-500, -20), (40, 2)), size=100.0, origin=(1.0, 2.0)),
     limits.LeastStiffness(),
     kept.InflectionLine(point=(0.2, 0.3), direction=(0.6, 0.8), scale=2.0),
     kept.MiddleOfMirror(centre=(0.2, 0.1), axis=(0.6, 0.8), angle=0.3, scale=4.0),
