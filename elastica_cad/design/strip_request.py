@@ -100,7 +100,7 @@ class FinishedStrip:
         sheet, section = fields.get("sheet"), self.spec.section
         sized = {"max_width", "min_width", "style"} & set(fields)
         if "section" in fields:
-            ends = tuple(Tab(tab.length) for tab in self.spec.ends)
+            ends = tuple(tab.plain for tab in self.spec.ends)
             fields = {
                 "max_width": None,
                 "min_width": None,

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from math import dist, hypot, sqrt
+from math import dist, hypot
 from typing import Annotated, Any, Literal, TypeAlias
 
 import numpy as np
@@ -13,7 +13,8 @@ from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
@@ -184,6 +185,11 @@ class Tab:
                     at_2=Length(second.at),
                 )
 
+    @property
+    def plain(self) -> "Tab":
+        """The rectangular tab of this length, as wide as the strip and without holes."""
+        return Tab(self.length)
+
     def mirrored(self) -> "Tab":
         """Return the tab of the strip turned over about its centre line."""
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
@@ -241,43 +247,27 @@ class Tab:
         return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
 
     def depth_at(self, at: float, across: float, width: float) -> float:
-        """Return the distance, mm, of a point (`at`, `across`) in the tab from the nearest side or outer corner.
+        """Return the distance, mm, of a point (`at`, `across`) from the outline of the tab; negative outside.
 
         `width` is the width of the strip, mm.
         """
-        x, y, w = at, abs(across), self.width or width
-        near, far = self.length - self.corner_radius, w / 2 - self.corner_radius
-        if self.corner_radius and x > near and y > far:
-            return self.corner_radius - hypot(x - near, y - far)
-        side = ((w / 2 - y) * self.length - self.taper * x) / hypot(self.length, self.taper)
-        corner = (self.length - x + w / 2 - y - self.chamfer) / sqrt(2.0) if self.chamfer else side
-        return min(side, corner)
+        outline, point = self.corners(width), np.array([at, across])
+        depth = min(float(distances(segment, point)[0]) for segment in outline)
+        loop = Path(close_chain(outline), closed=True).closed_points(SHOULDER_MM)
+        return depth if encloses(loop, point) else -depth
 
     def hole_paths(self, width: float) -> tuple[Path, ...]:
         """Return the holes as circles in the coordinates of the tab. `width` is the width of the strip, mm."""
         require_positive(width, "width")
-        w = self.width or width
         for hole in self.holes:
-            if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:
+            if self.depth_at(hole.at, hole.across, width) <= hole.diameter / 2:
                 raise InputError(
-                    "a hole of {diameter:g}, {across:g} from the centre line, cuts the edge of a tab {w:.4g} "
-                    "wide: make the hole smaller or the tab wider",
-                    diameter=Length(hole.diameter),
-                    across=Length(hole.across),
-                    w=Length(w),
-                )
-            slot = self.t_slot
-            if slot is not None and (
-                abs(hole.across) - hole.diameter / 2 < slot.nut[0] / 2
-                and hole.at + hole.diameter / 2 > self.length - slot.depth
-            ):
-                raise InputError(
-                    (
-                        "a hole of {diameter:g}, {at:g} from the start of the tab, overlaps the T-slot: move the "
-                        "hole aside"
-                    ),
+                    "a hole of {diameter:g}, {at:g} from the start of the tab and {across:g} from its centre line, "
+                    "cuts the edge of a tab {w:.4g} wide: move the hole, make it smaller, or make the tab wider",
                     diameter=Length(hole.diameter),
                     at=Length(hole.at),
+                    across=Length(hole.across),
+                    w=Length(self.width or width),
                 )
         return tuple(Path.circle((hole.at, hole.across), hole.diameter / 2) for hole in self.holes)
 

@@ -149,7 +149,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 def _check_section(
     section: Section, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
+    shaped = bool(slots) or any(tab != tab.plain for tab in ends)
     shaped = shaped and section.quantity != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(

@@ -28,7 +28,6 @@ from elastica_cad.refusals import BareLength, FieldName, Length, Listed, Point, 
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
@@ -534,7 +533,7 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
     layout, width = strip.layout, strip.width
     if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
-    if any(tab != Tab(tab.length) for tab in strip.ends):
+    if any(tab != tab.plain for tab in strip.ends):
         return False
     # no spline is steeper than its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]

@@ -1,6 +1,6 @@
 """Tabs with T-slots and tapers: exact areas, sound files, bodies that hold the screw."""
 
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import pytest
@@ -9,6 +9,8 @@ import shapely
 from elastica_cad import Hole, InputError, Rod, Sheet, Strip, Tab
 from elastica_cad.model import EndFixture
 from elastica_cad.strip import FlatSolid, TSlot
+from elastica_cad.strip.outline import lines_through
+from elastica_cad.strip.uncuttable_parts import find_strip_faults
 
 PLY = Sheet.named("birch-plywood-3")
 
@@ -59,12 +61,53 @@ def test_the_slot_lies_in_the_middle_of_the_edge():
             "wider than the tab's outer edge of 5 mm",
         ),
         (lambda: strip(Tab(10, taper=15)).outline, "a taper of 15 mm on each side is too large"),
-        (lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes, "overlaps the T-slot"),
+        (
+            lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes,
+            "cuts the edge of a tab 30 mm wide",
+        ),
     ],
 )
 def test_what_does_not_fit_is_refused(make, message):
     with pytest.raises(InputError, match=message):
         make()
+
+
+@dataclass(frozen=True)
+class HookedTab(Tab):
+    """A tab with a notch in one side, which no list knows."""
+
+    notch: float = 0.0
+
+    def corners(self, width):
+        across = [
+            (0, -width / 2),
+            (self.length, -width / 2),
+            (self.length, width / 2),
+            (15, width / 2),
+            (15, width / 2 - self.notch),
+            (10, width / 2 - self.notch),
+            (10, width / 2),
+            (0, width / 2),
+        ]
+        return lines_through(across)
+
+
+def test_a_new_kind_of_tab_is_cut_and_checked():
+    hooked = HookedTab(20, notch=18.9)
+    for ends in ((hooked, Tab(0)), (Tab(0), hooked), (hooked, Tab(20, chamfer=0.5))):
+        made = Strip(Rod.straight(100.0), PLY, max_width=20.0, ends=ends)
+        assert made.area == pytest.approx(20 * (100 + sum(tab.length for tab in ends)) - 5 * 18.9, abs=0.3)
+        assert any("only 1.1 mm wide" in fault.what for fault in find_strip_faults(made)), ends
+    holed = HookedTab(20, notch=5.0, holes=(Hole(12, 3, 7),))
+    with pytest.raises(InputError, match="cuts the edge of a tab 20 mm wide"):
+        Strip(Rod.straight(100.0), PLY, max_width=20.0, ends=(holed, Tab(0))).drawing()
+
+
+@pytest.mark.parametrize("field", fields(Tab)[1:], ids=lambda field: field.name)
+def test_a_tab_of_any_shape_is_not_plain(field):
+    values = {"width": 8.0, "holes": (Hole(6, 3),), "t_slot": TSlot(10)}
+    tab = Tab(20, **{field.name: values.get(field.name, 2.0)})
+    assert tab != tab.plain == Tab(20)
 
 
 def test_holes_beside_or_behind_the_slot_stay():

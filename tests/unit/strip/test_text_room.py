@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from elastica_cad import Hole, InputError, Laminated, Perforated, Rod, Sheet, Slot, Strip, Tab
-from elastica_cad.strip import CUT_INNER, CUT_OUTER, MARK, text_strokes
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, MARK, TSlot, text_strokes
 
 CARD = Sheet.named("card-200gsm")
 LONG = "pergola-north-west-segment-042"
@@ -110,9 +110,10 @@ def polygon_of(tab, width):
 @pytest.mark.parametrize("seed", range(40))
 def test_a_hole_fits_a_tab_where_its_circle_lies_inside(seed):
     rng = np.random.default_rng(seed)
-    kind = ("taper", "chamfer", "corner_radius")[seed % 3]
+    kind = ("taper", "chamfer", "corner_radius", "t_slot")[seed % 4]
     hole = Hole(*rng.uniform((4, 1, -7), (16, 6, 7)))
-    tab = Tab(20.0, holes=(hole,), **{kind: float(rng.uniform(1, 9))})
+    size = float(rng.uniform(1, 9))
+    tab = Tab(20.0, holes=(hole,), **{kind: TSlot(size + 7) if kind == "t_slot" else size})
     off = polygon_of(tab, 20.0).distance(shapely.Point(hole.at, hole.across)) - hole.diameter / 2
     rim = shapely.Polygon(polygon_of(tab, 20.0).coords)
     fits = off > 0 and rim.contains(shapely.Point(hole.at, hole.across))
