@@ -1,12 +1,13 @@
 """Moment-curvature laws: oddness, slope, inverse, injectivity, plasticity."""
 
 import pickle
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
-from elastica_cad import InputError, Sheet
-from elastica_cad.mechanics import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
+from elastica_cad import Gravity, InputError, PlaneCurve, Sheet, StripSpec, bend, optimal_rod
+from elastica_cad.mechanics import ElasticPlasticLaw, MaterialLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
 from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
@@ -126,3 +127,33 @@ def test_table_that_falls_is_refused_only_where_it_falls():
 def test_bad_laws_are_refused(make, message):
     with pytest.raises(InputError, match=message):
         make()
+
+
+@dataclass(frozen=True)
+class OwnLaw(MaterialLaw):
+    """A law that no list knows: the moment approaches a largest value."""
+
+    most: float
+    injective_limit = np.inf
+
+    def effective_curvature(self, curvature):
+        return self.most * np.tanh(np.asarray(curvature) / self.most)
+
+    def slope(self, curvature):
+        return 1 / np.cosh(np.asarray(curvature) / self.most) ** 2
+
+    def energy(self, curvature):
+        return self.most**2 * np.log(np.cosh(np.asarray(curvature) / self.most))
+
+
+@pytest.mark.parametrize("gravity", [None, Gravity(300.0)])
+def test_a_strip_is_made_of_a_rod_with_a_law_of_ones_own(gravity):
+    arch, law = PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=np.pi), OwnLaw(0.02)
+    rod = optimal_rod(arch, gravity, law=law)
+    made = StripSpec(arch, "birch-plywood-0.8", max_width=40.0, smooth=0.0).make(rod)
+    bent = made.rod.curvature
+    assert made.rod.moment == pytest.approx(made.rod.stiffness * law.effective_curvature(bent), abs=1e-9)
+    np.testing.assert_allclose(bend(made.rod).position, rod.position, atol=2e-3)
+    assert made.rod.ratio < optimal_rod(arch, gravity).ratio
+    spread = float(np.ptp(made.width(made.rod.s)) / made.width.extremes[1])
+    assert spread == pytest.approx(1 - 1 / made.rod.ratio, rel=1e-3)
