@@ -27,7 +27,7 @@ from elastica_cad.design.tables import FORMER_KEYS, OTHER_WORDS, Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.form_finding.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, Section, ThicknessLaw
+from elastica_cad.mechanics.cross_sections import SECTION_KINDS, Section
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
@@ -42,45 +42,8 @@ if TYPE_CHECKING:
 CurveReader = Callable[..., list[PlaneCurve]]
 """Function `read_curves(path, unit=...)`."""
 
-Range = tuple[float, float]
-
 
 # the schema describes a table by the docstring of its function, so each docstring names the result
-def _thickness(
-    sheet: Sheet,
-    limits: Annotated[Range, Option("Least and largest thickness.", "mm", least=0)],
-    width: Annotated[float, Option("Width of the batten.", "mm", least=0)],
-) -> ThicknessLaw:
-    """A batten of constant width whose thickness is tapered by planing."""
-    return ThicknessLaw(sheet, *limits, width=width)
-
-
-def _rod(
-    sheet: Sheet, limits: Annotated[Range, Option("Least and largest diameter.", "mm", least=0)]
-) -> RoundLaw:
-    """A round rod whose diameter is tapered by turning."""
-    return RoundLaw(sheet, *limits)
-
-
-def _tube(
-    sheet: Sheet,
-    limits: Annotated[Range, Option("Least and largest outer diameter.", "mm", least=0)],
-    bore: Annotated[float, Option("Inner diameter divided by outer diameter.", least=0, most=1)],
-) -> RoundLaw:
-    """A tube whose outer diameter is tapered by turning."""
-    return RoundLaw(sheet, *limits, bore=bore)
-
-
-def _leaves(
-    sheet: Sheet,
-    leaves: Annotated[int, Option("Largest number of plies of the sheet.", least=2)],
-    width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
-    fewest: Annotated[int, Option("Number of plies that run over the whole length.", least=1)] = 1,
-) -> LeavesLaw:
-    """Glued plies of the sheet, of different lengths. Such a strip needs the key `limits` or `keep`."""
-    return LeavesLaw(sheet, leaves, width, fewest)
-
-
 def _blank(
     stations: Annotated[
         tuple[float, ...],
@@ -119,7 +82,7 @@ def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
 BY_KIND: dict[Record, dict[str, Record]] = {
     Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
-    Section: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
+    Section: SECTION_KINDS,
 }
 """Kinds of a record, by the value of the key `kind`. The first kind is the default."""
 

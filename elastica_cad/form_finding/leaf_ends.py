@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import norm, points_at
 from elastica_cad.geometry.profile import Profile
@@ -99,8 +100,7 @@ def lay_leaves(
     NotConvergedError
         No stack has a rest shape with the same ends.
     """
-    if not isinstance(section, LeavesLaw):
-        raise InputError(f"`section` is {section!r}: give glued plies, as LeavesLaw(sheet, leaves, width)")
+    require_record(section, LeavesLaw, "section", "glued plies, as LeavesLaw(sheet, leaves, width)")
     points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:

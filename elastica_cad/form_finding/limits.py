@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_series, numbers, pair, require_positive, several
+from elastica_cad._values import is_series, numbers, pair, require_positive, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
 from elastica_cad.errors import InputError, rounded_down, rounded_up
@@ -327,10 +327,9 @@ class Limits:
 
     def __post_init__(self) -> None:
         require_declared(Limits, vars(self), "limit")
-        if not (self.sheet is None or isinstance(self.sheet, Sheet)):
-            raise InputError(
-                f'the sheet of the limits is {self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")'
-            )
+        require_record(
+            self.sheet, Sheet | None, "the sheet of the limits", 'a Sheet, such as Sheet.named("pom-1")'
+        )
         if self.strain is not None:
             require_positive(self.strain, "limit strain", "mm/mm")
             if self.sheet is None:
@@ -500,6 +499,5 @@ class Keep:
 
 def require_limits(limits: object, keep: object) -> None:
     """Raise InputError unless `limits` and `keep` are of type `Limits` and `Keep`, or None."""
-    for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
-        if not (value is None or isinstance(value, record)):
-            raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")
+    require_record(limits, Limits | None, "limits", "a Limits record, or None")
+    require_record(keep, Keep | None, "keep", "a Keep record, or None")

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_one_of
+from elastica_cad._values import is_one_of, require_record
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.form_finding.constraints import MARGIN_TITLE, margin_sentence
 from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
@@ -267,7 +267,7 @@ def _with_least_ratio(
     K = best.point.stiffness
     section = None if task.section is None or task.is_light else task.section.family
     try:
-        rod = _rod_on_curve(task.request, section)
+        rod = rod_of_request(replace(task.request, section=section, samples=None))
     except ElasticaError:
         return None
     least = rod.ratio * SETTINGS.spline_factor
@@ -422,13 +422,9 @@ def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, f
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
-        return _rod_on_curve(request, section.relaxed)
+        return rod_of_request(replace(request, section=section.relaxed, samples=None))
     except ElasticaError:
         return None
-
-
-def _rod_on_curve(request: RodSpec, section: Section | None) -> Rod:
-    return rod_of_request(replace(request, section=section, samples=None))
 
 
 def _violated_limits(
@@ -570,8 +566,9 @@ def nearest_rod(
     if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
         raise InputError(f"`coefficients` is {coefficients!r}: give 4 to {(samples - 1) // 2}, at most half "
                          "of `samples`")  # fmt: skip
-    if not (start is None or isinstance(start, NearestRod)):
-        raise InputError(f"`start` is {start!r}: give the result of nearest_rod for a similar curve, or None")
+    require_record(
+        start, NearestRod | None, "start", "the result of nearest_rod for a similar curve, or None"
+    )
     return find_nearest(
         RodSpec(
             curve, gravity, supports, natural_curvature, samples, section=section, limits=limits, keep=keep,

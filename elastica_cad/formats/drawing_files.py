@@ -208,11 +208,7 @@ def write_drawing(
     MissingDependencyError
         The file is a DXF, and ezdxf is not installed.
     """
-    if not isinstance(drawing, Drawing):
-        raise InputError(
-            "a {name} is not a drawing: give a strip, or the result of its .drawing()",
-            name=type(drawing).__name__,
-        )
+    require_record(drawing, Drawing, "the drawing", "a strip, or the result of its .drawing()")
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:

@@ -1,15 +1,16 @@
 """Cross-sections: their interface, and tapered strips, rods, tubes and glued plies."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import ClassVar, NamedTuple, Protocol, Self, TypeVar, cast
+from typing import Annotated, Any, ClassVar, NamedTuple, Protocol, Self, TypeVar, cast
 
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import alike, is_whole, numbers, require_number
+from elastica_cad._values import alike, is_whole, numbers, require_number, require_record
+from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.mechanics.section_limits import LayerStrain, positive
 from elastica_cad.mechanics.sheets import Sheet
@@ -110,6 +111,10 @@ class Section(ABC):
         used = [np.asarray(layer.distance / layer.sheet.max_strain) for layer in self.layers(parameter)]
         return np.asarray(1 / np.max(used, axis=0))
 
+    def with_sheet(self, sheet: Sheet) -> Self:
+        """Return the section for another sheet, such as a sheet of another thickness."""
+        return cast(Self, replace(cast(Any, self), sheet=sheet))
+
     @property
     def stack(self) -> "LaidLeaves | None":
         """Stack of glued plies; None for a single piece, or if the positions of the plies are unknown."""
@@ -140,10 +145,7 @@ class _PowerLaw(Section):
     largest: float
 
     def __post_init__(self) -> None:
-        if not isinstance(self.sheet, Sheet):
-            raise InputError(
-                f'the sheet of the section is {self.sheet!r}: give a Sheet, such as Sheet.named("pom-1")'
-            )
+        require_record(self.sheet, Sheet, "the sheet of the section", 'a Sheet, such as Sheet.named("pom-1")')
         low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
         if not 0 < low <= high:
             raise InputError(
@@ -281,15 +283,8 @@ class LeavesLaw(Section):
     width: float
     fewest: int = 1
 
-    def with_sheet(self, sheet: Sheet) -> Self:
-        """Return the section for plies of another sheet."""
-        return replace(self, sheet=sheet)
-
     def __post_init__(self) -> None:
-        if not isinstance(self.sheet, Sheet):
-            raise InputError(
-                f'the sheet of the plies is {self.sheet!r}: give a Sheet, such as Sheet.named("pom-1")'
-            )
+        require_record(self.sheet, Sheet, "the sheet of the plies", 'a Sheet, such as Sheet.named("pom-1")')
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
             raise InputError(f"`leaves` is {self.leaves!r}: give the number of plies, 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
@@ -396,6 +391,48 @@ SAME_SCALE = 1e-4
 
 BETWEEN_NODES = 1e-3
 """If only the nodes are limited, the stiffness may exceed its limit between nodes by this fraction."""
+
+
+# the schema describes a table by the docstring of its function, so each docstring names the result
+def _thickness(
+    sheet: Sheet,
+    limits: Annotated[tuple[float, float], Option("Least and largest thickness.", "mm", least=0)],
+    width: Annotated[float, Option("Width of the batten.", "mm", least=0)],
+) -> ThicknessLaw:
+    """A batten of constant width whose thickness is tapered by planing."""
+    return ThicknessLaw(sheet, *limits, width=width)
+
+
+def _rod(
+    sheet: Sheet, limits: Annotated[tuple[float, float], Option("Least and largest diameter.", "mm", least=0)]
+) -> RoundLaw:
+    """A round rod whose diameter is tapered by turning."""
+    return RoundLaw(sheet, *limits)
+
+
+def _tube(
+    sheet: Sheet,
+    limits: Annotated[tuple[float, float], Option("Least and largest outer diameter.", "mm", least=0)],
+    bore: Annotated[float, Option("Inner diameter divided by outer diameter.", least=0, most=1)],
+) -> RoundLaw:
+    """A tube whose outer diameter is tapered by turning."""
+    return RoundLaw(sheet, *limits, bore=bore)
+
+
+def _leaves(
+    sheet: Sheet,
+    leaves: Annotated[int, Option("Largest number of plies of the sheet.", least=2)],
+    width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
+    fewest: Annotated[int, Option("Number of plies that run over the whole length.", least=1)] = 1,
+) -> LeavesLaw:
+    """Glued plies of the sheet, of different lengths. Such a strip needs the key `limits` or `keep`."""
+    return LeavesLaw(sheet, leaves, width, fewest)
+
+
+SECTION_KINDS: dict[str, Callable[..., Section]] = {
+    "thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves,
+}  # fmt: skip
+"""Functions that make a section from its table in a file, by the value of its key `kind`."""
 
 
 def require_section(section: object) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad._values import numbers
+from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import FaultError, InputError, NotConvergedError
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
@@ -185,8 +185,8 @@ class BattenSpec:
                 field=FieldName("full"),
                 most=100 * LARGEST_FULL_FRACTION,
             )
-        if not isinstance(self.stock, ThicknessLaw | RoundLaw):
-            raise InputError(f"the stock of the batten is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
+        stocks = ThicknessLaw | RoundLaw
+        require_record(self.stock, stocks, "the stock of the batten", "a ThicknessLaw or a RoundLaw")
         if self.lying not in (None, "up", "down"):
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 

@@ -22,10 +22,7 @@ from elastica_cad.form_finding.straight_ends import StraightEnds
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.cross_sections import (
-    LeavesLaw,
-    RoundLaw,
     Section,
-    ThicknessLaw,
     require_section,
 )
 from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie, require_elements
@@ -879,10 +876,8 @@ class StripSpec(EqualByValue):
                 return self.changed(limits=None, keep=None)
             return self.changed(limits=Limits(margin=SAFE_MARGIN), keep=self.keep or Keep())
         if change.field == "thickness":
-            sheet, section = self.material.with_thickness(change.value), self.section
-            if isinstance(section, ThicknessLaw | RoundLaw | LeavesLaw):
-                section = section.with_sheet(sheet)
-            return self.changed(sheet=sheet, section=section)
+            sheet = self.material.with_thickness(change.value)
+            return self.changed(sheet=sheet, section=self.section and self.section.with_sheet(sheet))
         if change.field == "between":
             return self.changed(between=(*self.between, change.value))
         if change.field == "elements":

@@ -297,7 +297,7 @@ def test_a_stack_is_bent_on_other_nodes_with_its_steps():
         (lambda: LeavesLaw(LEAF, 3, -1.0), "width is -1: give a positive width"),
         (lambda: LeavesLaw("ash", 3, 20.0), "the sheet of the plies is"),
         (lambda: LeavesLaw(LEAF, 3, 20.0, fewest=4), "`fewest` is 4: give a whole number of plies, 1 to 3"),
-        (lambda: lay_leaves(optimal_rod(ARCH), 4), "give glued plies, as LeavesLaw"),
+        (lambda: lay_leaves(optimal_rod(ARCH), 4), "Pass glued plies, as LeavesLaw"),
         (lambda: optimal_rod(ARCH, section=LeavesLaw(LEAF, 3, 20.0)), "change the stiffness in steps"),
         (
             lambda: nearest_rod(ARCH, None, Keep(symmetry="mirror"), section=LeavesLaw(LEAF, 3, 20.0)),

@@ -430,7 +430,7 @@ def test_a_straight_wish():
         (lambda: Limits(stiffness_bounds=3), "pair"),
         (lambda: Keep(points=(1, "x")), "numbers"),
         (lambda: nearest_rod("curve"), "PlaneCurve"),
-        (lambda: nearest_rod(ARCH, 3.0), "limits is 3.0: give a Limits record"),
+        (lambda: nearest_rod(ARCH, 3.0), r"limits is a float\. Pass a Limits record"),
         (lambda: nearest_rod(ARCH, None, "ends"), "Keep record"),
         (lambda: nearest_rod(ARCH, gravity=9.81), "Gravity record"),
         (lambda: nearest_rod(ARCH, supports="pinned"), "Supports record"),

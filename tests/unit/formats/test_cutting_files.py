@@ -310,7 +310,7 @@ def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
 
 
 def test_a_curve_or_a_strip_is_no_drawing(tmp_path):
-    with pytest.raises(InputError, match=r"a PlaneCurve is not a drawing: give a strip"):
+    with pytest.raises(InputError, match=r"the drawing is a PlaneCurve\. Pass a strip"):
         write_drawing(PlaneCurve.arc((0, 0), 80, 0.3, 2.8), tmp_path / "arc.dxf")
 
 
