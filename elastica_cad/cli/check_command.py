@@ -263,8 +263,6 @@ class _Check:
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def enlarging(self, report: Mapping[str, Any]) -> str:
-        from elastica_cad.strip.suggestions import try_change
-
         least = report["sheets"][0]
         if (
             least["scale"] <= 1
@@ -279,6 +277,8 @@ class _Check:
         spec = common_request(self.requested.curve, self.supports).changed(
             sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
         )
+        from elastica_cad.strip.suggestions import try_change
+
         larger = try_change(spec, Change("size", rounded_up(SPARE_LENGTH * least["scale"], 4)))
         return "" if larger is None else f"Enlarge the curve for {least['name']}: {self.typed(larger)}."
 
