@@ -4,21 +4,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError, NotConvergedError
-from elastica_cad.geometry.control_point_constraints import (
-    Constraint,
-    CurvatureAt,
-    EndPositions,
-    EndTangents,
-    InflectionsOnLine,
-    PointsOnLine,
-    SmoothJoints,
-    least_norm_newton,
-)
 from elastica_cad.geometry.fairing import largest_distance, smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
@@ -48,6 +39,9 @@ from elastica_cad.mechanics.unbent_ends import (
     without_bend_at,
 )
 from elastica_cad.refusals import Length, Listed, note
+
+if TYPE_CHECKING:
+    from elastica_cad.geometry.control_point_constraints import Constraint
 
 MOST_POINTS = 400
 """Largest number of measured points in a fit that is compared with the drawn curve; others are left out."""
@@ -546,11 +540,35 @@ def project_inflections(
     ----------
     Paper, Appendix C.
     """
-    needed = [*_line_constraints(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
-    for end_constraints in _end_constraints(curve, zeros):
+    # few curves need these constraints, and their module is not loaded for the others
+    from elastica_cad.geometry.control_point_constraints import (
+        CurvatureAt,
+        EndPositions,
+        EndTangents,
+        InflectionsOnLine,
+        PointsOnLine,
+        SmoothJoints,
+        least_norm_newton,
+    )
+
+    inner = np.array([z.t for z in zeros if z.kind != "end"])
+    ends = np.array([z.t for z in zeros if z.kind == "end"])
+    needed: list[Constraint] = []
+    if inner.size:
+        needed.append(InflectionsOnLine(line.a, line.b, inner, natural_curvature))
+    if ends.size:
+        needed += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, natural_curvature, curve.length)]
+    needed.append(SmoothJoints.of(curve))
+    # an end at an inflection is not held
+    place, turn = EndPositions.of(curve), EndTangents.of(curve)
+    start, end = (t not in ends for t in curve.domain)
+    places = EndPositions(place.start if start else None, place.end if end else None)
+    turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
+    held: tuple[list[Constraint], ...] = ([places, turns], [places], [])
+    for loosened in held:
         try:
             moved, _ = least_norm_newton(
-                curve, [*needed, *end_constraints], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
+                curve, [*needed, *loosened], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
             )
         except NotConvergedError:
             continue
@@ -560,26 +578,3 @@ def project_inflections(
         "no small move of the control points brings the inflections onto one line: draw the inflections "
         "closer to a line"
     )
-
-
-def _line_constraints(
-    curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
-) -> list[Constraint]:
-    inner = np.array([z.t for z in zeros if z.kind != "end"])
-    ends = np.array([z.t for z in zeros if z.kind == "end"])
-    constraints: list[Constraint] = []
-    if inner.size:
-        constraints.append(InflectionsOnLine(line.a, line.b, inner, kappa_0))
-    if ends.size:
-        constraints += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, kappa_0, curve.length)]
-    return constraints
-
-
-def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return three lists of constraints on the ends, from strict to loose. An end at an inflection has none."""
-    pinned = {z.t for z in zeros if z.kind == "end"}
-    place, turn = EndPositions.of(curve), EndTangents.of(curve)
-    start, end = (t not in pinned for t in curve.domain)
-    places = EndPositions(place.start if start else None, place.end if end else None)
-    turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
-    return [[places, turns], [places], []]

@@ -12,14 +12,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
-from elastica_cad.geometry.control_point_constraints import (
-    Constraint,
-    CurvatureAt,
-    EndPositions,
-    EndTangents,
-    SmoothJoints,
-    least_norm_newton,
-)
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.splines import elevate_degree
@@ -56,9 +48,22 @@ def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
     NotConvergedError
         No such curve is found.
     """
+    # few curves need these constraints, and their module is not loaded for the others
+    from elastica_cad.geometry.control_point_constraints import (
+        CurvatureAt,
+        EndPositions,
+        EndTangents,
+        SmoothJoints,
+        least_norm_newton,
+    )
+
     curve = excess.curve
-    constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
-    constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
+    constraints = (
+        CurvatureAt(ends, excess.rest_at(ends), curve.length),
+        EndPositions.of(curve),
+        EndTangents.of(curve),
+        SmoothJoints.of(curve),
+    )
     return least_norm_newton(curve, constraints, tolerance=1e-12)[0].drawn_as(curve.provenance)
 
 
