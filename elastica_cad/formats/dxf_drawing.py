@@ -141,7 +141,10 @@ def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
-        yield space.add_lwpolyline(_vertices_with_bulges(path), "xyb", close=path.closed, dxfattribs=on)
+        polyline = space.add_lwpolyline((), close=path.closed, dxfattribs=on)
+        # all vertices at once, because `add_lwpolyline` copies the earlier vertices for each of them
+        polyline.lwpoints.extend([(x, y, 0.0, 0.0, bulge) for x, y, bulge in _vertices_with_bulges(path)])
+        yield polyline
     else:
         for segment in path.segments:
             if isinstance(segment, Spline):

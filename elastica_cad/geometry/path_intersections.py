@@ -13,7 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import JOIN, Path, meets
 from elastica_cad.geometry.plane_points import boxes_meet, cross, norm
-from elastica_cad.geometry.segments import Line, Segment, chords, trim_segment
+from elastica_cad.geometry.segments import Line, Segment, Spline, chords, trim_segment
 from elastica_cad.refusals import BareLength, Length
 
 IndexArray: TypeAlias = NDArray[np.intp]
@@ -209,7 +209,12 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 
 def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float, float]:
-    (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
+    if isinstance(segment, Spline):  # one evaluation of the curve for both
+        t0, t1 = segment.curve.domain
+        position, velocity = segment.curve.derivatives(segment.parameter([u]), 1)
+        (x, y), (dx, dy) = position[0], velocity[0] * (t1 - t0)
+    else:
+        (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
     return float(x), float(y), float(dx), float(dy)
 
 

@@ -329,9 +329,8 @@ class _Cutter:
             s = float(points.first[int(points.angle.argmin()), 0])
             raise InputError(self._touch(names, s))
         slots, middle = [], np.zeros(3)
-        for which, end in enumerate(self._cut_ends(members, crossing)):
-            last = crossing.beyond(which, end)
-            p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
+        for which, last in enumerate(self._cut_ends(members, crossing)):
+            p = crossing.at(crossing.evenly(crossing.middle, last, PITCH_MM))
             rows, mates = _turned((p.first, p.second), which)
             thickness, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
             widths = slot_width(p.angle, own=thickness, other=other, clearance=self.clearance, fit=self.fit)
@@ -354,18 +353,17 @@ class _Cutter:
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
-    def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
-        """Return the end (0 or 1) of the crossing from which each strip is cut.
+    def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> list[float]:
+        """Return the parameter of the crossing at the edge from which each strip is cut.
 
-        If both ends are possible, the slot of the earlier strip opens towards `above` or, by default, along its
-        rulings, unless both slots together are much shorter otherwise (`OTHER_SIDE_FRACTION`).
+        If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
+        default, along its rulings, unless both slots together are much shorter otherwise (`OTHER_SIDE_FRACTION`).
         """
-        costs = []
+        ways, costs = list[list[float]](), list[float]()
         for ends in ((0, 1), (1, 0)):
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
-            costs.append(
-                sum(np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True))
-            )
+            ways.append([np.inf if x is None else x for x in exits])
+            costs.append(sum(abs(x - end) for x, end in zip(ways[-1], ends, strict=True)))
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]
@@ -377,10 +375,10 @@ class _Cutter:
                 s=Length(s),
             )
         if abs(costs[0] - costs[1]) > OTHER_SIDE_FRACTION:
-            return ((0, 1), (1, 0))[int(np.argmin(costs))]
+            return ways[int(np.argmin(costs))]
         up = crossing.strips[0].axis if self.above is None else self.above
         heights = crossing.course[2].position @ up
-        return (0, 1) if heights[0] > heights[-1] else (1, 0)
+        return ways[0 if heights[0] > heights[-1] else 1]
 
     def refuse_touching(
         self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]

@@ -32,6 +32,7 @@ from elastica_cad.model.plates import (
     options_of,
     plate_with,
     ring_plate,
+    room_of_tab,
     shoulder_faults,
     tab_slot,
     tabs_of,
@@ -42,7 +43,7 @@ from elastica_cad.refusals import Angle, Length, Refusal, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
@@ -353,8 +354,13 @@ def _leaned(
 ) -> tuple[tuple[Plate, Plate], dict[Key, float]]:
     """Return the plates with moved slots (see `lean_pair`), and the length, mm, that each bent tab needs."""
     leaned = plates
+    ends = [
+        (cut_key(member.strip), member.strip, index, PlacedTab.of(member.strip, end, member.frame).key)
+        for member in placed
+        for index, end in enumerate(ENDS)
+    ]
     for _ in range(LEAN_ROUNDS):
-        leans = _displacements(placed, tab_seats(map(_with_endless_tabs, leaned)))
+        leans = _displacements(ends, tab_seats(map(_with_endless_tabs, leaned)))
         first, second = (replace(plate, slots=_moved_slots(plate, leans, cures)) for plate in leaned)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (leaned, (first, second)))  # fmt: skip
@@ -376,19 +382,19 @@ def _around_moved(plate: Plate) -> Plate:
     return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate))
 
 
-def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
+def _displacements(
+    ends: Sequence[tuple[Hashable, Strip, int, Key]], seats: Mapping[Key, TabSeat]
+) -> dict[Key, Lean]:
+    """Return the displacements of the holders of the `ends`: each is its cut, its strip, 0 or 1, and its tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
-    for member in placed:
-        cut = cut_key(member.strip)
-        for index, end in enumerate(ENDS):
-            key = PlacedTab.of(member.strip, end, member.frame).key
-            if key in seats:
-                alike = cut, index, seats[key].places
-                if alike not in known:
-                    as_made = member.strip.as_made
-                    ratio = as_made.tab_ratios(as_made.loaded)[index]
-                    known[alike] = lean_against(as_made.loaded, index, seats[key], ratio)
-                leans[key] = known[alike]
+    for cut, strip, index, key in ends:
+        if key in seats:
+            alike = cut, index, seats[key].places
+            if alike not in known:
+                loaded = strip.as_made.loaded
+                ratio = strip.as_made.tab_ratios(loaded)[index]
+                known[alike] = lean_against(loaded, index, seats[key], ratio)
+            leans[key] = known[alike]
     return leans
 
 
@@ -424,11 +430,9 @@ def _moved_slot(
 
     The slot is as wide as the bent tab with its clearance, or narrower if both walls are `pressed` (2,).
     """
-    options, thickness = options_of(plate), plate.sheet.thickness
-    tight, loose = (
-        tab_slot(bent, plate.frame, thickness, each).size[1]
-        for each in (replace(options, clearance=0.0, slot_width=None), options)
-    )
+    _, low, high = room_of_tab(bent, plate.frame, plate.sheet.thickness)
+    tight = float(high[1] - low[1])
+    loose = tight + options_of(plate).room_beside(tight)
     left, across = (-(plate.frame.axes @ one.frame.z_axis)[:2] for one in (tab, bent))
     walls = np.array([slot.corners[:2], slot.corners[3:1:-1]])
     walls = walls + (offsets / float(across @ left))[:, None, None] * left

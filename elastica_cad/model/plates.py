@@ -116,6 +116,10 @@ class PlateOptions:
         require_declared(PlateOptions, vars(self), f"{self.name}:")
         require_flag(self.ignore_limits, "ignore_limits")
 
+    def room_beside(self, width: float) -> float:
+        """Return by how much a slot is wider than the `width` that its tab needs, mm."""
+        return max(self.clearance, (self.slot_width or 0.0) - width)
+
 
 @dataclass(frozen=True)
 class RingOptions(PlateOptions):
@@ -167,7 +171,7 @@ class TabSlot:
     through: float
     tab: PlacedTab | None = None
 
-    @property
+    @cached_property
     def path(self) -> Path:
         """Closed loop to be cut."""
         return Path.polygon(self.corners)
@@ -624,6 +628,18 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
             given=Angle(np.arcsin(max(0.0, down))),
             flattest_rad=Angle(FLATTEST_RAD),
         )
+    axes, low, high = room_of_tab(tab, ground, thickness)
+    room = np.array([options.play, options.room_beside(high[1] - low[1]) / 2])
+    low, high = low - room, high + room
+    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    return TabSlot(box @ axes, tab.name, tab.thickness, tab)
+
+
+def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the least rectangle through which a tab passes, as its axes (2, 2) and its corners (2,) in these axes.
+
+    The first axis is parallel to the width of the tab.
+    """
     edges = ground.local(tab.edges)
     step = ground.axes @ tab.frame.x_axis
     through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
@@ -631,12 +647,7 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
     u = unit((ground.axes @ tab.frame.y_axis)[:2])
     axes = np.array([u, left_of(u)])
     p = points @ axes.T
-    low, high = p.min(axis=0), p.max(axis=0)
-    rest = max(options.clearance, (options.slot_width or 0.0) - (high[1] - low[1]))
-    room = np.array([options.play, rest / 2])
-    low, high = low - room, high + room
-    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    return TabSlot(box @ axes, tab.name, tab.thickness, tab)
+    return axes, p.min(axis=0), p.max(axis=0)
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> None:

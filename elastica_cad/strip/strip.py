@@ -1001,6 +1001,10 @@ class Strip:
         In a laminate, the position of the backing is marked on the base. Base and backing are engraved with INSIDE
         or OUTSIDE, the side of the bend to which the engraved face points.
         """
+        return self._drawings
+
+    @cached_property
+    def _drawings(self) -> tuple[Drawing, ...]:
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()
         return draw_layers(self.layout, self.layers, self.ends, self.slots, engraved, self.label, lap=lap)
