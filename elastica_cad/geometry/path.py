@@ -27,6 +27,7 @@ from elastica_cad.geometry.segments import (
     Spline,
     chord_points,
     chords,
+    chords_of_all,
     point,
     segment_from_bulge,
 )
@@ -300,7 +301,11 @@ class Path:
 
         The first point of a closed path is not repeated at the end.
         """
-        rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
+        if self.has_splines:  # evaluate all splines together
+            which, points = chords_of_all(self.segments, tolerance)
+            rows = [points[:-1][which[1:] == which[:-1]]]
+        else:
+            rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
         points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
             # a thin closed path needs more points, so that its polygon has an area

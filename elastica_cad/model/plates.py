@@ -674,6 +674,8 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 
     `called` are the names of the slots and the opening, and `drilled` the names of the holes.
     """
+    if not drilled:
+        return
     loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
     for k, hole in enumerate(loops[len(called) :], start=len(called)):
