@@ -37,7 +37,6 @@ from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.pieces import EqualStrips, Piece, count_pieces, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.suggestions import thinner_for_all
 from elastica_cad.strip.summary import instability
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
@@ -267,6 +266,8 @@ def _departure_notes(
         far.setdefault(part.strip.sheet, []).append(part)
     messages = list[str]()
     for parts in far.values():
+        from elastica_cad.strip.suggestions import thinner_for_all
+
         worst = max(parts, key=lambda part: deviations[part.name])
         thinner = thinner_for_all([specs[part.strip.label] for part in parts])
         messages.append(
