@@ -130,7 +130,7 @@ class StripResult:
         return Kit(tuple(files), report)
 
     def _drawn(self, name: str, drawing: Drawing, request: StripFiles, *, pdf: bool) -> list[File]:
-        cutting = request.cutting
+        cutting, drawing = request.cutting, replace(drawing, name=f"{self.name}-{name}")
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
             File(
@@ -175,7 +175,7 @@ class StripResult:
         from elastica_cad.model.batten import bench_drawing
 
         drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
-        _write_drawing(drawing, "pdf", request, path)
+        _write_drawing(replace(drawing, name=self.name), "pdf", request, path)
 
     def _write_stl(self, path: Path) -> None:
         from elastica_cad.strip.solids import BentSolid
@@ -199,7 +199,6 @@ class StripResult:
 
 
 def _write_drawing(drawing: Drawing, kind: str, request: StripFiles, path: Path) -> None:
-    drawing = replace(drawing, name=path.stem)
     if kind == "pdf":
         from elastica_cad.plot.template_pages import save_template
 
