@@ -25,7 +25,6 @@ from elastica_cad.geometry.segments import (
     Line,
     Segment,
     Spline,
-    chord_points,
     chords,
     chords_of_all,
     point,
@@ -301,12 +300,9 @@ class Path:
 
         The first point of a closed path is not repeated at the end.
         """
-        if self.has_splines:  # evaluate all splines together
-            which, points = chords_of_all(self.segments, tolerance)
-            rows = [points[:-1][which[1:] == which[:-1]]]
-        else:
-            rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
-        points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
+        which, points = chords_of_all(self.segments, tolerance)
+        begins = points[:-1][which[1:] == which[:-1]]
+        points = begins if self.closed else np.append(begins, self.end[None], axis=0)
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
             # a thin closed path needs more points, so that its polygon has an area
             return self.points(tolerance / 4)

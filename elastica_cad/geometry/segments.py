@@ -504,6 +504,8 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
     places = [_initial_parameters(segment, tolerance) for segment in segments]
     which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
+    if not bent.any():
+        return which, np.concatenate([segment.at(u) for segment, u in zip(segments, places, strict=True)])
     return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]
 
 

@@ -448,7 +448,9 @@ def _place_of_extreme_ratio(
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
     clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
     clear &= kappa != 0
-    tangent, slope = _at_zeros(excess, t_zero)
+    _, d1, d2, d3 = curve.derivatives(t_zero, 3)
+    tangent = d1 / np.hypot(d1[:, :1], d1[:, 1:])
+    slope = curvature_slope(d1, d2, d3) - excess.rest_at(t_zero, 1, left=bool(t_zero[-1] >= curve.domain[1]))
     point, across = line.point, line.b
     bent = np.abs(((nodes.position - point) @ across)[clear] / kappa[clear])
     unbent = np.abs(tangent @ across / slope)
@@ -463,13 +465,6 @@ def _place_of_extreme_ratio(
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
     best = int(np.argmin(ratios))
     return float(s[int(np.argmax(K[:, best]))]) if ratios[best] > _WIDEST_RATIO else None
-
-
-def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the unit tangents (k, 2) and the slopes (k,) of curvature minus natural curvature, at zeros t (k,)."""
-    _, d1, d2, d3 = excess.curve.derivatives(t, 3)
-    slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
-    return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:

@@ -169,23 +169,19 @@ def _evenly_spaced(low: float, high: float, pitch: float) -> FloatArray:
     return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
 
 
-def deepest_collision(first: Body, second: Body, slot_distance: float = 0.0) -> Collision | None:
-    """Return the deepest overlap of two slotted strips at least `slot_distance` mm away from all slots.
-
-    Return None if the overlap is at most `SHARED_MM`.
-    """
-    return _deeper_overlap(first, second, slot_distance, SHARED_MM, is_flush=False)
-
-
-def _flush_overlap(first: Body, second: Body) -> Collision | None:
-    return _deeper_overlap(
-        first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True
-    )
-
-
-def _deeper_overlap(
-    first: Body, second: Body, slot_distance: float, least: float, *, is_flush: bool
+def deepest_collision(
+    first: Body,
+    second: Body,
+    slot_distance: float = 0.0,
+    least: float = SHARED_MM,
+    *,
+    is_flush: bool = False,
 ) -> Collision | None:
+    """Return the deepest overlap of two strips, or None if no depth exceeds `least`, mm.
+
+    Only places at least `slot_distance` mm away from all slots count. `is_flush` is True for strips side by side,
+    without slots.
+    """
     in_second, in_first = (
         _deepest_sample(a, b, slot_distance, least, is_flush=is_flush)
         for a, b in ((first, second), (second, first))
@@ -310,9 +306,10 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
         elif meeting[i, j]:
             if (places := _crossing_without_slot(strips, (narrower[i], narrower[j]))) is not None:
                 meetings.append(_Overlap(pair, places))
-            elif (hit := _flush_overlap(bodies[i], bodies[j])) is not None and not _has_slot_at(
-                strips, *np.array(hit.places)[:, None]
-            ):
+                continue
+            least = min(EDGES_TOUCH_MM, bodies[i].thickness / 2, bodies[j].thickness / 2)
+            hit = deepest_collision(bodies[i], bodies[j], least=least, is_flush=True)
+            if hit is not None and not _has_slot_at(strips, *np.array(hit.places)[:, None]):
                 meetings.append(_Overlap(pair, hit.places, is_flush=True))
     return meetings
 

@@ -569,24 +569,18 @@ class Crossing:
         count = int(np.clip(abs(high - low) / pitch, 5, 64)) + 1
         return np.concatenate([[start], np.interp(np.linspace(low, high, count)[1:-1], along, x), [end]])
 
-    @cached_property
-    def width_beyond(self) -> FloatArray:
-        """Distances (2, 2), mm, of the crossing's ends (columns) from the nearer edge of each strip (rows)."""
-        m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
-        return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
-
     def beyond(self, which: int, end: int) -> float | None:
         """Return the parameter x at which the extended crossing reaches a long edge of strip `which` (0 or 1).
 
         The crossing is extended beyond its start (`end` 0) or its end (`end` 1). Return None if the strip ends
         before its long edge is reached.
         """
-        if self.width_beyond[which, end] < ON_EDGE_MM:
-            return float(end)
         origin, step = (self.start, -1) if end == 0 else (self.end, 1)
         nodes = self.locus.nodes
         q = np.concatenate([[origin], nodes[(nodes - origin) * step > 0][::step]])
         m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
+        if m[0].min() < ON_EDGE_MM:
+            return float(end)
         outside = np.flatnonzero(m.min(axis=1) < 0)
         if not outside.size:
             return None

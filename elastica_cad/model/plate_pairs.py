@@ -372,14 +372,13 @@ def _leaned(
     back = plates[1].frame.shifted(z=-plates[1].sheet.thickness)
     tabs = [tab for tab in tabs_of(plates[1]) if tab.key in leans]
     needed = {tab.key: _bent_length(tab, leans[tab.key], back) for tab in tabs}
-    first, second = (_around_moved(plate) for plate in leaned)
+    first, second = (
+        plate
+        if plate.options is None
+        else plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate))
+        for plate in leaned
+    )
     return (first, second), needed
-
-
-def _around_moved(plate: Plate) -> Plate:
-    if plate.options is None:
-        return plate
-    return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate))
 
 
 def _displacements(
