@@ -172,7 +172,8 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
         slot if slot.tab is None else tab_slot(slot.tab, ground, sheet.thickness, named)
         for slot in first.slots
     ]
-    return plate_with(slots, sheet, ground, options, type(first))
+    # `_leaned` makes the whole plate around its moved slots
+    return replace(first, frame=ground, slots=tuple(slots), name=options.name, options=options)
 
 
 Cures = Callable[[float], str]
@@ -326,7 +327,7 @@ def _tried_pair(
         else tab_slot(tabs[slot.tab.key], first.frame, first.sheet.thickness, options)
         for slot in first.slots
     ]
-    inner = plate_with(slots, first.sheet, first.frame, options, type(first))
+    inner = replace(first, slots=tuple(slots), options=options)
     accept_faults(shoulder_faults(tabs_of(inner), first.frame, options), options.ignore_limits)
     return _leaned(placed, (inner, _plate_behind(inner, options, gap)), _untested_cures)
 
