@@ -201,8 +201,8 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     for (text, severity), parts in sizes.items():
         count, names = sum(part.count for part in parts), [part.name for part in parts]
         label = f"{names[0]} x {count}" if count > 1 else names[0]
-        loads = (hold_row(part.strip).text for part in parts)
-        details = [f"{name}: {load}" for name, load in zip(names, loads, strict=True)]
+        # only -v shows details
+        details = [f"{part.name}: {hold_row(part.strip).text}" for part in parts if voice().verbose]
         more = [f"These are {', '.join(names)}.", *details] if names[1:] else details
         say_row(Row(label, text, more, severity))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""

@@ -213,7 +213,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
     return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _spans(written: bytes, degree: int) -> Spans:
     """Return the spans of knots that are passed as bytes, because arrays cannot be keys of the cache."""
     knots = np.frombuffer(written)
