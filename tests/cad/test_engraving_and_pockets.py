@@ -2,6 +2,7 @@
 
 import copy
 import re
+from itertools import product
 
 import build123d as bd
 import cadquery as cq
@@ -84,8 +85,18 @@ BUILD123D_MOTIONS = {
 }
 
 
-@pytest.mark.parametrize("motion", BUILD123D_MOTIONS)
-@pytest.mark.parametrize("kind", ["FlatStrip", "StripOutline", "laminate"])
+def _bodies(plain, motions, usual):
+    """Each motion of plain parts, and of both bodies of a laminate, which is slow."""
+    laminates = (
+        pytest.param("laminate", motion, marks=() if motion == usual else pytest.mark.campaign)
+        for motion in motions
+    )
+    return [*product(plain, motions), *laminates]
+
+
+@pytest.mark.parametrize(
+    ("kind", "motion"), _bodies(("FlatStrip", "StripOutline"), BUILD123D_MOTIONS, "rows moved")
+)
 def test_engraving_is_on_the_moved_part_of_build123d(kind, motion):
     from elastica_cad.build123d import FlatStrip, StripOutline
 
@@ -117,8 +128,7 @@ CADQUERY_MOTIONS = {
 }
 
 
-@pytest.mark.parametrize("motion", CADQUERY_MOTIONS)
-@pytest.mark.parametrize("kind", ["flat", "outline", "laminate"])
+@pytest.mark.parametrize(("kind", "motion"), _bodies(("flat", "outline"), CADQUERY_MOTIONS, "moved"))
 def test_engraving_is_on_the_moved_part_of_cadquery(kind, motion):
     from elastica_cad.cadquery import flat_strip, strip_outline
 

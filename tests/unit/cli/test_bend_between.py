@@ -230,6 +230,7 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
     assert "become slack" not in run(f"{line} sliding-model", cwd=tmp_path).stderr
 
 
+@pytest.mark.campaign
 def test_the_force_is_the_larger_of_both_ends(desk):
     options = "--point-mass 100 200 --side left"
     report = bent(options, desk)

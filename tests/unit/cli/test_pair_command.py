@@ -151,8 +151,9 @@ def test_the_order_in_the_file_decides_first_and_second(tmp_path, names, swapped
     assert "not joined" not in said
 
 
-@pytest.mark.parametrize("words", [("clip.toml",), ("clip.svg", "clip.svg", "--first", "up", "--second", "down",
-                                                    "--sheet", "pom-3")])  # fmt: skip
+@pytest.mark.parametrize("words", [("clip.toml",), pytest.param(
+    ("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3"), marks=pytest.mark.campaign,
+)])  # fmt: skip
 def test_other_keys_are_set(words, tmp_path):
     files = [EXAMPLES / word if word.startswith("clip.") else word for word in words]
     run("pair", *files, "--set", "pad.hole=2", "--kerf", "0", "-o", tmp_path)

@@ -625,7 +625,11 @@ def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp
 
 
 @pytest.mark.parametrize(
-    "words", ["check wave.dxf", "strip wave.dxf --sheet card-200gsm --max-width 20 -o out"]
+    "words",
+    [
+        "check wave.dxf",
+        pytest.param("strip wave.dxf --sheet card-200gsm --max-width 20 -o out", marks=pytest.mark.campaign),
+    ],
 )
 @pytest.mark.parametrize("found", [False, True])
 def test_a_search_without_a_result_says_so(words, found, tmp_path, monkeypatch):

@@ -50,7 +50,9 @@ def test_a_gap_makes_two_rings_at_either_end(read):
     assert not ec.model.rocking_tabs(model.placed, model.plates)
 
 
-@pytest.mark.parametrize("ends", ["ends = { length = 27, width = 8 }\n", ""])
+@pytest.mark.parametrize(
+    "ends", ["ends = { length = 27, width = 8 }\n", pytest.param("", marks=pytest.mark.campaign)]
+)
 def test_rings_that_are_too_small_for_inclined_tabs_get_the_least_opening(read, ends):
     def ball(radius, top=80):
         return read(
@@ -151,7 +153,11 @@ def test_only_tested_changes_are_named_as_tested(read, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("gap", "advice"), [(7, "reduce the gap to 4 mm."), (12, "let the strips meet the plate more steeply.")]
+    ("gap", "advice"),
+    [
+        (7, "reduce the gap to 4 mm."),
+        pytest.param(12, "let the strips meet the plate more steeply.", marks=pytest.mark.campaign),
+    ],
 )
 def test_a_full_stop_precedes_the_tested_changes(read, gap, advice):
     bowl = (
