@@ -76,7 +76,6 @@ def as_beziers(path: Path) -> Path:
     >>> as_beziers(Path([Spline(arch)])).segments[0].curve.knots.tolist()
     [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0]
     """
-    require_record(path, Path, "what becomes Bezier curves", "a Path")
     if not path.has_splines:
         return path
     segments = [
@@ -91,8 +90,7 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
     rows = np.concatenate([pieces[0][2][:1], *(piece[1:] for _, _, piece in pieces)])
     inside = np.repeat([start for start, _, _ in pieces[1:]], 3)
     knots = np.concatenate([[pieces[0][0]] * 4, inside, [pieces[-1][1]] * 4])
-    weights = rows[:, 2] if curve.is_rational else None
-    return PlaneCurve(knots, project(rows), 3, weights)
+    return PlaneCurve(knots, project(rows), 3, rows[:, 2] if curve.is_rational else None)
 
 
 def _raised(rows: FloatArray) -> FloatArray:
@@ -117,8 +115,7 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
     inside = (knots > t0) & (knots < t1)
     cuts = knots[inside & (curve.degree - counts < continuity)]
     sites = np.concatenate([[t0], knots[inside], [t1]])
-    edges = [t0, *cuts, t1]
-    return tuple(sites[(sites >= a) & (sites <= b)] for a, b in pairwise(edges))
+    return tuple(sites[(sites >= a) & (sites <= b)] for a, b in pairwise([t0, *cuts, t1]))
 
 
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
@@ -159,8 +156,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
         spline = SplineFunction(knots, solved(spans, rows, np.pad(index, 1, mode="edge"), values), 3)
         probes = sites[:-1, None] + np.diff(sites)[:, None] * _PROBES
         off = spline(probes.ravel()) - motion(probes.ravel(), 0, False)
-        error = norm(off).reshape(probes.shape).max(axis=1)
-        bad = error > 0.9 * tolerance
+        bad = norm(off).reshape(probes.shape).max(axis=1) > 0.9 * tolerance
         if not bad.any():
             return knots, spline.coefficients
         sites = np.sort(np.concatenate([sites, (sites[:-1] + np.diff(sites) / 2)[bad]]))
@@ -273,7 +269,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     chord = q - p
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
-    if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
+    if along <= _ROUNDING_SHARE * np.abs([p, q]).max():
         return [], np.inf  # no biarc: the chord points backwards, or the ends coincide
     # d is the positive root of bend d^2 + 2 along d = square, also for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))

@@ -56,15 +56,15 @@ class ArcLength:
 
     def length_at(self, t: FloatArray) -> FloatArray:
         """Return arc lengths (n,), mm, at parameters (n,)."""
-        panel = np.searchsorted(self.t[1:-1], t, side="right")
-        x = np.clip(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0, 1.0)
+        panel = self.t[1:-1].searchsorted(t, side="right")
+        x = (2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1).clip(-1.0, 1.0)
         s = self.s[panel] + chebyshev.chebval(x, self.series.T[:, panel], tensor=False)
         return np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
         """Return parameters (n,) at arc lengths (n,), by Newton's method between tabulated values."""
         places, reached = self._table
-        cell = np.searchsorted(reached[1:-1], s, side="right")
+        cell = reached[1:-1].searchsorted(s, side="right")
         panel = cell // (_PLACES.size - 1)
         low, high = (places[at] - 2.0 * panel for at in (cell, cell + 1))
         x = np.interp(s, reached, places) - 2.0 * panel
@@ -126,9 +126,7 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
         span, low, width, before = span[~fine], low[~fine], width[~fine] / 2, tail[~fine]
         span, before, width = np.tile(span, 2), np.tile(before, 2), np.tile(width, 2)
         low = np.concatenate([low, low + width[: low.size]])
-    starts, rows = (np.concatenate(parts) for parts in zip(*panels, strict=True))
+    starts, rows = map(np.concatenate, zip(*panels, strict=True))
     order = starts.argsort()
     lengths = rows[order].sum(axis=1)
-    return ArcLength(
-        np.append(starts[order], edges[-1]), np.concatenate([[0.0], lengths.cumsum()]), rows[order]
-    )
+    return ArcLength(np.append(starts[order], edges[-1]), np.append(0.0, lengths.cumsum()), rows[order])

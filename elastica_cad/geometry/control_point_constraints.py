@@ -66,8 +66,7 @@ class EndTangents:
     def of(cls, curve: PlaneCurve) -> "EndTangents":
         """Return the constraint that both end tangents of `curve` remain the same."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
-        velocity = curve.evaluate(np.array(curve.domain), 1)
-        start, end = left_of(unit(velocity))
+        start, end = left_of(unit(curve.evaluate(np.array(curve.domain), 1)))
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
@@ -100,11 +99,10 @@ class SmoothJoints:
         """Return the constraint for all joints between the pieces of `curve`, except its corners."""
         corners = {corner.t for corner in curve.tangent_breaks}
         free = [joint.t for joint in curve.breaks if joint.t not in corners]
-        first = np.searchsorted(curve.knots, free, side="left")
-        ends = np.searchsorted(curve.knots, free, side="right")
+        first = curve.knots.searchsorted(free)
+        ends = curve.knots.searchsorted(free, side="right")
         at = (first - 1)[ends - first == curve.degree]
-        handle = norm(curve.control_points[at + 1] - curve.control_points[at])
-        return cls(at, handle)
+        return cls(at, norm(curve.control_points[at + 1] - curve.control_points[at]))
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the residuals and the matrix of the constraint.
@@ -138,8 +136,7 @@ class FixedLength:
         x, w = gauss_rule(16)
         t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
         weight = (width[:, None] * w / 2).ravel()
-        velocity = curve.evaluate(t, 1)
-        gradient = curve.basis(t, 1).T @ (unit(velocity) * weight[:, None])
+        gradient = curve.basis(t, 1).T @ (unit(curve.evaluate(t, 1)) * weight[:, None])
         return np.array([curve.length - self.length]), gradient.reshape(1, -1)
 
 
@@ -324,17 +321,17 @@ def _no_equations(curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
     """Return the derivatives (k, 2 m) of sum_i basis[k, i] <direction[k], q_i> by the control points q_i."""
-    return (basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1)
+    return (basis[:, :, None] * direction[:, None, :]).reshape(len(basis), -1)
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
     """Return the derivatives (k, 2 m) of the curvature at parameters t (k,) by the control points."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
     speed = norm(d1)[:, None]
-    turned1, turned2 = (left_of(d) for d in (d1, d2))
+    turned1, turned2 = map(left_of, (d1, d2))
     kappa = curve.curvature_at(t)[:, None]
     by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
-    return np.asarray((directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3)
+    return (directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
@@ -363,7 +360,7 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
             "smaller, or bend the curve more on both sides of each inflection"
         )
     if inflections.size == near.size:
-        return inflections[np.argsort(np.argsort(near))]
+        return inflections[near.argsort().argsort()]
     picked = inflections[np.abs(inflections[None, :] - near[:, None]).argmin(axis=1)]
     if np.unique(picked).size < near.size:
         raise NotConvergedError("two inflections of the curve merge: make the move smaller")

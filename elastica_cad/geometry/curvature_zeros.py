@@ -13,7 +13,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
-from elastica_cad.geometry.plane_points import project
+from elastica_cad.geometry.plane_points import norm, project
 from elastica_cad.geometry.polynomials import divide_out_end_root, product, roots, without_end_roots
 from elastica_cad.geometry.splines import sampled
 
@@ -90,7 +90,7 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
     distance = terms.sum(axis=-1)
     noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
     extent = float(np.ptp(project(bezier), axis=(0, 1)).max())
-    level = 1e-12 * np.hypot(*b) * extent * bezier[..., 2].max(axis=1)
+    level = 1e-12 * norm(b) * extent * bezier[..., 2].max(axis=1)
     on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
     return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
 
@@ -117,8 +117,7 @@ def function_zero_places(
     low, high, cuts = edges[:-1], edges[1:], np.zeros(edges.size - 1, dtype=int)
     pieces: list[tuple[FloatArray, FloatArray]] = []
     while low.size:
-        t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
-        values = sampled(function, t)
+        values = sampled(function, low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2)
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
         largest = np.abs(values).max(axis=1)
         # large values have rounding errors above those of the typical size
@@ -129,23 +128,14 @@ def function_zero_places(
         middle = (low + high) / 2
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
         cuts = np.concatenate([cuts, cuts])
-    starts, values = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    order = np.argsort(starts)
+    starts, values = map(np.concatenate, zip(*pieces, strict=True))
+    order = starts.argsort()
     starts, values = starts[order], values[order]
     largest = np.abs(values).max(axis=1)
     flat, noise = largest <= _FLAT * size, _FOLLOWED_NOISE * np.maximum(size, largest)
-    joined = _smooth_between(starts, edges, smooth)
-    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
-
-
-def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return flags (k - 1,) of smooth joints between pieces that start at `starts` (k,).
-
-    Flags at inner edges are those in `smooth`. All other flags are True.
-    """
     joined = np.ones(starts.size - 1, dtype=bool)
-    joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
-    return joined
+    joined[starts.searchsorted(edges[1:-1]) - 1] = smooth
+    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
@@ -154,8 +144,7 @@ def _straight_pieces(bezier: FloatArray) -> BoolArray:
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
     length = np.hypot(along, across)
-    safe = np.where(length > 0, length, 1.0)
-    sagitta = np.abs((y * along - x * across) / safe)
+    sagitta = np.abs((y * along - x * across) / np.where(length > 0, length, 1.0))
     sagitta = np.where(length > 1e-12, sagitta, np.hypot(x, y)).max(axis=1)
     return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 + 16 * _EPS)
 
@@ -227,7 +216,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
     curved = np.flatnonzero(~f.flat)
     inside: dict[int, list[tuple[float, bool]]] = {int(i): [] for i in curved}
     for root in roots(c[curved], f.noise[curved]):
-        inside[int(curved[root.piece])].append((root.u, root.crossing))
+        inside[curved[root.piece]].append((root.u, root.crossing))
     start, stop = (np.where(f.flat, 0, np.sign(c[:, side])).astype(int).tolist() for side in (0, -1))
     places: list[ZeroPlace] = []
     for i in range(count):

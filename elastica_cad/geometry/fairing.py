@@ -193,7 +193,7 @@ def _fitted(
     except InputError:
         return None, 0.0
     s = np.union1d(np.linspace(0.0, curve.length, _DENSE * spans), [knot.s for knot in curve.breaks])
-    moved = float(np.linalg.norm(fair.evaluate(s) - curve.at(s).position, axis=1).max())
+    moved = float(norm(fair.evaluate(s) - curve.at(s).position).max())
     return (Fairing(fair, moved, tolerance), length) if moved <= tolerance else (None, 0.0)
 
 
@@ -214,15 +214,14 @@ class _Problem:
         self.width = self.length / spans
         beyond = self.width * np.arange(1, DEGREE + 1) * curve.is_closed
         self.knots = np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
-        local = (np.arange(_SAMPLES_PER_SPAN) + 0.5) / _SAMPLES_PER_SPAN
-        s = edges[:-1, None] + self.width * local
+        s = edges[:-1, None] + self.width * ((np.arange(_SAMPLES_PER_SPAN) + 0.5) / _SAMPLES_PER_SPAN)
         samples = curve.at(s.ravel())
         self.data = samples.position.reshape(*s.shape, 2)
         along = unit_vectors(samples.angle).reshape(*s.shape, 2)
         self.across = left_of(along)
         basis = bezier_spans(self.knots, DEGREE)
         self.basis = [basis.local_basis(s.ravel(), k)[0].reshape(*s.shape, -1) for k in range(4)]
-        self.support = basis.first[:, None] + np.arange(DEGREE + 1)
+        self.support = basis.columns
         self.held = np.zeros((basis.count, 2))
         if curve.is_closed:
             place = np.arange(basis.count) % spans
@@ -264,11 +263,10 @@ class _Problem:
         return numbers.reshape(*direction.shape[:2], -1)
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
-        return np.asarray(self.basis[derivative] @ points[self.support])
+        return self.basis[derivative] @ points[self.support]
 
     def _applied(self, rows: FloatArray, points: FloatArray) -> FloatArray:
-        local = points[self.support].reshape(len(rows), -1, 1)
-        return np.asarray((rows @ local)[..., 0])
+        return (rows @ points[self.support].reshape(len(rows), -1, 1))[..., 0]
 
     def _normal_equations(self, rows: FloatArray, target: FloatArray) -> NormalEquations:
         transposed, free = rows.transpose(0, 2, 1), self.columns >= 0
@@ -352,7 +350,7 @@ def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) 
 
 def _points(curve: PlaneCurve, count: int) -> FloatArray:
     s = np.union1d(np.linspace(0.0, curve.length, count), [b.s for b in curve.breaks])
-    return curve.evaluate(curve.parameter(np.clip(s, 0.0, curve.length)))
+    return curve.evaluate(curve.parameter(s.clip(0.0, curve.length)))
 
 
 def largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
@@ -393,7 +391,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
         fitted = PlaneCurve(*smoothest_spline(provenance.measured.points, DEGREE, smooth), DEGREE)
         moved = largest_distance(provenance.measured.points, fitted)
         return fitted.drawn_as(provenance.of_part()), moved
-    if not curve.has_corners or curve.degree < 2:
+    if not curve.has_corners:
         return curve, 0.0
     if provenance is not None and provenance.vertices is not None:
         fitted, moved = fit_polyline(provenance.vertices, FIT_TOLERANCE)
@@ -428,7 +426,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     corners = [corner.angle for corner in curve.tangent_breaks]
     if abs(curve.seam_turn) > CORNER_RAD:
         corners.append(curve.seam_turn)
-    if not corners or curve.degree < 2 or max(map(abs, corners)) > LARGEST_REMOVED_RAD:
+    if not corners or max(map(abs, corners)) > LARGEST_REMOVED_RAD:
         return None
     most = WORTH_SHARE * curve.length
     healing = _healed(curve, CORNER_SHARE * most)

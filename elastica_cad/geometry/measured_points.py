@@ -173,11 +173,6 @@ class MeasuredPoints:
         return Length(float(f"{self.noise:.1g}"))
 
     @property
-    def noise_text(self) -> str:
-        """Sentence about the noise, without a full stop and without the advice of `noise_message`."""
-        return note("the points have noise of about {noise}", noise=self.rounded_noise)
-
-    @property
     def noise_message(self) -> str:
         """Message about the noise, without a full stop."""
         return note(
@@ -251,8 +246,9 @@ def estimate_noise(points: FloatArray) -> float:
 def _off_nearest(points: FloatArray) -> FloatArray:
     """Return the distance (n,), mm, of each point from a cubic through four neighbours, or 0 at the ends."""
     across, weights = _differences(points, 4)
-    middle = across / weights[:, 2]
-    return np.abs([0.0, across[0] / weights[0, 1], *middle, across[-1] / weights[-1, 3], 0.0])
+    return np.abs(
+        [0.0, across[0] / weights[0, 1], *(across / weights[:, 2]), across[-1] / weights[-1, 3], 0.0]
+    )
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
@@ -325,9 +321,8 @@ class Provenance:
             return note("{place:.6g}", place=Point((x, y)))
         return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
-    def transformed(self, matrix: FloatArray) -> "Provenance":
+    def transformed(self, m: FloatArray) -> "Provenance":
         """Return the record for the image of the curve under a 3 x 3 matrix."""
-        m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
         stretch = float(np.linalg.norm(m[:2, :2] / m[2, 2], 2))

@@ -25,6 +25,7 @@ from elastica_cad.geometry.plane_points import (
     norm,
     place,
     project,
+    rotated,
     turn_between,
     unit,
 )
@@ -87,7 +88,7 @@ class TangentAngle:
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
         """Return the angles (n,), rad, of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
-        cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
+        cone = self.edges[1:-1].searchsorted(t, side="left" if left else "right")
         return self.angle[cone] + turn_between(self.axis[cone], velocity)
 
 
@@ -142,7 +143,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
     """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
-    part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
+    part, low, width = hodographs, edges[:-1], np.diff(edges)
     size = norm(part)
     largest = size.max(axis=1)
     still = largest <= _STILL_SPAN * largest.max()
@@ -172,7 +173,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     if low.size:
         return TangentCones(edges, part, float((low + width / 2).min()))
     begin, coefficients = np.concatenate(starts), np.concatenate(cones)
-    order = np.argsort(begin, kind="stable")
+    order = begin.argsort(kind="stable")
     return TangentCones(np.append(begin[order], edges[-1]), coefficients[order])
 
 
@@ -306,9 +307,9 @@ class RationalPieces:
         Coordinates are relative to the middle control point of each piece. With coordinates relative to the origin,
         second derivatives of short, distant pieces would have large rounding errors.
         """
-        near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
+        near = self.control_points[self.spans.columns]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
-        return np.asarray(self.spans.matrix @ near[..., : 3 if self.rational else 2])
+        return self.spans.matrix @ near[..., : 3 if self.rational else 2]
 
     @cached_property
     def _origins(self) -> FloatArray:
@@ -320,7 +321,7 @@ def _raised(degree: int, times: int) -> FloatArray:
     """Return the matrix that raises a Bernstein polynomial by `times` degrees, for `scaled_bernstein`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
-        c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
+        c = raise_degree(c) if c.shape[1] > 1 else c.repeat(2, axis=1)
     return np.ascontiguousarray((c * binomials(degree)).T)
 
 
@@ -407,7 +408,7 @@ def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
     """Return the number of continuous derivatives at each interior knot (p - 1,), from its multiplicity."""
     t = pieces.edges[1:-1]
-    repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
+    repeated = knots.searchsorted(t, side="right") - knots.searchsorted(t)
     return pieces.spans.degree - repeated
 
 
@@ -439,7 +440,7 @@ def _refuse_standstill(
         return
     at = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
-    size = float(np.ptp(control_points, axis=0).max())
+    size = np.ptp(control_points, axis=0).max()
     where = note(
         "the curve has no tangent at {place}, {s} from its start",
         place=at,
@@ -468,8 +469,7 @@ def _refuse_standstill(
 
 
 def _length_until(pieces: RationalPieces, t: float) -> float:
-    edges = np.append(pieces.edges[pieces.edges < t], t)
-    dense = [np.linspace(a, b, 65) for a, b in pairwise(edges)]
+    dense = [np.linspace(a, b, 65) for a, b in pairwise(np.append(pieces.edges[pieces.edges < t], t))]
     return float(sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense))
 
 
@@ -515,12 +515,12 @@ class NurbsCurve:
             )
         object.__setattr__(self, "control_points", points)
         object.__setattr__(self, "knots", finite("knots", self.knots))
-        check_knots(self.knots, points.shape[0], self.degree)
+        check_knots(self.knots, len(points), self.degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
-            if weights.shape != (points.shape[0],):
+            if weights.shape != (len(points),):
                 raise InputError(
-                    f"there are {weights.size} weights for {points.shape[0]} control points: give a weight "
+                    f"there are {weights.size} weights for {len(points)} control points: give a weight "
                     "for each point"
                 )
             if weights.min() <= 0:
@@ -569,13 +569,12 @@ class NurbsCurve:
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
         """Return the clamped B-spline with uniform knots and `control_points` (m, 2), m > degree."""
         points, degree = finite("control_points", control_points), whole_degree(degree)
-        count = points.shape[0] if points.ndim else 0
+        count = len(points) if points.ndim else 0
         if count <= degree:
             raise InputError(
                 f"{count} control points are too few for degree {degree}: give {degree + 1} or more"
             )
-        inner = np.linspace(0.0, 1.0, count - degree + 1)
-        knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+        knots = np.concatenate([np.zeros(degree), np.linspace(0.0, 1.0, count - degree + 1), np.ones(degree)])
         return cls(knots, points, degree)
 
     @classmethod
@@ -618,8 +617,7 @@ class NurbsCurve:
                 f"the arc runs from {first:g} to {last:g} rad: give angles at most {MOST_TURNS} turns apart"
             )
         knots, points, weights = unit_circle_arc(first, last)
-        c, s = np.cos(turn), np.sin(turn)
-        return cls(knots, centre + points * axes @ np.array([[c, s], [-s, c]]), 2, weights)
+        return cls(knots, centre + rotated(points * axes, turn), 2, weights)
 
     @classmethod
     def fit(
@@ -659,8 +657,7 @@ class NurbsCurve:
             if closed
             else fit_spline(data, degree, tolerance, smoothing)
         )
-        provenance = Provenance(measured=MeasuredPoints.of(data))
-        return cls(knots, control_points, degree, provenance=provenance)
+        return cls(knots, control_points, degree, provenance=Provenance(measured=MeasuredPoints.of(data)))
 
     @classmethod
     def fit_function(
@@ -776,12 +773,12 @@ class NurbsCurve:
     def trimmed(self, start: float, end: float) -> Self:
         """Return the part between two parameters as a new clamped curve, by Boehm's knot insertion."""
         p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
-        points = self._pieces.control_points.copy() if self.is_rational else self.control_points.copy()
-        last = int(np.searchsorted(self.knots, end)) - 1
+        points = (self._pieces if self.is_rational else self).control_points.copy()
+        last = int(self.knots.searchsorted(end)) - 1
         for r, row in enumerate(_de_boor(self.knots, points, last, end), 1):
             points[last - p + r] = row[0]
         knots = np.minimum(self.knots, end)
-        first = int(np.searchsorted(knots, start, side="right")) - 1
+        first = int(knots.searchsorted(start, side="right")) - 1
         for r, row in enumerate(_de_boor(knots, points, first, start), 1):
             points[first - r] = row[-1]
         knots, rows = np.maximum(knots, start)[first - p : last + p + 2], points[first - p : last + 1]

@@ -53,8 +53,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
                 f"the loop at {place(path.start)} encloses no area, so it has no offset: leave out this loop"
             )
         left = -distance * float(np.sign(path.area))
-    ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
-    moved = Path(ring.joined(), path.closed)
+    moved = Path(_Ring(_elements(path, left, tolerance), path.closed, distance).joined(), path.closed)
     _refuse_collisions(path, moved, distance, tolerance)
     return moved
 
@@ -110,7 +109,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     stretches = smooth_stretches(curve, 2)
     probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])
     kappa = curve.curvature_at(probes)
-    sharpest = int(np.argmax(left * kappa))
+    sharpest = (left * kappa).argmax()
     if left * kappa[sharpest] >= 1 - 1e-6:
         raise InputError(
             "the curve at {place} has a radius of {given:.4g}, too small for an offset of {left:g}: draw a "
@@ -124,19 +123,17 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
         d = curve.evaluate(t, 1, left=before)
         if derivative:
             return (1 - left * curve.curvature_at(t, left=before))[:, None] * d
-        normal = left_of(unit(d))
-        return curve.evaluate(t, left=before) + left * normal
+        return curve.evaluate(t, left=before) + left * left_of(unit(d))
 
     return Spline(cubic_through(motion, stretches, tolerance))
 
 
 def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
-    s, t = before.tangent_at(1.0), after.tangent_at(0.0)
-    turn = float(turn_between(s, t))
+    along = before.tangent_at(1.0)
+    turn = float(turn_between(along, after.tangent_at(0.0)))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
         return None
-    normal = left_of(s) * np.sign(left)
-    first = float(angle_of(normal))
+    first = float(angle_of(left_of(along) * np.sign(left)))
     return Arc(before.end, abs(left), first, first + turn)
 
 
@@ -149,40 +146,29 @@ class _Ring:
     distance: float
 
     def joined(self) -> list[Segment]:
-        alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
+        alive = {i: element.piece for i, element in enumerate(self.elements) if element.piece is not None}
         while True:
-            self._refuse_losses(set(alive))
+            self._refuse_losses(alive)
             failed = None
             starts, ends = dict.fromkeys(alive, 0.0), dict.fromkeys(alive, 1.0)
-            for i, j in self._joints(alive):
-                cut = _meeting_parameters(self._piece(i), self._piece(j))
+            order = [*alive]
+            for i, j in pairwise([*order, order[0]] if self.closed else order):
+                cut = _meeting_parameters(alive[i], alive[j])
                 if cut is None:
-                    failed = min(i, j, key=self._raw_length)
+                    failed = min(i, j, key=lambda k: alive[k].length)
                     break
                 ends[i], starts[j] = cut
             if failed is None:
                 inverted = [i for i in alive if ends[i] - starts[i] <= 1e-9]
                 if not inverted:
-                    return [trim_segment(self._piece(i), starts[i], ends[i]) for i in alive]
-                failed = min(inverted, key=self._raw_length)
-            alive.remove(failed)
+                    return [trim_segment(piece, starts[i], ends[i]) for i, piece in alive.items()]
+                failed = min(inverted, key=lambda k: alive[k].length)
+            del alive[failed]
 
-    def _joints(self, alive: list[int]) -> list[tuple[int, int]]:
-        joints = list(pairwise(alive))
-        return [*joints, (alive[-1], alive[0])] if self.closed else joints
-
-    def _piece(self, i: int) -> Segment:
-        piece = self.elements[i].piece
-        assert piece is not None
-        return piece
-
-    def _raw_length(self, i: int) -> float:
-        return self._piece(i).length
-
-    def _refuse_losses(self, alive: set[int]) -> None:
+    def _refuse_losses(self, alive: dict[int, Segment]) -> None:
         n, first = len(self.elements), min(alive, default=0)
         alone = self.closed and len(alive) == 1 < n
-        if not alive or (alone and not meets(self._piece(first), self._piece(first))):
+        if not alive or (alone and not meets(alive[first], alive[first])):
             self._refuse(self.elements[0].source)
         run = 0.0
         for k in range(first, first + n):
@@ -210,7 +196,7 @@ def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
 def _refuse_collisions(path: Path, moved: Path, distance: float, tolerance: float) -> None:
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
-    worst = int(np.argmin(near))
+    worst = near.argmin()
     if near[worst] < abs(distance) - 2 * tolerance - JOIN:
         raise InputError(
             "an offset of {distance:g} runs into another part of the path at {place}: widen the "

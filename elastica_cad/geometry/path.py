@@ -93,8 +93,7 @@ def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray,
 
 def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
     off = p - arc.center
-    turn = np.sign(arc.sweep) * (angle_of(off) - arc.start_angle)
-    on = np.mod(turn, 2 * np.pi) <= abs(arc.sweep)
+    on = np.mod(np.sign(arc.sweep) * (angle_of(off) - arc.start_angle), 2 * np.pi) <= abs(arc.sweep)
     ends = [norm(p - end) for end in (arc.start, arc.end)]
     return np.where(on, np.abs(norm(off) - arc.radius), np.minimum(*ends))
 
@@ -117,7 +116,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
         best = np.minimum(best, norm(off))
         slope = dot(d1, d1) + dot(off, d2)
         step = dot(off, d1) / np.where(slope > 0, slope, dot(d1, d1))
-        before, t = t, np.clip(t - step, t0, t1)
+        before, t = t, (t - step).clip(t0, t1)
         if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
             break
     low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
@@ -137,8 +136,7 @@ def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, hi
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):
         t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
-        off = curve.evaluate(np.clip(t, *curve.domain)) - p[:, None, :]
-        gap = norm(off)
+        gap = norm(curve.evaluate(t.clip(*curve.domain)) - p[:, None, :])
         k = gap.argmin(axis=1)
         least = np.minimum(least, gap[rows, k])
         low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]
@@ -209,12 +207,12 @@ class Path:
         repeat its first point at the end.
         """
         p = numbers(points, "the points of a polyline")
-        if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
+        if p.ndim != 2 or p.shape[1:] != (2,) or not np.isfinite(p).all():
             raise InputError(
                 "the points of a polyline cannot be read: give an array (n, 2) of finite numbers, in mm"
             )
         b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
-        if b.shape != (len(p),) or not np.all(np.isfinite(b)):
+        if b.shape != (len(p),) or not np.isfinite(b).all():
             raise InputError(
                 "the bulges of a polyline do not match its points: give one finite bulge per point"
             )

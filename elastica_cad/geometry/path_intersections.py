@@ -180,7 +180,7 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
     hit = (np.abs(f - 0.5) <= 0.6) & (np.abs(g - 0.5) <= 0.6)
     pairs = np.column_stack([u[i] + f * np.diff(u)[i], v[j] + g * np.diff(v)[j]])[hit]
-    return [(float(x), float(y)) for x, y in pairs]
+    return [(x, y) for x, y in pairs.tolist()]
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
@@ -264,7 +264,7 @@ def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
     >>> part.bounds.tolist()
     [[10.0, 2.5], [30.0, 7.5]]
     """
-    return tuple(Path(run) for run in _runs_between(path, low, high))
+    return tuple(map(Path, _runs_between(path, low, high)))
 
 
 def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
@@ -282,7 +282,7 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
     walls = [segment for loop in met for segment in loop.segments]
     rims = [loop.points(FLAT_MM) for loop in met]
     parts = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
-    return tuple(Path(run) for run in parts)
+    return tuple(map(Path, parts))
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
@@ -306,5 +306,4 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
-    gaps = np.array([segment.start, segment.end]) - segment.at(u)
-    return 0 < u < 1 and bool(norm(gaps).min() > JOIN)
+    return 0 < u < 1 and bool(norm(np.array([segment.start, segment.end]) - segment.at(u)).min() > JOIN)

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, svg_of_lines
-from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import (
     is_number,
     is_series,
@@ -36,7 +36,7 @@ from elastica_cad.geometry.nurbs_curve import (
 )
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.self_intersections import find_self_intersections
-from elastica_cad.geometry.splines import adaptive_spline, finite
+from elastica_cad.geometry.splines import adaptive_spline, finite, is_clamped
 from elastica_cad.refusals import Length
 
 
@@ -243,16 +243,14 @@ class PlaneCurve(NurbsCurve):
     def survey(self) -> CurveSamples:
         """Samples at `SURVEY_POINTS` equal distances, computed once, with read-only arrays."""
         nodes = self.sample(SURVEY_POINTS)
-        for values in (nodes.s, nodes.position, nodes.angle, nodes.curvature, nodes.t):
+        for values in vars(nodes).values():
             values.setflags(write=False)
         return nodes
 
     @cached_property
     def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
         """All zeros and sign changes of the curvature, in the order of the curve."""
-        places = zeros.curvature_zero_places(
-            self._pieces.bezier, self._pieces.edges, self._curvature_continuous
-        )
+        places = zeros.curvature_zero_places(self._pieces.bezier, self._pieces.edges, self._continuity >= 2)
         return self._measured(self._polished(places))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
@@ -285,9 +283,7 @@ class PlaneCurve(NurbsCurve):
                 f"zeros cannot be found: the function is {quoted(function)} and the size {quoted(size)}. "
                 "Give a callable and a positive size")  # fmt: skip
         low, high = self.domain
-        places = dict(
-            zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)
-        )
+        places = {knot.t: knot.continuity >= 2 for knot in self.breaks}
         for t, continuous in (pair(item, "a break") for item in (breaks if is_series(breaks) else [breaks])):
             near = min(places, key=lambda known: abs(known - t), default=low)
             at = near if abs(near - t) < 1e-9 * (high - low) else t
@@ -351,8 +347,7 @@ class PlaneCurve(NurbsCurve):
     def is_closed(self) -> bool:
         """True if both ends are the same point within 1e-9 of the length."""
         (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
-        gap = hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0)
-        return gap <= 1e-9 * self.length
+        return hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0) <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
         """Return pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
@@ -389,10 +384,6 @@ class PlaneCurve(NurbsCurve):
     def _seam_sides(self) -> KnotSides:
         return KnotSides.of_seam(self._pieces, self._turning)
 
-    @cached_property
-    def _curvature_continuous(self) -> BoolArray:
-        return self._continuity >= 2
-
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
         """Improve sign changes by a Newton step, because parameters on short pieces have rounding errors."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
@@ -403,7 +394,7 @@ class PlaneCurve(NurbsCurve):
         _, d1, d2, d3 = self._pieces.within(index, u, 3)
         with np.errstate(divide="ignore", invalid="ignore"):
             better = t - curvature(d1, d2) / (curvature_slope(d1, d2, d3) * norm(d1))
-        near = np.abs(better - t) < ROUNDED_ZERO_SHARE * (edges[index + 1] - edges[index])
+        near = np.abs(better - t) < ROUNDED_ZERO_SHARE * self._pieces.spans.widths[index]
         near &= (edges[index] < better) & (better < edges[index + 1])
         places = list(zero_places)
         for i, at in zip(np.array(crossing)[near], better[near].tolist(), strict=True):
@@ -442,16 +433,12 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line is {normal.tolist()}: give two numbers, not both 0")
     edges, bezier = curve.bezier_table
-    crossings = line_places(bezier, edges, float(constant), normal)
-    return curve._measured(crossings)
+    return curve._measured(line_places(bezier, edges, float(constant), normal))
 
 
 def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
     """Return the curve with repeated end knots, so that its ends are control points."""
-    p, knots = curve.degree, curve.knots
-    if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
-        return curve
-    return curve.trimmed(*curve.domain)
+    return curve if is_clamped(curve.knots, curve.degree) else curve.trimmed(*curve.domain)
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
@@ -505,5 +492,5 @@ def integrate_tangents(
         tangent, (0.0, length), degree=DEGREE - 1, tolerance=tolerance, breaks=breaks
     )
     reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # integrals of the basis functions
-    points = start + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
+    points = start + np.pad((reach[:, None] * rows).cumsum(axis=0), ((1, 0), (0, 0)))
     return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)

@@ -62,6 +62,12 @@ def left_of(vectors: ArrayLike) -> FloatArray:
     return np.stack([-v[..., 1], v[..., 0]], axis=-1)
 
 
+def rotated(points: FloatArray, angle: float) -> FloatArray:
+    """Return points (..., 2) rotated anticlockwise about the origin by an angle, rad."""
+    along = unit_vectors(angle)
+    return np.asarray(points @ np.array([along, left_of(along)]))
+
+
 def homogeneous(points: FloatArray, weights: FloatArray | None) -> FloatArray:
     """Return the rows (m, 3), x w, y w, w, of points (m, 2) with weights (m,). Without weights, w is 1."""
     w = np.ones(len(points)) if weights is None else weights
@@ -186,6 +192,11 @@ def begun_at(points: FloatArray, first: int) -> FloatArray:
     return np.concatenate([points[first:-1], points[: first + 1]])
 
 
+def midpoints(values: FloatArray) -> FloatArray:
+    """Return the means (n - 1, ...) of neighbouring values (n, ...)."""
+    return (values[:-1] + values[1:]) / 2
+
+
 def thinned(points: FloatArray, step: int) -> FloatArray:
     """Return every `step`-th of points (n, d), and the last point."""
     return np.concatenate([points[:-1:step], points[-1:]])
@@ -257,6 +268,13 @@ def points_at(places: FloatArray, s: FloatArray, points: FloatArray) -> FloatArr
     return np.column_stack([np.interp(places, s, column) for column in points.T])
 
 
+def at_sign_changes(values: FloatArray, places: FloatArray) -> FloatArray:
+    """Interpolate places (n, ...) to the k sign changes of values (n,), as places (k, ...)."""
+    i = np.flatnonzero(values[:-1] * values[1:] < 0)
+    u = values[i] / (values[i] - values[i + 1])
+    return (places[i].T + u * (places[i + 1] - places[i]).T).T
+
+
 def turns_along(angles: FloatArray) -> FloatArray:
     """Return the cumulative absolute change (n,) of angles (n,).
 
@@ -265,7 +283,7 @@ def turns_along(angles: FloatArray) -> FloatArray:
     >>> turns_along(np.array([0.5, 1.5, 0.5])).tolist()
     [0.0, 1.0, 2.0]
     """
-    return np.append(0.0, np.cumsum(np.abs(np.diff(angles))))
+    return np.append(0.0, np.abs(np.diff(angles)).cumsum())
 
 
 def numbers_in_groups(counts: IntArray) -> IntArray:
@@ -276,7 +294,7 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
     >>> numbers_in_groups(np.array([2, 0, 3])).tolist()
     [0, 1, 0, 1, 2]
     """
-    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.arange(counts.sum()) - (counts.cumsum() - counts).repeat(counts)
 
 
 _ROW, _FINEST_CELL = 2**31, 2.0**-30
@@ -305,7 +323,7 @@ def blocks_of_near_pairs(
     """Yield the pairs of `near_pairs` in one or more blocks. All pairs of a point are in one block."""
     both = np.concatenate([points, others])[:, :2]
     cells = both - both.min(axis=0, initial=np.inf)
-    cell = max(reach, _FINEST_CELL * float(cells.max(initial=0.0)))
+    cell = max(reach, _FINEST_CELL * cells.max(initial=0.0))
     row, column = np.floor(cells / cell).astype(np.int64).T
     numbers = (row * _ROW + column)[:, None] + np.array([-_ROW, 0, _ROW])
     order = numbers[len(points) :, 1].argsort(kind="stable")

@@ -36,7 +36,7 @@ def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
         np.subtract(1.0, u, out=powers[1, 1])
     for k in range(2, degree + 1):
         np.multiply(powers[k - 1], powers[1], out=powers[k])
-    return np.asarray((powers[:, 0] * powers[::-1, 1]).T)
+    return (powers[:, 0] * powers[::-1, 1]).T
 
 
 def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
@@ -97,15 +97,15 @@ def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
 
 def subdivide_pieces(bezier: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
     """Cut Bezier pieces at u. Return the control points (..., n+1, d) of both parts."""
-    left, right = subdivide(np.swapaxes(bezier, -1, -2), u)
-    return np.swapaxes(left, -1, -2), np.swapaxes(right, -1, -2)
+    left, right = subdivide(bezier.swapaxes(-1, -2), u)
+    return left.swapaxes(-1, -2), right.swapaxes(-1, -2)
 
 
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the values and derivatives (k,) of polynomials (k, n+1) at u (k,)."""
     degree = c.shape[-1] - 1
     if degree == 0:
-        return c[:, 0].copy(), np.zeros(c.shape[0])
+        return c[:, 0].copy(), np.zeros(len(c))
     u = u[:, None]
     for _ in range(degree - 1):
         c = c[:, :-1] + (c[:, 1:] - c[:, :-1]) * u
@@ -199,8 +199,8 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 
 def _events(c: FloatArray, noise: FloatArray) -> list[_Event]:
     """Return intervals with one sign change each, and intervals in which all values are rounding errors."""
-    piece = np.arange(c.shape[0])
-    part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
+    piece = np.arange(len(c))
+    part, low, width = c, np.zeros(len(c)), np.ones(len(c))
     events: list[_Event] = []
     for depth in range(_MOST_HALVINGS + 1):
         if not piece.size:
@@ -218,7 +218,10 @@ def _events(c: FloatArray, noise: FloatArray) -> list[_Event]:
         for i in cluster.nonzero()[0].tolist():
             events.append((int(piece[i]), float(low[i]), float(low[i] + width[i]), False))
         rest = ~(single | none | cluster)
-        piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
+        part, piece = np.concatenate(subdivide(part[rest], _SPLIT)), np.tile(piece[rest], 2)
+        low, width = low[rest], width[rest]
+        low = np.concatenate([low, low + width * _SPLIT])
+        width = np.concatenate([width * _SPLIT, width * (1 - _SPLIT)])
     return events
 
 
@@ -228,8 +231,9 @@ def interior_roots(c: FloatArray) -> list[Root]:
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
     nonzero = np.flatnonzero(np.abs(c).max(axis=1) > noise)
-    zeros = roots(c[nonzero], noise[nonzero])
-    return [Root(int(nonzero[root.piece]), root.u, root.crossing) for root in zeros]
+    return [
+        Root(int(nonzero[root.piece]), root.u, root.crossing) for root in roots(c[nonzero], noise[nonzero])
+    ]
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
@@ -240,17 +244,6 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
         for j in range(1, sign.shape[1]):
             sign[:, j] = np.where(sign[:, j] == 0, sign[:, j - 1], sign[:, j])
     return (sign[:, :-1] * sign[:, 1:] < 0).sum(axis=1), blurred
-
-
-def _halved(
-    piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
-) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    return (
-        np.concatenate([piece, piece]),
-        np.concatenate(subdivide(part, _SPLIT)),
-        np.concatenate([low, low + width * _SPLIT]),
-        np.concatenate([width * _SPLIT, width * (1 - _SPLIT)]),
-    )
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
@@ -314,9 +307,7 @@ def _classified(c: FloatArray, events: list[_Event]) -> list[Root]:
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
     """Return the multiple zero in [a, b]: a zero of the first derivative, or of the second if the sign changes."""
-    derivative = np.diff(c)
-    if crossing and derivative.size > 1:
-        derivative = np.diff(derivative)
+    derivative = np.diff(c, 2 if crossing and c.size > 2 else 1)
     middle, reach = (a + b) / 2, 2 * (b - a) + 1e-12
     u = middle
     for _ in range(4):
@@ -349,18 +340,11 @@ VANDER: FloatArray = np.asarray(np.polynomial.legendre.legvander(NODES, ORDER - 
 TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
 
 
-def _antiderivatives() -> tuple[FloatArray, FloatArray]:
-    """Return two matrices (p, p) that integrate nodal values: from -1 to each node, and from each node to 1."""
-    longer = np.polynomial.legendre.legvander(NODES, ORDER)
-    primitive = np.empty((ORDER, ORDER))
-    primitive[:, 0] = NODES + 1
-    for n in range(1, ORDER):
-        primitive[:, n] = (longer[:, n + 1] - longer[:, n - 1]) / (2 * n + 1)
-    left = primitive @ TO_COEFFICIENTS
-    return left, WEIGHTS - left
+_INTEGRALS = np.polynomial.legendre.legint(np.eye(ORDER), lbnd=-1)
+LEFT: FloatArray = np.polynomial.legendre.legvander(NODES, ORDER) @ _INTEGRALS @ TO_COEFFICIENTS
+RIGHT = WEIGHTS - LEFT
+"""Matrices (p, p) that integrate nodal values: from -1 to each node, and from each node to 1."""
 
-
-LEFT, RIGHT = _antiderivatives()
 SLOPES: FloatArray = np.zeros((ORDER, ORDER))
 SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 """Matrix that converts Legendre coefficients of a function to Legendre coefficients of the derivative."""
@@ -368,7 +352,7 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
     """Return the indices (n,) of the panels that contain positions (n,), and the panel coordinates (n,)."""
-    panel = np.searchsorted(edges[1:-1], places, side="right")
+    panel = edges[1:-1].searchsorted(places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
 
@@ -476,8 +460,7 @@ def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 def lobatto_places(parts: int) -> FloatArray:
     """Return coordinates (parts + 1,) from -1 to 1 that are denser towards the ends."""
-    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
-    return np.concatenate([[-1.0], inner, [1.0]])
+    return np.concatenate([[-1.0], np.cos(np.pi * (np.arange(1, parts)[::-1] / parts)), [1.0]])
 
 
 _DENSE = lobatto_places(DENSE_PARTS)

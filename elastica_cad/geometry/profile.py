@@ -15,6 +15,7 @@ from elastica_cad.geometry.splines import (
     adaptive_spline,
     finite,
     greville,
+    is_clamped,
     knot_runs,
     spline_through,
 )
@@ -64,7 +65,7 @@ class Profile:
                 f"a profile has {self.knots.size} knots and {self.coefficients.size} coefficients: give "
                 f"{self.coefficients.size + self.degree + 1} knots for degree {self.degree}"
             )
-        clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
+        clamped = is_clamped(self.knots, self.degree)
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
             raise InputError(
                 "the knots of a profile are not clamped: give knots that never decrease, with "
@@ -120,7 +121,7 @@ class Profile:
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
         """Return the cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
         s, values = finite("arc lengths", s), finite("values", values)
-        if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
+        if s.ndim != 1 or s.shape != values.shape or s.size < 2 or (np.diff(s) <= 0).any():
             raise InputError(
                 "the profile cannot be read: give two or more increasing arc lengths, each with a value"
             )
@@ -172,7 +173,7 @@ class Profile:
         start, end = edges[:-1], edges[1:]
         places = np.concatenate([start, end, start[index] + u * (end - start)[index]])
         values = np.concatenate([*at_knots.T, value_and_slope(pieces[index], u)[0]])
-        low, high = int(values.argmin()), int(values.argmax())
+        low, high = values.argmin(), values.argmax()
         return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
 
     @property
@@ -186,7 +187,7 @@ class Profile:
         """Start and end, mm, of each ramp that represents a step."""
         places = np.array([place for place, _ in self.breaks])
         ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
-        starts = np.concatenate([[0], ends + 1])[:-1]
+        starts = np.append(0, ends + 1)[:-1]
         return tuple((float(places[i]), float(places[j])) for i, j in zip(starts, ends, strict=True) if i < j)
 
     @property

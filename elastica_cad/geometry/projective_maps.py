@@ -47,9 +47,8 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     matrix = home @ np.linalg.inv(forth)
     x, y = np.asarray(before, dtype=float)[0]
     matrix = matrix / (matrix[2] @ (x, y, 1.0))
-    size = float(np.abs(np.asarray(before, dtype=float)).max())
     # make the map exactly affine if only rounding errors differ, so that polynomial curves remain polynomial
-    if np.abs(matrix[2, :2]).max() * size < 1e-13:
+    if np.abs(matrix[2, :2]).max() * np.abs(np.asarray(before, dtype=float)).max() < 1e-13:
         matrix[2] = 0.0, 0.0, 1.0
     return np.asarray(matrix)
 
@@ -81,7 +80,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
-        longest = float(np.linalg.norm(corner - np.roll(corner, 1, axis=0), axis=1).max())
+        longest = np.linalg.norm(corner - np.roll(corner, 1, axis=0), axis=1).max()
         if abs(cross(*(corner[1:] - corner[0]))) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
@@ -125,7 +124,7 @@ def map_spline(
     image = homogeneous(control_points, weights) @ m.T
     if affine:
         return knots, project(image), weights
-    if np.all(image[:, 2] > 0) or np.all(image[:, 2] < 0):
+    if (image[:, 2] > 0).all() or (image[:, 2] < 0).all():
         return knots, project(image), np.abs(image[:, 2])
     bezier, edges = pieces()
     parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))

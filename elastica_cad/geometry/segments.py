@@ -20,7 +20,6 @@ from elastica_cad.geometry.plane_points import (
     left_of,
     norm,
     place,
-    require_affine,
     similarity_of,
     transform_points,
     unit,
@@ -107,9 +106,9 @@ class Line:
         """Return the line with its direction reversed."""
         return Line(self.end, self.start)
 
-    def transformed(self, matrix: ArrayLike) -> "Line":
-        """Return the image of the line under a 3x3 affine matrix."""
-        return Line(*transform_points(require_affine(matrix), [self.start, self.end]))
+    def transformed(self, matrix: FloatArray) -> "Line":
+        """Return the image of the line under a 3x3 affine matrix, which `Path.transformed` checks."""
+        return Line(*transform_points(matrix, [self.start, self.end]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,8 +221,7 @@ class Arc:
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
         """Return unit tangents (..., 2) at u in [0, 1]."""
-        angle = self.start_angle + self.sweep * numbers(u, "u")
-        forward = left_of(unit_vectors(angle))
+        forward = left_of(unit_vectors(self.start_angle + self.sweep * numbers(u, "u")))
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
@@ -236,16 +234,15 @@ class Arc:
         """Return the arc with its direction reversed."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
-    def transformed(self, matrix: ArrayLike) -> "Arc":
-        """Return the image of the arc under a 3x3 matrix that moves, rotates, mirrors or scales."""
-        m = require_affine(matrix)
-        if not is_similarity(m):
+    def transformed(self, matrix: FloatArray) -> "Arc":
+        """Return the image of the arc under a 3x3 affine matrix that moves, rotates, mirrors or scales."""
+        if not is_similarity(matrix):
             raise InputError(
                 "an arc can only be moved, rotated, mirrored or scaled evenly: use a matrix of this kind"
             )
-        scale, turn, sign = similarity_of(m)
+        scale, turn, sign = similarity_of(matrix)
         return Arc(
-            transform_points(m, self.center),
+            transform_points(matrix, self.center),
             self.radius * scale,
             turn + sign * self.start_angle,
             turn + sign * self.end_angle,
@@ -321,9 +318,8 @@ class Spline:
         edges, _ = self.curve.bezier_table
         x, w = gauss_rule(RATIONAL_NODES if self.curve.is_rational else self.curve.degree)
         half = np.diff(edges)[:, None] / 2
-        t = (edges[:-1, None] + half * (1 + x)).ravel()
-        p, d = self.curve.derivatives(t, 1)
-        return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
+        p, d = self.curve.derivatives((edges[:-1, None] + half * (1 + x)).ravel(), 1)
+        return float(0.5 * ((half * w).ravel() * cross(p - origin, d)).sum())
 
     def reversed(self) -> "Spline":
         """Return the spline with its direction reversed."""
@@ -434,7 +430,7 @@ def _halve_chords(
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
     inner = low[:, None] + (high - low)[:, None] * _PROBES
-    points = at(np.append(which, np.repeat(number, _PROBES.size)), np.append(u, inner))
+    points = at(np.append(which, number.repeat(_PROBES.size)), np.append(u, inner))
     points, probes = points[: u.size], points[u.size :].reshape(*inner.shape, 2)
     begins, ends = points[spans], points[spans + 1]
     rounds = [(which, u, points)]
@@ -447,8 +443,8 @@ def _halve_chords(
         number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
         begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
         inner = low[:, None] + (high - low)[:, None] * _PROBES
-        probes = at(np.repeat(number, _PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
-    which, u, points = (np.concatenate(parts) for parts in zip(*rounds, strict=True))
+        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+    which, u, points = map(np.concatenate, zip(*rounds, strict=True))
     order = np.lexsort((u, which))
     return which[order], u[order], points[order]
 
@@ -458,8 +454,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
     size = dot(chord, chord)[:, None]
     # the distance of a point beyond an end of the chord, as in hairpins, is measured from this end
     along = np.divide(dot(off, chord[:, None]), size, out=np.zeros(off.shape[:2]), where=size > 0)
-    away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
-    return np.asarray(norm(away).max(axis=1), dtype=float)
+    return np.asarray(norm(off - along.clip(0.0, 1.0)[..., None] * chord[:, None]).max(axis=1), dtype=float)
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
@@ -502,7 +497,7 @@ class SegmentTable:
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
     """Return the points (n, 2) of the `chords` of all segments, and the segment index (n,) of each point."""
     places = [_initial_parameters(segment, tolerance) for segment in segments]
-    which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
+    which, u = np.arange(len(places)).repeat([row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     if not bent.any():
         return which, np.concatenate([segment.at(u) for segment, u in zip(segments, places, strict=True)])
@@ -541,8 +536,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
     radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
 
     def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
-        angle = starts[which] + u * sweeps[which] + derivative * np.pi / 2
-        out = unit_vectors(angle)
+        out = unit_vectors(starts[which] + u * sweeps[which] + derivative * np.pi / 2)
         out *= (radii[which] * sweeps[which] ** derivative)[:, None]
         return out if derivative else out + centers[which]
 

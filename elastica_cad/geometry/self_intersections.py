@@ -55,8 +55,13 @@ def find_self_intersections(
     first, second = np.triu_indices(low.size)
     guesses: list[FloatArray] = []
     for _ in range(_MOST_HALVINGS):
-        first, second = _meeting(part, (low, high), first, second)
-        box = _boxes(part)
+        box = boxes_about(project(part))
+        overlap = boxes_meet(box[first], box[second])
+        first, second = first[overlap], second[overlap]
+        joined = high[first] >= low[second]
+        onward = np.zeros(first.size, dtype=bool)
+        onward[joined] = _one_way(hodograph(part), first[joined], second[joined])
+        first, second = first[~onward], second[~onward]
         size = (box[:, 1] - box[:, 0]).max(axis=1)
         tiny = np.maximum(size[first], size[second]) < small
         if first.size > _MOST_PAIRS:
@@ -68,28 +73,11 @@ def find_self_intersections(
         if not first.size:
             break
         part, low, high, first, second = _halved(part, low, high, first, second)
-    starts = np.concatenate(guesses)
-    return _distinct(_polished(starts, motion, edges, small), edges)
-
-
-def _boxes(part: FloatArray) -> FloatArray:
-    return boxes_about(project(part))
-
-
-def _meeting(
-    part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
-) -> tuple[IntArray, IntArray]:
-    """Return the pairs of pieces with overlapping boxes, except neighbours that meet only at their joint."""
-    (low, high), box = limits, _boxes(part)
-    overlap = boxes_meet(box[first], box[second])
-    first, second = first[overlap], second[overlap]
-    joined = high[first] >= low[second]
-    onward = np.zeros(first.size, dtype=bool)
-    onward[joined] = _one_way(hodograph(part), first[joined], second[joined])
-    return first[~onward], second[~onward]
+    return _distinct(_polished(np.concatenate(guesses), motion, edges, small), edges)
 
 
 def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
+    """Return flags of pairs of neighbouring pieces that meet only at their joint."""
     along = unit(velocity)
     both = np.concatenate([along[first], along[second]], axis=1)
     return np.asarray((np.einsum("pnk,pk->pn", both, both.sum(axis=1)) > 0).all(axis=1))
@@ -128,7 +116,7 @@ def _polished(
         r1, r2 = dot(v1, gap), -dot(v2, gap)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
         step = np.column_stack([a22 * r1 - a12 * r2, a11 * r2 - a12 * r1]) / determinant[:, None]
-        pairs = np.clip(pairs + step, edges[0], edges[-1])
+        pairs = (pairs + step).clip(edges[0], edges[-1])
     p, v = motion(pairs.T.ravel())
     n = len(pairs)
     met = norm(p[n:] - p[:n]) <= 1e-5 * small
@@ -185,15 +173,14 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
         return None
     across = views.transpose(2, 0, 1)
     first, second = product(across, (across[..., 1:] - across[..., :-1])[::-1])
-    turn = first - second
-    roots = interior_roots(turn)
+    roots = interior_roots(first - second)
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
     u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
     places = edges[piece] + u * (edges[piece + 1] - edges[piece])
     degree = views.shape[1] - 1
     direction = sums_in_pieces(scaled_bernstein(degree, u), views * binomials(degree)[:, None], piece)
     angle = tabulate_tangent_angle(cones).at(places, direction)
-    low, high = int(angle.argmin()), int(angle.argmax())
+    low, high = angle.argmin(), angle.argmax()
     return ViewAngles(point, float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
 
 
@@ -205,7 +192,7 @@ def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[f
     pieces, and p.
     """
     edges, bezier = curve.bezier_table
-    at = int(np.searchsorted(edges[1:-1], t, side="right"))
+    at = int(edges[1:-1].searchsorted(t, side="right"))
     u = (t - edges[at]) / (edges[at + 1] - edges[at])
     if u > 1 - _AT_KNOT_SHARE:
         at += 1

@@ -19,6 +19,7 @@ from elastica_cad.geometry.plane_points import (
     dot,
     homogeneous,
     lengths_along,
+    midpoints,
     norm,
     numbers_in_groups,
     project,
@@ -44,8 +45,7 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
     first = rises.nonzero()[0]
-    counts = first[1:] - first[:-1]
-    return knots[first[:-1]], counts
+    return knots[first[:-1]], np.diff(first)
 
 
 def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> FloatArray:
@@ -63,6 +63,11 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
     counts[edges.searchsorted(list(continuity))] = repeats
     counts[[0, -1]] = degree + 1
     return edges.repeat(counts)
+
+
+def is_clamped(knots: FloatArray, degree: int) -> bool:
+    """Return True if a spline begins at its first control point and ends at its last."""
+    return bool(knots[0] == knots[degree] and knots[-1] == knots[-degree - 1])
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
@@ -170,38 +175,40 @@ class Spans:
         return int(self.matrix.shape[-1]) - 1
 
     @cached_property
+    def columns(self) -> IntArray:
+        """Indices (p, degree + 1) of the control points that affect each span."""
+        return self.first[:, None] + np.arange(self.degree + 1)
+
+    @cached_property
     def widths(self) -> FloatArray:
         """Lengths (p,) of the spans in the parameter."""
-        return self.edges[1:] - self.edges[:-1]
+        return np.diff(self.edges)
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
         """Return the Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
-        local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
+        local = control_points[self.columns]
         pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
-        return np.asarray(pieces.reshape(local.shape), dtype=float)
+        return pieces.reshape(local.shape)
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
         """Return the span index and the local coordinate u in [0, 1] of parameters t (n,).
 
         At an edge, the span on the right is returned, or with `left` the span on the left.
         """
-        index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
-        u = (t - self.edges[index]) / self.widths[index]
-        return index, np.minimum(np.maximum(u, 0.0), 1.0)
+        index = self.edges[1:-1].searchsorted(t, side="left" if left else "right")
+        return index, np.minimum(np.maximum((t - self.edges[index]) / self.widths[index], 0.0), 1.0)
 
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
         """Return derivatives (n, m) of the given order of all m basis functions at parameters t (n,)."""
         local, index = self.local_basis(t, derivative)
         out = np.zeros((t.size, self.count))
-        columns = self.first[index][:, None] + np.arange(self.degree + 1)
-        out[np.arange(t.size)[:, None], columns] = local
+        out[np.arange(t.size)[:, None], self.columns[index]] = local
         return out
 
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
         """Return the degree + 1 nonzero basis functions, (n, degree + 1), and the span index (n,)."""
         index, u = self.locate(t)
-        width = self.widths[index]
-        bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
+        bernstein = bernstein_values(self.degree, u, derivative) / self.widths[index][:, None] ** derivative
         return np.einsum("ni,nij->nj", bernstein, self.matrix[index]), index
 
 
@@ -282,7 +289,7 @@ class SplineFunction:
         """Return the integral of the spline function from the start of its domain."""
         size = self.degree + 1
         steps = (self.knots[size:] - self.knots[:-size]) / size
-        sums = np.cumsum((steps * self.coefficients.T).T, axis=0)
+        sums = (steps * self.coefficients.T).T.cumsum(axis=0)
         knots = np.concatenate([self.knots[:1], self.knots, self.knots[-1:]])
         return SplineFunction(knots, np.concatenate([np.zeros_like(sums[:1]), sums]), size)
 
@@ -314,7 +321,7 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunc
     """
     beside = (degree + 1) // 2
     inner = x[beside:-beside] if degree % 2 else x[:0]
-    knots = np.concatenate([np.repeat(x[:1], degree + 1), inner, np.repeat(x[-1:], degree + 1)])
+    knots = np.concatenate([x[:1].repeat(degree + 1), inner, x[-1:].repeat(degree + 1)])
     return SplineFunction(knots, interpolated(x, values, knots, degree), degree)
 
 
@@ -341,7 +348,7 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
     NotConvergedError
         The rows do not determine the spline.
     """
-    columns = spans.first[index][:, None] + np.arange(spans.degree + 1)
+    columns = spans.columns[index]
     bands = np.zeros((3 * spans.degree + 1, spans.count), order="F")
     bands[2 * spans.degree + np.arange(spans.count)[:, None] - columns, columns] = basis
     right = values.reshape(spans.count, -1)
@@ -365,8 +372,8 @@ def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, F
     weights = np.ones(angle.size)
     weights[1::2] = cos(half)
     points = unit_vectors(angle) / weights[:, None]
-    joints = np.linspace(min(start, end), max(start, end), count + 1) - min(start, end)
-    knots = np.concatenate([[0.0], np.repeat(joints, 2), [joints[-1]]])
+    joints = np.linspace(0.0, abs(end - start), count + 1)
+    knots = np.concatenate([[0.0], joints.repeat(2), [joints[-1]]])
     return knots, points, weights
 
 
@@ -389,7 +396,7 @@ def elevate_degree(
     raised = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
     rows = np.concatenate([raised[0], *(piece[1:] for piece in raised[1:])])
     edges = spans.edges
-    new_knots = np.concatenate([edges[:1], np.repeat(edges, degree + 1), edges[-1:]])
+    new_knots = np.concatenate([edges[:1], edges.repeat(degree + 1), edges[-1:]])
     return new_knots, project(rows), None if weights is None else rows[:, 2]
 
 
@@ -486,7 +493,8 @@ def adaptive_spline(
         _refuse_endless(edges, bad, error, tolerance)
         parts = np.ones(low.size, dtype=int)
         worst = _with_wide_neighbours(widths, bad)
-        parts[worst] = _parts(error[worst] / accepted, degree)
+        # the error of a span is proportional to width^(degree + 1)
+        parts[worst] = np.clip((error[worst] / accepted) ** (1 / (degree + 1)), 2, 8)
         start = low.repeat(parts) + numbers_in_groups(parts) * (widths / parts).repeat(parts)
         edges = np.append(start, edges[-1])
 
@@ -567,16 +575,14 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
 
 def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
     basis, index = spans.local_basis(x.ravel())
-    local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
-    values = np.einsum("nj,nj...->n...", basis, local)
+    values = np.einsum("nj,nj...->n...", basis, coefficients[spans.columns[index]])
     return np.asarray(values.reshape(*x.shape, *coefficients.shape[1:]), dtype=float)
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
-    widths = np.diff(edges)
-    narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
+    narrow = bad & (np.diff(edges) < _NARROWEST_SHARE * (edges[-1] - edges[0]))
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
-        worst = int(np.where(bad, error, 0.0).argmax())
+        worst = np.where(bad, error, 0.0).argmax()
         raise NotConvergedError(
             f"no spline approximates the function within {tolerance:g}: near {edges[worst]:.6g} the error "
             f"stays {error[worst]:.3g}; give this place in `breaks`, or set a larger tolerance"
@@ -589,14 +595,6 @@ def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
     return cut
-
-
-def _parts(excess: FloatArray, degree: int) -> IntArray:
-    """Return the number of parts, 2 to 8, that reduces the error of a span by the factor `excess`.
-
-    The error is proportional to width^(degree + 1).
-    """
-    return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
 def fit_spline(
@@ -613,36 +611,36 @@ def fit_spline(
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
     ends = np.repeat([0.0, 1.0], degree + 1)
-    if data.shape[0] == 2:
+    if len(data) == 2:
         u = np.linspace(0.0, 1.0, degree + 1)[:, None]
         return ends, data[0] * (1 - u) + data[1] * u
-    if data.shape[0] <= degree:
+    if len(data) <= degree:
         return _through(data, degree)
     inner, t = np.empty(0), _chord_parameters(data)
     before, aim = np.inf, tolerance
     while True:
         problem = _Problem(np.sort(np.concatenate([ends, inner])), degree, data)
         try:
-            control, t = problem.solved(t, problem.weight(smoothing), _CORRECTIONS)
+            control, t = problem.solved(t, max(_LEAST_PENALTY, (smoothing or 0.0) * problem.scale))
         except np.linalg.LinAlgError:
             return _through(data, degree)
         error = problem.distance(control, t)
         alike = problem.likeness(control, t)
         if error.max() <= tolerance:
-            ample = data.shape[0] >= _POINTS_EACH * control.shape[0]
+            ample = len(data) >= _POINTS_EACH * len(control)
             aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
         if error.max() <= aim:
             break
         if smoothing and error.max() > 0.95 * before:
             break
         added = _new_knots(problem.spans.edges, t, error, aim)
-        crowded = control.shape[0] + added.size > data.shape[0] / 2 + degree
-        many = data.shape[0] >= _ENOUGH_FOR_NOISE
+        crowded = len(control) + added.size > len(data) / 2 + degree
+        many = len(data) >= _ENOUGH_FOR_NOISE
         noisy = many and alike < 0.2 and np.median(error) > tolerance / 3
         if not added.size or crowded or noisy:
             if error.max() <= tolerance:
                 break
-            if many and (alike < 0.2 or data.shape[0] > _MOST_INTERPOLATED):
+            if many and (alike < 0.2 or len(data) > _MOST_INTERPOLATED):
                 raise NotConvergedError(_scatter(data, error, tolerance))
             return _through(data, degree)
         before = error.max()
@@ -661,7 +659,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     a parabola, without oscillations. For 100 points or more, `fit_spline` is used.
     """
     data = distinct_points(points)
-    if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
+    if not degree < len(data) < _ENOUGH_FOR_NOISE:
         return fit_spline(data, degree, tolerance)
     _check_options(degree, tolerance, None)
     t = _chord_parameters(data)
@@ -720,17 +718,14 @@ class _Problem:
         self.spans = bezier_spans(knots, degree)
         self.data = data
         gram = _derivative_gram(self.spans)
-        self.scale = float(np.trace(gram))
+        self.scale = float(gram.trace())
         self.penalty = gram * (data.shape[0] / self.scale)
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
-    def weight(self, smoothing: float | None) -> float:
-        return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
-
-    def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Fit the control points, and move the parameters to the nearest curve points `corrections` times."""
+    def solved(self, t: FloatArray, weight: float) -> tuple[FloatArray, FloatArray]:
+        """Fit the control points, and correct the parameters `_CORRECTIONS` times."""
         control = self.at(t, weight)
-        for _ in range(corrections):
+        for _ in range(_CORRECTIONS):
             t = self.feet(control, t)
             control = self.at(t, weight)
         return control, t
@@ -772,8 +767,7 @@ class _Problem:
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        gap = self._gap(control, t)
-        return norm(gap)
+        return norm(self._gap(control, t))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
         """Return the correlation of the deviations of neighbouring points: 0 for noise, 1 for a missed shape."""
@@ -821,7 +815,7 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
     spans = bezier_spans(knots, degree)
     gram, basis = _derivative_gram(spans), spans.basis(t)
     n, m = basis.shape
-    gram = gram / np.trace(gram)
+    gram = gram / gram.trace()
     saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
     right = np.concatenate([np.zeros((m, 2)), data - data[0]])
     try:
@@ -835,12 +829,12 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
     """Return knots at the points, or between the points for even degrees, to avoid oscillations of the spline."""
-    inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
+    inner = t[1:-1] if degree % 2 else midpoints(t)
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
 
 
 def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
-    worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
+    worst, typical = error.argmax(), float(np.sqrt((error**2).mean()))
     return note(
         "the points have noise of {typical:.2g} about a smooth curve, up to {worst:.2g} (at {place}), more "
         "than the tolerance of {tolerance:g}: set a tolerance of about {enough:.1g} or a smoothing, or remove "
@@ -856,8 +850,8 @@ def distinct_points(points: ArrayLike) -> FloatArray:
     if data.ndim != 2 or data.shape[1] != 2:
         raise InputError(f"points to fit have the shape {data.shape}: give rows of x, y, shape (n, 2)")
     moved = norm(np.diff(data, axis=0)) > 1e-12 * np.abs(data).max(initial=0.0)
-    data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
-    if data.shape[0] < 2:
+    data = data[np.append(True, moved)] if len(data) > 1 else data
+    if len(data) < 2:
         raise InputError("there are fewer than two different points to fit: give at least two")
     return data
 
@@ -869,19 +863,19 @@ def _chord_parameters(data: FloatArray) -> FloatArray:
 
 def _derivative_gram(spans: Spans) -> FloatArray:
     """Return the integrals (m, m) of products of the third derivatives of the basis functions."""
-    x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
-    width = np.diff(spans.edges)
-    t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
-    rows = spans.basis(t, 3) * np.sqrt((width[:, None] / 2 * w).ravel())[:, None]
+    x, w = gauss_rule(spans.degree - 2)
+    half = spans.widths[:, None] / 2
+    t = (spans.edges[:-1, None] + half * (1 + x)).ravel()
+    rows = spans.basis(t, 3) * np.sqrt(half * w).reshape(-1, 1)
     return rows.T @ rows
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
+    span = (edges.searchsorted(t, side="right") - 1).clip(0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)
     added = []
-    for i in np.argsort(-worst, kind="stable"):
+    for i in (-worst).argsort(kind="stable"):
         inside = np.sort(t[span == i])
         if worst[i] <= tolerance or inside.size < 2:
             continue

@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, turn_between, unit_vectors
-from elastica_cad.geometry.splines import elevate_degree, knot_runs
+from elastica_cad.geometry.splines import elevate_degree, is_clamped, knot_runs
 
 ANYWAY = 1e-9
 """Smallest angle of a corner that is removed, rad."""
@@ -48,11 +48,6 @@ class Turn:
     angle: float
     bound: float
     handle: float
-
-    @property
-    def is_explained(self) -> bool:
-        """True if rounding alone can cause the corner."""
-        return self.angle <= self.bound
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,16 +100,11 @@ def heal_tangents(
     rounding : float
         Largest rounding error of a coordinate, mm: half a unit of the last written digit.
     """
-    unchanged = Healing(knots, control_points, degree, weights, 0.0, (), ())
-    if not rounding > 0:
-        return unchanged
     turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
     if _closes(knots, control_points, degree, weights):
         around = _control_points_at_seam(control_points, degree)
         turns.append(_turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding))
-    explained = [turn for turn in turns if turn.angle > ANYWAY and turn.is_explained]
-    if not explained:
-        return unchanged
+    explained = [turn for turn in turns if ANYWAY < turn.angle <= turn.bound]
     undecided = tuple(turn for turn in explained if turn.angle > LARGEST_REMOVED_RAD)
     removable = {turn.t for turn in explained if turn.angle <= LARGEST_REMOVED_RAD}
     if not removable:
@@ -138,12 +128,12 @@ def _nodes(knots: FloatArray, degree: int) -> IntArray:
     """Return the indices of the control points at inner knots of full multiplicity."""
     values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
-    return np.asarray((np.cumsum(counts) - counts)[inner] - 1, dtype=int)
+    return np.asarray((counts.cumsum() - counts)[inner] - 1, dtype=int)
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
     """Return the incoming and outgoing handle at a node, and the indices of their far ends."""
-    size = float(norm(np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
+    size = norm(np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0))
     before, after = node - 1, node + 1
     while before > node - degree and norm(points[node] - points[before]) <= _SHORT * size:
         before -= 1
@@ -158,17 +148,18 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
     angle = abs(float(turn_between(into, out)))
     if lengths.min() == 0:
         return Turn(float(knots[node + 1]), points[node], angle, 0.0, 0.0)
-    reach = np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)
-    bound = float(np.arcsin(reach).sum())
+    bound = float(np.arcsin(np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)).sum())
     return Turn(float(knots[node + 1]), points[node].copy(), angle, bound, float(lengths.min()))
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
-    size = float(norm(np.ptp(points, axis=0)))
+    size = norm(np.ptp(points, axis=0))
     return bool(
-        clamped and even and len(points) > degree + 1 and norm(points[-1] - points[0]) <= _CLOSED * size
+        is_clamped(knots, degree)
+        and even
+        and len(points) > degree + 1
+        and norm(points[-1] - points[0]) <= _CLOSED * size
     )
 
 
