@@ -18,7 +18,7 @@ from elastica_cad._values import (
     with_article,
 )
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import midpoints, norm
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -308,7 +308,7 @@ def fixed_places(elements: Sequence[ElementForce], system: RodSystem) -> list[tu
 
 def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
     for (s, place), (next_s, next_place) in pairwise(fixed_places(elements, system)):
-        apart = float(np.hypot(*(next_place - place)))
+        apart = float(norm(next_place - place))
         if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
             raise InputError(
                 "The places {first} and {second} at which the strip is held are {apart:.6g} apart, but the strip "
@@ -361,7 +361,7 @@ def _bent_on_elements(
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
     taut = [
-        not action.is_one_sided or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
+        not action.is_one_sided or bool(action.force.any()) or violation(action, shape) >= -reach_of_rail
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
@@ -450,7 +450,7 @@ def _changed_taut_set(
     Return None if no flag contradicts them.
     """
     shape, acting = shape_of(state), iter(state.actions)
-    largest = float(np.abs(state.discrete.force).max(initial=0.0))
+    largest = np.abs(state.discrete.force).max(initial=0.0)
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
     for i, action in enumerate(elements):
         if taut[i]:
@@ -459,9 +459,9 @@ def _changed_taut_set(
             through[i] = violation(action, shape) - ahead[i]
     changed = list(taut)
     if wrong.max() > PULLS_SHARE * largest:
-        changed[int(wrong.argmax())] = False
+        changed[wrong.argmax()] = False
     elif through.max() > MEETS_SHARE * shape.length:
-        changed[int(through.argmax())] = True
+        changed[through.argmax()] = True
     else:
         return None
     return changed
@@ -579,7 +579,7 @@ class Movement:
         steps = np.diff([rod.chord for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
-        travel = np.append(0.0, np.cumsum(norm(steps)))
+        travel = np.append(0.0, norm(steps).cumsum())
         turn = np.append(0.0, np.cumsum(turns[:, int(turns.sum(axis=0).argmax())]))
         still = travel[-1] <= STILL_SHARE * rods[0].length
         return cls(np.zeros_like(travel) if still else travel.round(9), turn)
@@ -709,7 +709,7 @@ def reach(
     """
     system = state.system
     straight = is_straight(state) and stop is None
-    if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
+    if system.held and np.linalg.norm(system.chord) > system.length * (1 - 1e-12):
         taut = stretch(state)
         if system.compression is not None and is_straight(state):
             return follow(taut, stop)
@@ -738,8 +738,8 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
         values = as_floats(guess)
         edges = np.array([]) if values is None else values
         if edges.shape == (n + 1,):
-            edges = (edges[:-1] + edges[1:]) / 2
-        if edges.shape != (n,) or not np.all(np.isfinite(edges)):
+            edges = midpoints(edges)
+        if edges.shape != (n,) or not np.isfinite(edges).all():
             raise InputError(
                 f"`guess` has the shape {edges.shape}: give a Rod, or {n + 1} angles at the nodes (or {n} at "
                 "the edges)"
@@ -782,9 +782,9 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     both = np.array(supports.transmits_force)
     if force is not None:
         components = pair(force, "force")
-        components = np.where(np.abs(components) <= ROUNDED_SHARE * np.hypot(*components), 0.0, components)
+        components = np.where(np.abs(components) <= ROUNDED_SHARE * norm(components), 0.0, components)
         if np.any(both & (components != 0)):
-            axis = "xy"[int(np.argmax(both & (components != 0)))]
+            axis = "xy"[np.argmax(both & (components != 0))]
             raise InputError(
                 "a force along {axis} has no effect, because both ends are held along {axis}: free one end "
                 "along {axis}",
@@ -829,6 +829,6 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
                 ),
                 name=name,
             )
-    if not np.all(np.isfinite(moments)):
+    if not np.isfinite(moments).all():
         raise InputError(f"moment is {moment!r}: give a finite number, in 1/mm")
     return moments

@@ -12,7 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import End, Gravity, Supports
@@ -165,7 +165,7 @@ def elastica_between(
         raise InputError("a force needs a free end, but the end is held: give None for the end, or no force")
     last = _point(end, "end")
     chord = last - first
-    distance = float(np.hypot(*chord))
+    distance = float(norm(chord))
     if not (is_number(length) and length > distance > 0):
         raise InputError(
             "a strip {length:.6g} long does not bend between ends that are {distance:.6g} apart: make the "
@@ -173,7 +173,7 @@ def elastica_between(
             length=Length(length),
             distance=Length(distance),
         )
-    along = float(np.arctan2(chord[1], chord[0]))
+    along = float(angle_of(chord))
     supports = Supports(*("pinned" if angle is None else "clamped" for angle in (near, far)))
     rod = Rod.straight(
         length, stiffness, samples=samples, start=first, angle=along, gravity=None, supports=supports
@@ -199,7 +199,7 @@ def _bent_by_loads(
         raise InputError(f"force is {force!r}: give two numbers, each a force / bending stiffness in 1/mm2")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
-    for share in _load_fractions(float(np.hypot(*load)) * rod.length**2):
+    for share in _load_fractions(float(norm(load)) * rod.length**2):
         # do not minimise the energy of a straight rod, because that could bend it to either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
@@ -276,7 +276,7 @@ def _side(rod: Rod) -> int:
     if _is_free(rod):
         along, off = unit_vectors(rod.angle[0]), off[-1:]
     else:
-        along = off[-1] / np.hypot(*off[-1])
+        along = unit(off[-1])
     heights = off @ left_of(along)
     bulging = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
     return int(np.sign(heights[bulging[0]])) if bulging.size else 0

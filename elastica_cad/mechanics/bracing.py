@@ -19,7 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import left_of, norm
+from elastica_cad.geometry.plane_points import left_of, norm, unit
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights, floats
 from elastica_cad.mechanics.loads import Supports
 
@@ -95,7 +95,7 @@ class _Edges:
         """Return the unit vector (2,) from the first to the second arc length `s`, and the distance, mm."""
         p, q = (self.covered(float(place)) for place in s)
         chord = self.edge_length * ((q - p) @ self.tangents)
-        size = float(np.hypot(*chord))
+        size = float(norm(chord))
         return chord / size, size
 
 
@@ -111,8 +111,7 @@ arrays are the rows (k, m + 2) of constraints rows @ x = 0, the rows (r, m + 2) 
 def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
     p, q = (edges.moves(float(s)) for s in action.s)
-    pull = float(action.force[0] @ u)
-    return (u @ (q - p))[None], (left_of(u) @ (q - p))[None], np.array([[pull / size]])
+    return (u @ (q - p))[None], (left_of(u) @ (q - p))[None], np.array([[float(action.force[0] @ u) / size]])
 
 
 def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
@@ -123,8 +122,7 @@ def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
 def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     s = float(action.s[0])
     moves, turn = edges.moves(s), edges.edge_length * edges.covered(s, 1)
-    tangent = turn @ edges.tangents
-    tangent /= np.hypot(*tangent)
+    tangent = unit(turn @ edges.tangents)
     normal = left_of(tangent)
     push = float(action.force[0] @ normal)
     kappa = edges.edge_length * float(edges.covered(s, 2) @ edges.tangents @ normal)
@@ -144,7 +142,7 @@ def bracing_of(
     tangents: FloatArray,
     edge_length: float,
     supports: Supports,
-    directions: FloatArray | None = None,
+    directions: FloatArray | None,
 ) -> Bracing:
     """Return the contribution of taut rails, pins and ties to the second variation of a discrete rod.
 
@@ -152,7 +150,7 @@ def bracing_of(
     ----------
     tangents : (n, 2) array
         Edge vectors divided by `edge_length`.
-    directions : (n, 2) array, optional
+    directions : (n, 2) array or None
         Unit tangents of the edges, only for an axially elastic rod.
     edge_length : float
         Nominal length of an edge, mm.

@@ -9,7 +9,6 @@ from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.tolerances import feels_modulus
@@ -81,9 +80,8 @@ class Creep:
         The start of the strip does not move.
         """
         rod = self.later
-        start = rod.position[0]
         free = Rod.straight(
-            rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
+            rod.length, rod.profile, samples=rod.s.size, start=rod.position[0],
             angle=float(rod.angle[0]), supports=Supports(end="free"),
         )  # fmt: skip
         rest = rod.natural_curvature + self.kept_share * (rod.curvature - rod.natural_curvature)
@@ -171,7 +169,12 @@ def creep(rod: Rod, factor: float) -> Creep:
                 f"Over the years the strip collapses under its load (creep factor {phi:g}). Use a stiffer sheet, "
                 "or support the strip."
             ) from problem
-    return Creep(phi, first, later, exact=_is_linear(rod.law))
+    return Creep(
+        phi,
+        first,
+        later,
+        exact=rod.law is None or (isinstance(rod.law, CurlingLaw) and rod.law.below is None),
+    )
 
 
 def require_creep(factor: object) -> float:
@@ -183,10 +186,6 @@ def require_creep(factor: object) -> float:
             "creep is {factor:g}: give 0 or more; for plywood indoors 0.8 (Eurocode 5)", factor=factor
         )
     return float(factor)
-
-
-def _is_linear(law: MaterialLaw | None) -> bool:
-    return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
 def _softened(rod: Rod, times: float) -> Rod:

@@ -171,7 +171,7 @@ def constrained_inertia(
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _border_of(constraints, terms)
-    if basis.shape[0] == 0:
+    if len(basis) == 0:
         return count_negative(diagonal, off, shift)
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
@@ -201,7 +201,7 @@ def lowest_constrained(
     """
     n = diagonal.size
     basis = orthonormal_rows(rows)
-    rank = basis.shape[0]
+    rank = len(basis)
     if n - rank < count:
         raise NotConvergedError(f"a rod of {n} segments is too coarse for {count} modes: use more samples")
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
@@ -410,7 +410,7 @@ def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
 
 def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float | FloatArray) -> FloatArray:
     """Return the nodes (n+1, 2), mm, of a chain of edges that begins at `start`. `tangents` are (n, 2)."""
-    position = np.empty((tangents.shape[0] + 1, 2))
+    position = np.empty((len(tangents) + 1, 2))
     position[0] = start
     np.cumsum(np.reshape(edge_length, (-1, 1)) * tangents, axis=0, out=position[1:])
     position[1:] += start
@@ -423,9 +423,9 @@ def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
     Lambda is the negative internal force, with lambda_{i+1} = lambda_i + q_i for the nodal load q_i. The weight is
     q_i = -w_i K_i e, with Voronoi length w_i, stiffness K_i and a vector e against gravity.
     """
-    force = np.empty((load.shape[0] - 1, 2))
+    force = np.empty((len(load) - 1, 2))
     force[0] = first
-    np.cumsum(load[1:-1], axis=0, out=force[1:])
+    load[1:-1].cumsum(axis=0, out=force[1:])
     force[1:] += first
     return force
 
@@ -485,8 +485,7 @@ class Compression:
 
     def stretched(self, directions: FloatArray, force: FloatArray) -> FloatArray:
         """Return the edge vectors (n, 2) under a force (n, 2), divided by the nominal edge length."""
-        more = dot(force, directions) - self.pull
-        return np.asarray(directions * (1 - self.compliance * more)[:, None])
+        return directions * (1 - self.compliance * (dot(force, directions) - self.pull))[:, None]
 
     def resampled(self, edges: int) -> "Compression":
         """Return the axial elasticity interpolated to `edges` edges of equal length."""
@@ -710,12 +709,7 @@ class DiscreteRod:
         v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
         total = float(lengths.sum())
         square = total**2 * lengths * v**2
-        per_stiffness = np.empty(v.size + 1)
-        per_stiffness[0], per_stiffness[-1] = v[0], v[-1]
-        np.subtract(v[1:], v[:-1], out=per_stiffness[1:-1])
-        per_stiffness *= per_stiffness
-        per_stiffness *= total**2
-        per_stiffness /= self.node_lengths
+        per_stiffness = (total * np.diff(v, prepend=0.0, append=0.0)) ** 2 / self.node_lengths
         self._zero_free_ends(per_stiffness)
         per_force = -square[:, None] * self.tangents
         per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)

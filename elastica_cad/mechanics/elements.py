@@ -248,7 +248,7 @@ class PlacedElement:
             return cls(element, s, left_of(unit_vectors(curve.at(s).angle))[None])
         ends = curve.at(s).position
         chord = ends[1] - ends[0]
-        size = float(np.hypot(*chord))
+        size = float(norm(chord))
         if size <= AT_END_SHARE * curve.length:
             raise InputError(
                 "The tie from {start} to {end} along the strip has no length. Move one of its ends.",
@@ -267,7 +267,7 @@ def place_elements(
     drawn: PlaneCurve,
     curve: PlaneCurve,
     supports: Supports,
-    joints: Sequence[float] = (),
+    joints: Sequence[float],
 ) -> tuple[PlacedElement, ...]:
     """Return rails, pins, ties and loads on the realizable curve. Refuse those at points that the ends hold."""
     placed = tuple(PlacedElement.on(element, drawn, curve, joints) for element in elements)
@@ -305,7 +305,7 @@ def with_placed_masses(weight: Weight, drawn: PlaneCurve, curve: PlaneCurve) -> 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
     if isinstance(at, tuple):
         s = _nearest_arc_length(curve, np.array(at))
-        off = float(np.hypot(*(curve.at(s).position[0] - at)))
+        off = float(norm(curve.at(s).position[0] - at))
         if off > NEAR_SHARE * curve.length:
             raise InputError(
                 "The {element} at {point} is {off:.4g} off the curve, farther than {most:.4g} ({percent:g} % of "
@@ -401,12 +401,12 @@ class ElementForce:
     @property
     def size(self) -> float:
         """Magnitude of the force over the least bending stiffness, 1/mm2; for a tie, its pull."""
-        return float(np.hypot(*self.force[0]))
+        return float(norm(self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
         """Return the straight distance, mm, between the first and the last point of application on a curve."""
         ends = curve.at(self.s).position
-        return float(np.hypot(*(ends[-1] - ends[0])))
+        return float(norm(ends[-1] - ends[0]))
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
@@ -455,7 +455,7 @@ def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> Fl
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:
-        z = np.clip(x + 0.5 - np.arange(edges), 0.0, 2.0)
+        z = (x + 0.5 - np.arange(edges)).clip(0.0, 2.0)
         if order == 0:
             return np.asarray(np.where(z < 1, z**2, 2 - (2 - z) ** 2) / 2)
         if order == 1:

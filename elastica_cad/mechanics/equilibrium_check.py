@@ -14,7 +14,7 @@ from elastica_cad.geometry.fairing import largest_distance, smooth_through
 from elastica_cad.geometry.measured_points import MeasuredPoints
 from elastica_cad.geometry.nurbs_curve import curvature_slope
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve, line_crossings
-from elastica_cad.geometry.plane_points import is_closed, norm, thinned
+from elastica_cad.geometry.plane_points import is_closed, norm, thinned, unit
 from elastica_cad.geometry.self_intersections import find_view_angles
 from elastica_cad.geometry.splines import fit_spline, smoothest_spline
 from elastica_cad.mechanics.loads import (
@@ -198,8 +198,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
-        size = float(np.abs(excess.survey).max())
-        yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * size].tolist()
+        yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * float(np.abs(excess.survey).max())].tolist()
 
 
 def _free_ends_near_zeros(
@@ -400,7 +399,7 @@ def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) ->
     if normal is None:
         _, _, vt = np.linalg.svd(points - centre)
         normal = vt[1]
-    normal = normal / np.hypot(*normal)
+    normal = unit(normal)
     if normal[1] < 0 or (normal[1] == 0 and normal[0] > 0):
         normal = -normal
     return InflectionLine((float(centre[0]), float(centre[1])), (float(normal[1]), -float(normal[0])))
@@ -464,7 +463,7 @@ def _place_of_extreme_ratio(
     K = np.abs(arm @ normals.T)
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
     best = int(np.argmin(ratios))
-    return float(s[int(np.argmax(K[:, best]))]) if ratios[best] > _WIDEST_RATIO else None
+    return float(s[K[:, best].argmax()]) if ratios[best] > _WIDEST_RATIO else None
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:

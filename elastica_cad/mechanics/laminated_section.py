@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import EqualByValue, is_number, numbers, require_positive
@@ -75,19 +74,24 @@ class LaminatedSection(EqualByValue, Section):
         """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2."""
         EI = positive(bending_stiffness, "bending stiffness")
         if np.isfinite(self.limits[1]):
-            EI = np.clip(EI, *self.bending_stiffness(np.array(self.limits)))
+            EI = EI.clip(*self.bending_stiffness(np.array(self.limits)))
         w1, EI = matched(positive(self.base_width, "base width"), EI)
         least, most = (stack_stiffness(self._stack(w1, w2)) for w2 in (0.0 * w1, w1))
-        _refuse_stations(
-            least * (1 - _TOUCH_SHARE) > EI,
-            EI,
-            "less than that of the base alone: narrow the base or increase the stiffness",
-        )
-        _refuse_stations(
-            most * (1 + _TOUCH_SHARE) < EI,
-            EI,
-            "more than that of two full layers: widen the base or reduce the stiffness",
-        )
+        for bad, text in (
+            (
+                least * (1 - _TOUCH_SHARE) > EI,
+                "less than that of the base alone: narrow the base or increase the stiffness",
+            ),
+            (
+                most * (1 + _TOUCH_SHARE) < EI,
+                "more than that of two full layers: widen the base or reduce the stiffness",
+            ),
+        ):
+            if bad.any():
+                i = int(bad.argmax())
+                raise InputError(
+                    f"station {i} (from 0) needs a bending stiffness of {EI.flat[i]:.4g} N mm2, {text}"
+                )
         A1 = self.base.youngs_modulus * self.base.thickness * w1
         p, d = self.backing.thickness**2 / 12, self.thickness / 2
         # p x^2 + q x = D A1 for x = E A of the backing, A1 = E A of the base, and the missing stiffness D
@@ -99,7 +103,7 @@ class LaminatedSection(EqualByValue, Section):
         x = np.where(q > 0, 2 * D * A1 / safe, (root - q) / (2 * p))
         w2 = x / (self.backing.youngs_modulus * self.backing.thickness)
         least_width, largest_width = self.limits
-        return np.clip(w2, least_width, np.minimum(largest_width, w1))
+        return w2.clip(least_width, np.minimum(largest_width, w1))
 
     def stiffening(self, backing_width: ArrayLike) -> FloatArray:
         """Return the derivative (n,) of E I by the width of the backing, N mm; always positive."""
@@ -143,8 +147,7 @@ class LaminatedSection(EqualByValue, Section):
         require_positive(bending_stiffness, "bending stiffness", "N mm2")
         K = positive(stiffness, "stiffness")
         w2 = self.parameter(bending_stiffness * K)
-        per_width = self.backing.specific_weight * self.backing.thickness
-        beta = per_width * bending_stiffness / self.stiffening(w2)
+        beta = self.backing.specific_weight * self.backing.thickness * bending_stiffness / self.stiffening(w2)
         alpha = self.weight_per_length(w2) - beta * K
         return Weight(alpha=Profile.interpolate(s, alpha), beta=Profile.interpolate(s, beta))
 
@@ -202,8 +205,9 @@ class LaminatedSection(EqualByValue, Section):
 
     def _widths(self, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
         w1, w2 = matched(positive(self.base_width, "base width"), numbers(backing_width, "backing width"))
-        if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
-            i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
+        fits = (w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))
+        if not fits.all():
+            i = int(fits.argmin())
             raise InputError(
                 "the backing width at station {i} (from 0) is {flat:.6g}: give a width from 0 to the width of the "
                 "base, {flat_2:.6g}",
@@ -226,18 +230,10 @@ def _axes_of(
 ) -> tuple[list[FloatArray], FloatArray, FloatArray]:
     """Return axial stiffness (n,), N, and middle of each glued sheet, and the height (n,) of the neutral axis."""
     heights = np.array([sheet.thickness for sheet, _ in layers])
-    middles = np.cumsum(heights) - heights / 2
+    middles = heights.cumsum() - heights / 2
     axial = [sheet.youngs_modulus * sheet.thickness * width for sheet, width in layers]
     axis = sum(a * z for a, z in zip(axial, middles, strict=True)) / sum(axial)
     return axial, middles, np.asarray(axis)
-
-
-def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
-    if bad.any():
-        i = int(np.argmax(bad))
-        raise InputError(
-            f"station {i} (from 0) needs a bending stiffness of {bending_stiffness.flat[i]:.4g} N mm2, {text}"
-        )
 
 
 PIECES = 8
@@ -296,7 +292,7 @@ def laminate_factor(
         np.atleast_1d(value).astype(float)
         for value in np.broadcast_arrays(base_width, backing_width, curvature, natural_curvature)
     )
-    b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
+    b2 = b2.clip(LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
     # unknowns are deflection and strain divided by the change of curvature, finite even if this change is 0
@@ -311,13 +307,10 @@ def laminate_factor(
         ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
         form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)
-        w, lever = (
-            np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
-            for by in (kappa, kappa - rest)
-        )
-        curl = np.concatenate([curl, np.zeros_like(curl[:, :1])], axis=1)
+        w, lever = (np.insert(w * by[:, None, None], 4, 1.0, axis=1) for by in (kappa, kappa - rest))
+        curl = np.insert(curl, 4, 0.0, axis=1)
         w_by, curl_by = w * weight[:, None], curl * weight[:, None]
-        mixed = form[0, 2] * w_by @ np.swapaxes(curl, 1, 2)
+        mixed = form[0, 2] * w_by @ curl.swapaxes(1, 2)
         quadratic = form[0, 0] * w_by @ np.swapaxes(w, 1, 2) + form[2, 2] * curl_by @ np.swapaxes(curl, 1, 2)
         quadratic += mixed + np.swapaxes(mixed, 1, 2)
         linear = np.sum(form[0, 1] * w_by + form[1, 2] * curl_by, axis=2)
@@ -410,9 +403,9 @@ class LaminateCurl:
         fine = np.minimum(FINE_SEARLE * section.thickness / base**2, reach)
         nodes = np.arange(kappa.size)
         some = np.unique(np.linspace(0, nodes[-1], STATIONS).round().astype(int))
-        t = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
+        t = np.polynomial.chebyshev.chebpts1(TERMS)
         at = np.tile(some, TERMS)
-        kappas = fine[at] * np.sinh(np.repeat(t, some.size) * np.arcsinh(reach / fine[at]))
+        kappas = fine[at] * np.sinh(t.repeat(some.size) * np.arcsinh(reach / fine[at]))
         factor = laminate_factor(base[at], backing[at], kappas, section, rest[at])
         coefficients = np.linalg.solve(
             np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor.reshape(TERMS, -1)
@@ -426,5 +419,5 @@ class LaminateCurl:
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
         """Return the factors of the nodes (..., n) for their curvatures (..., n), 1/mm."""
-        t = np.clip(np.arcsinh(curvature / self.fine) / np.arcsinh(self.reach / self.fine), -1.0, 1.0)
+        t = (np.arcsinh(curvature / self.fine) / np.arcsinh(self.reach / self.fine)).clip(-1.0, 1.0)
         return np.asarray(np.polynomial.chebyshev.chebval(t, self.coefficients, tensor=False))

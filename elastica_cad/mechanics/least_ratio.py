@@ -12,7 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import point
@@ -171,7 +171,7 @@ class _AlongArc:
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
-        np.cumsum(count, out=reached[1:])
+        count.cumsum(out=reached[1:])
         s[:-1] = (self.edges[:-1, None] + np.diff(self.edges)[:, None] * np.arange(CELLS) / CELLS).ravel()
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
@@ -187,11 +187,11 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
-    return profile.stretched(float(exact[0]), float(exact[1]))
+    return profile.stretched(*exact.tolist())
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
+    first = int(profile.knots.searchsorted(place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
 
@@ -448,7 +448,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
     if request.gravity is None:
         return rod
     chord = nodes.position[-1] - nodes.position[0]
-    sideways = abs(chord @ left_of(request.gravity.direction)) / np.hypot(*chord)
+    sideways = abs(chord @ left_of(request.gravity.direction)) / norm(chord)
     if request.natural_curvature or sideways > 1e-9:
         reason = "Under its weight a straight strip sags, unless it is vertical. Draw its sagging shape."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
@@ -459,7 +459,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         )
     # negative internal force: sum of the loads before each node, and half of the load at this node
     load = rod.nodal_load
-    force = np.cumsum(load, axis=0) - load / 2
+    force = load.cumsum(axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
     lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
@@ -499,7 +499,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         )
         warnings = (*warnings, warning)
     warnings = (*warnings, *_slack_warnings(request, balance))
-    if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
+    if request.needs_line and check.zeros and norm(b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
     if weight is not None:  # K is divided by its least value, so multiply beta, which keeps the weight beta K
@@ -740,7 +740,7 @@ class _Base:
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
         if isinstance(width, Profile):
-            places = np.union1d(places, np.clip(width.knots, 0.0, rod.length))
+            places = np.union1d(places, width.knots.clip(0.0, rod.length))
         return cls(layers, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
@@ -781,7 +781,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
         # an extrapolated E I may be less than that of the base alone, or more than that of two full layers
-        EI = np.clip(scale * _stiffness(rod, stations), *bounds)
+        EI = (scale * _stiffness(rod, stations)).clip(*bounds)
         weight = section.weight(stations, EI / target, target)
         weight = replace(weight, masses=request.masses)
         next_rod = rod_of_request(replace(request, weight=weight, bending_stiffness=target))
@@ -801,8 +801,9 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
     section = replace(section, base_width=base_width, limits=(0.0, base_width))
     try:
-        weight = Weight(masses=request.masses, own=True)
-        rod = rod_of_request(replace(request, section=section, weight=weight))
+        rod = rod_of_request(
+            replace(request, section=section, weight=Weight(masses=request.masses, own=True))
+        )
     except InputError as error:
         raise InputError(
             "the stiffness of the laminate cannot vary as much as the curve requires under this weight: use "

@@ -64,13 +64,13 @@ class Gravity:
                 "(200 gsm card: 96)"
             )
         d = as_floats(self.direction)
-        if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
+        if d is None or d.shape != (2,) or not np.isfinite(d).all() or not d.any():
             raise InputError(
                 f"the direction of gravity is {self.direction!r}: give two numbers, not both zero, e.g. "
                 "(0, -1)"
             )
         d = d / np.hypot(*d)
-        object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
+        object.__setattr__(self, "direction", tuple(d.tolist()))
 
     @classmethod
     def in_plane(
@@ -231,7 +231,7 @@ class Weight:
                     at=Length(point.s),
                     s=Length(s[-1]),
                 )
-            i = min(int(np.searchsorted(s, at, side="right")) - 1, s.size - 2)
+            i = min(int(s.searchsorted(at, side="right")) - 1, s.size - 2)
             share = (at - s[i]) / (s[i + 1] - s[i])
             newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
             weight[i] += (1 - share) * newtons
@@ -372,7 +372,7 @@ class Supports:
         raise InputError(
             "The rod is free to {motion}, because no support, rail or pin prevents this. Set {start_field} to "
             "{start} and {end_field} to {end}.",
-            motion=motions[int(free.argmax())],
+            motion=motions[free.argmax()],
             start_field=FieldName("supports.start"), start=start, end_field=FieldName("supports.end"), end=end,
         )  # fmt: skip
 
@@ -531,7 +531,7 @@ class RestCurvature(EqualByValue):
         Two equal stations are a jump.
         """
         s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
-        rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
+        rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and (np.diff(s) >= 0).all()
         if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
             raise InputError(
                 "the curvature before bending needs two or more stations, each with a curvature. Begin at 0 "
@@ -571,7 +571,7 @@ class RestCurvature(EqualByValue):
 
         At a jump the result is the value on the right, or on the left with `left`.
         """
-        s = np.clip(s, 0.0, self.length)
+        s = s.clip(0.0, self.length)
         for place, _ in self.profile.breaks:
             beside = np.nextafter(place, -1.0) if left else place
             s = np.where(np.abs(s - place) < _AT_BREAK_SHARE * self.length, beside, s)
@@ -612,7 +612,7 @@ class CurveOfRest(RestCurvature):
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
         """Return the natural curvature at arc lengths s, or its first derivative; see `RestCurvature.at`."""
-        t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
+        t = self.blank.parameter(s.clip(0.0, self.blank.length))
         for knot in self.blank.breaks:
             t = np.where(np.abs(s - knot.s) < _AT_BREAK_SHARE * self.length, knot.t, t)
         along = self.blank.curvature_slope_at if derivative else self.blank.curvature_at

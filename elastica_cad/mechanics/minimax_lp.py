@@ -243,11 +243,11 @@ class MinimaxProgram:
 
 def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
     low, high = row.min(), row.max()
-    if low > 0:
-        return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
-    if high < 0:
-        return MinimaxSolution(np.array([1 / high]), float(low / high), row / high)
-    return None
+    if low <= 0 <= high:
+        return None
+    least = low if low > 0 else high
+    values = row / least
+    return MinimaxSolution(np.array([1 / least]), float(values.max()), values)
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:

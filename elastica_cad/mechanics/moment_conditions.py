@@ -26,7 +26,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import EqualByValue
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import left_of, unit
 from elastica_cad.geometry.polynomials import (
     DENSE_PARTS,
     LEFT,
@@ -92,11 +92,6 @@ class LineLoad:
     dead: FloatArray
     points: FloatArray
 
-    @property
-    def is_proportional(self) -> bool:
-        """True if the whole weight is proportional to the stiffness."""
-        return not (self.dead.any() or self.points.any())
-
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
@@ -133,7 +128,7 @@ class MomentRows:
         return 4 if self.loaded else 3
 
 
-def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
+def moment_rows(panels: Panels, units: FloatArray, load: LineLoad | None = None) -> MomentRows:
     """Return stiffness, force and moment along a curve as linear maps of the state at the end (paper, Eqs. 3, 5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. The stiffness is
@@ -145,13 +140,11 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
     ----------
     panels : Panels
         The curve, cut at the zeros of kappa - kappa_0.
+    units : (N + 1, 2, u) array
+        Forces x and y on the strip at the ends of the N panels that a unit value of each of the u unknowns causes.
     load : LineLoad, optional
         Weight along the curve; none by default.
-    units : (N + 1, 2, u) array, optional
-        Forces x and y on the strip at the ends of the N panels that a unit value of each of the u unknowns causes.
     """
-    if units is None:
-        units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
     # the caller checks for the overflow of a far too large weight
@@ -214,7 +207,7 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
     # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau if needed
-    size = 3 if load.is_proportional else 4
+    size = 4 if load.dead.any() or load.points.any() else 3
     total = size + units.shape[2]
     steps = np.zeros((count + 1, 2, total))
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
@@ -618,9 +611,7 @@ class RodRequest(EqualByValue):
     @cached_property
     def check(self) -> EquilibriumCheck:
         """Result of the check of Theorem 1; under forces between the ends, inflections need not be on a line."""
-        if self.known_check is not None:
-            return self.known_check
-        return self.examined()
+        return self.known_check or self.examined()
 
     def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:
         """Check the curve, and move it by at most `tolerance` times its length to make it realizable."""
@@ -639,11 +630,6 @@ class RodRequest(EqualByValue):
     def needs_line(self) -> bool:
         """True if the inflections must be on a line: without weight, point forces, rails, pins and ties."""
         return self.gravity is None and not self.between and not self.point_forces
-
-    @property
-    def is_loaded(self) -> bool:
-        """True if the strip has weight or known point forces."""
-        return self.gravity is not None or bool(self.point_forces)
 
     @cached_property
     def elements(self) -> tuple[PlacedElement, ...]:
@@ -676,7 +662,7 @@ class RodRequest(EqualByValue):
         first = 0
         for element in self.elements:
             for s, forces in zip(element.s, element.units.swapaxes(0, 1), strict=True):
-                at = int(np.abs(panels.edge_s - s).argmin())
+                at = np.abs(panels.edge_s - s).argmin()
                 units[at, :, first : first + element.unknowns] += forces.T
             first += element.unknowns
         return units
@@ -726,8 +712,7 @@ class ConditionedRows:
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
-            tangent = self.check.curve.evaluate(t[inner], 1)
-            across = left_of(tangent) / np.hypot(tangent[:, :1], tangent[:, 1:])
+            across = left_of(unit(self.check.curve.evaluate(t[inner], 1)))
             normal = np.zeros((len(across), self.scale.size))
             units = self.request.units_on(self.panels)[at[inner]]
             normal[:, self.rows.elements_from :] = np.einsum("kc,kcu->ku", across, units)

@@ -190,7 +190,7 @@ class PlasticLaw(_YieldingLaw):
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw.effective_curvature`."""
         limit = self.curvature_limit
-        return np.asarray(np.clip(numbers(curvature, "curvature"), -limit, limit))
+        return np.asarray(numbers(curvature, "curvature").clip(-limit, limit))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw.slope`; the slope is 0 beyond the limit."""
@@ -292,7 +292,7 @@ class TabulatedLaw(MaterialLaw):
     def __post_init__(self) -> None:
         for name in ("curvatures", "moments"):
             array = numbers(getattr(self, name), f"the law's {name}").copy()
-            if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
+            if array.ndim != 1 or array.size < 2 or not np.isfinite(array).all() or (array <= 0).any():
                 raise InputError(
                     f"{name} of the material law cannot be used: give at least two positive, finite numbers"
                 )
@@ -303,8 +303,8 @@ class TabulatedLaw(MaterialLaw):
                 f"the material law has {self.curvatures.size} curvatures and {self.moments.size} moments: give "
                 "as many moments as curvatures"
             )
-        if np.any(np.diff(self.curvatures) <= 0):
-            i = int(np.argmin(np.diff(self.curvatures)))
+        if (np.diff(self.curvatures) <= 0).any():
+            i = np.diff(self.curvatures).argmin()
             raise InputError(
                 f"the curvatures of the material law do not increase: {self.curvatures[i + 1]:g} follows "
                 f"{self.curvatures[i]:g} 1/mm. Give increasing curvatures"
@@ -357,8 +357,7 @@ class TabulatedLaw(MaterialLaw):
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])
-        y = np.concatenate([-self.moments[::-1], [0.0], self.moments])
-        odd = PchipInterpolator(x, y)
+        odd = PchipInterpolator(x, np.concatenate([-self.moments[::-1], [0.0], self.moments]))
         half = self.curvatures.size
         return PPoly(odd.c[:, half:] / float(odd(0.0, 1)), odd.x[half:])
 

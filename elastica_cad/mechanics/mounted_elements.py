@@ -18,7 +18,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit, unit_vectors
 from elastica_cad.mechanics.discrete_rod import edge_positions
 from elastica_cad.mechanics.elements import (
     Element,
@@ -106,8 +106,7 @@ class MountedElements:
             if isinstance(action.element, Rail):
                 numbers.append(float(action.s[0]))
             elif isinstance(action.element, Tie):
-                x, y = self.chord(action, tangents)
-                numbers.append(action.mounting.length * float(np.arctan2(y, x)))
+                numbers.append(action.mounting.length * float(angle_of(self.chord(action, tangents))))
         return np.array([*numbers, *(0.0 for _ in self.free_axes)])
 
     def chord(self, action: ElementForce, tangents: FloatArray) -> FloatArray:
@@ -142,8 +141,7 @@ class MountedElements:
         residual, places = np.zeros(k), np.zeros(k, dtype=bool)
         free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
-        shift = np.zeros(2)
-        shift[free] = numbers[first_shift:]
+        shift = self.shift(numbers)
         for action, at in zip(self.actions, self._places, strict=True):
             pair, more = slice(at, at + 2), at + 2
             f = numbers[pair]
@@ -151,6 +149,7 @@ class MountedElements:
             if isinstance(action.element, Tie):
                 length = action.mounting.length
                 e = unit_vectors(numbers[more] / length)
+                turning = left_of(e)
                 weights = self._between(action, n)
                 pulls[pair] = tangents.T * weights
                 rows[pair] = across * weights
@@ -159,8 +158,8 @@ class MountedElements:
                     # keep the direction of the cord, because the rod could turn as a whole
                     corner[more, more] = 1.0
                 else:
-                    residual[more] = -f @ left_of(e)
-                    corner[pair, more] = corner[more, pair] = -left_of(e)
+                    residual[more] = -f @ turning
+                    corner[pair, more] = corner[more, pair] = -turning
                     corner[more, more] = f @ e / length
                 continue
             slides = isinstance(action.element, Rail)
@@ -262,7 +261,7 @@ class ShapeOfRod:
             off, slope = point - self.at(s), self.at(s, 1)
             # limit the step, because Newton's method diverges near the centre of curvature
             spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
-            before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
+            before, s = s, float((s + off @ slope / spread).clip(0.0, self.length))
             if abs(s - before) <= 1e-13 * self.length:
                 break
         return s
@@ -288,10 +287,8 @@ def require_held(
             # as for the ends, points of a bent rod are not on one line
             reactions += [(1.0, 0.0, -s / shape.length), (0.0, 1.0, s / shape.length)]
         elif isinstance(element.element, Rail):
-            slope = shape.at(s, 1)
-            across = left_of(slope) / np.hypot(*slope)
-            turning = float((shape.at(s) - shape.start) @ slope) / np.hypot(*slope) / shape.length
-            reactions.append((*across, turning))
+            along = unit(shape.at(s, 1))
+            reactions.append((*left_of(along), (shape.at(s) - shape.start) @ along / shape.length))
     width, height = np.abs(shape.at(shape.length) - shape.start)
     supports.require_held(reactions, upright=bool(height > width))
 
@@ -328,7 +325,7 @@ def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfR
         return action
     places = _positions(shape, action.s)
     if isinstance(action.element, Tie):
-        apart = float(np.hypot(*(places[1] - places[0])))
+        apart = float(norm(places[1] - places[0]))
         return replace(action, mount=Mount(length=action.element.length or apart))
     side = 0
     if isinstance(action.element, Rail) and action.element.one_sided:
@@ -370,7 +367,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
         return 0.0
     if isinstance(action.element, Tie):
         p, q = (shape.at(s) for s in action.s)
-        return max(0.0, -float(action.force[0] @ (q - p)) / float(np.hypot(*(q - p))))
+        return max(0.0, -float(action.force[0] @ unit(q - p)))
     return max(0.0, -action.mounting.side * float(action.force[0] @ left_of(shape.at(action.s[0], 1))))
 
 
@@ -387,7 +384,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
     """Return how far, mm, a strip is beyond a rail, or by how much a cord is too short; negative for a gap."""
     if isinstance(action.element, Tie):
         p, q = (shape.at(s) for s in action.s)
-        return float(np.hypot(*(q - p))) - action.mounting.length
+        return float(norm(q - p)) - action.mounting.length
     point = np.array(action.mounting.point)
     s = shape.foot(point)
     if not 0 < s < shape.length:

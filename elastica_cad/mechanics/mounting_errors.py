@@ -50,8 +50,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     acting = tuple(action for action, is_taut in zip(actions, taut, strict=True) if is_taut)
     if not acting:
         return (0.0,) * len(actions)
-    state = state_of(rod, replace(system_of(rod, rod), actions=acting))
-    moved = iter(_largest_moves(state, acting))
+    moved = iter(_largest_moves(state_of(rod, replace(system_of(rod, rod), actions=acting)), acting))
     return tuple(next(moved) if is_taut else 0.0 for is_taut in taut)
 
 
@@ -91,7 +90,7 @@ def spare_pieces(rod: Rod) -> tuple[SparePiece | None, ...]:
     ]
     return tuple(
         min(
-            (piece for piece in pieces if float(action.s[0]) in (piece.start, piece.end)),
+            (piece for piece in pieces if action.s[0] in (piece.start, piece.end)),
             key=lambda piece: piece.spare,
             default=None,
         )

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, norm, unit_vectors
 from elastica_cad.mechanics.discrete_rod import solve_bordered
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
@@ -120,7 +120,7 @@ def correct(
             if factor < damping:
                 return None
         current, step, turned = trial, next_step, next_turned
-        if float(np.abs(current.angles - state.angles).max()) > turn:
+        if np.abs(current.angles - state.angles).max() > turn:
             return None
         if turned < CONVERGED_RAD:
             current = current.moved(step)
@@ -316,7 +316,7 @@ def _place_ends(state: RodState) -> RodState | None:
         share = np.linalg.lstsq(matrix, miss, rcond=1e-12)[0]
         step = Step(-rows.T @ share, np.where(moves, unit, softness) * share)
         turned = _turned(step)
-        if not np.isfinite(turned) or (not np.any(step.reactions) and turned == 0):
+        if not np.isfinite(turned) or (not step.reactions.any() and turned == 0):
             return None
         state = state.moved(step, min(1.0, LARGEST_TURN_RAD / turned) if turned else 1.0)
     return None
@@ -336,8 +336,7 @@ def _relative_error(state: RodState, residual: Residual) -> float:
 
     Errors of moments are divided by the size of the moments, but at least by the moment of a bend of 1e-3 rad.
     """
-    length = state.system.length
-    unit = max(state.scale, 1e-3 / length)
+    unit = max(state.scale, 1e-3 / state.system.length)
     imbalance = max(float(np.abs(residual.imbalance).max()) - state.noise, 0.0)
     return max(imbalance / unit, state.missed(residual.miss))
 
@@ -398,7 +397,7 @@ def _direction(state: RodState) -> float:
     if held:
         return float(np.mean(held))
     chord, present = system.end - system.start, float(state.angles.mean())
-    if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
+    if len(system.held) < 2 or norm(chord) < 1e-9 * system.length:
         return present
     angle = _nearest_angle(present, chord)
     return angle if abs(angle - present) < np.pi / 2 else present
@@ -406,7 +405,7 @@ def _direction(state: RodState) -> float:
 
 def _nearest_angle(near: float, chord: FloatArray) -> float:
     """Return the angle of `chord`, rad, plus the whole turns that bring it nearest to `near`."""
-    angle = float(np.arctan2(chord[1], chord[0]))
+    angle = float(angle_of(chord))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
 
@@ -429,8 +428,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = unit_vectors(angle)
-    distance = float(np.linalg.norm(system.chord))
-    chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
+    chord = length * min(max(float(np.linalg.norm(system.chord)) / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
@@ -508,7 +506,7 @@ def buckling_mode(state: RodState, side: int, mode: int) -> tuple[float, FloatAr
     values, vectors = state.discrete.lowest_modes(mode)
     shape = vectors[mode - 1]
     bulge = np.cumsum(shape)
-    first = int(np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max()))
+    first = np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max())
     return float(values[mode - 1]) / state.system.edge_length, shape if side * bulge[first] > 0 else -shape
 
 

@@ -64,7 +64,8 @@ def balance_of(request: RodRequest) -> BalancedStiffness:
     """Return the stiffness K with the least ratio max K / min K for a request."""
     if request.section is not None:
         return _with_section(request, request.section)
-    return _with_weight(request) if request.is_loaded else balance_without_weight(request)
+    loaded = request.gravity is not None or request.point_forces
+    return _with_weight(request) if loaded else balance_without_weight(request)
 
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
@@ -87,8 +88,7 @@ def ratio_within(request: RodRequest, most: float) -> float | None:
 def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
     cut = request.cut
     for _ in range(REFINEMENTS):
-        rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
-        problem = ConditionedRows(request, cut.panels, rows)
+        problem = ConditionedRows(request, cut.panels, moment_rows(cut.panels, request.units_on(cut.panels)))
         numbers = problem.homogeneous(loaded=False)
         # refine the intervals, because rails, pins and ties vary the stiffness strongly near zeros of the curvature
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
@@ -167,7 +167,7 @@ class WeightedPanels:
         acting = [(mass.s, mass.mass * unit) for mass in self.request.masses]
         acting += [(float(force.s[0]), force.units[0, 0]) for force in self.request.forces]
         for s, newtons in acting:
-            points[int(np.abs(self.panels.edge_s - s).argmin())] += newtons
+            points[np.abs(self.panels.edge_s - s).argmin()] += newtons
         for at, end in zip((0, -1), self.request.supports.ends, strict=True):
             points[at] *= not (end.x and end.y)
         return points
@@ -180,8 +180,8 @@ class WeightedPanels:
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
         """Return the conditions of equilibrium for the weights `own`, `dead` and `points` of a `LineLoad`."""
         panels = self.panels
-        rows = moment_rows(panels, LineLoad(-self.down, own, dead, points), self.request.units_on(panels))
-        if not np.all(np.isfinite(rows.stiffness)):
+        rows = moment_rows(panels, self.request.units_on(panels), LineLoad(-self.down, own, dead, points))
+        if not np.isfinite(rows.stiffness).all():
             self.refuse()
         return ConditionedRows(self.request, panels, rows)
 
@@ -267,7 +267,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
         minimum = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
         return float(np.exp(minimum.x if minimum.fun <= ratios[best] else trial[best]))
     limit = light[1] * (1 + SMOOTHING_SHARE)
-    within = int(np.flatnonzero(ratios <= limit)[-1])
+    within = np.flatnonzero(ratios <= limit)[-1]
     if within == 24:
         return float(np.exp(trial[-1]))
     low, high = trial[within], trial[within + 1]
@@ -436,8 +436,7 @@ def _converged_balance(load: WeightedPanels, section: Section) -> BalancedStiffn
         tried, scale = scale, _fitting_scale(section, balance.stiffness)
         change, EI = max(float(np.abs(next_EI / EI - 1).max()), abs(scale / tried - 1)), next_EI
         if change < SETTLED_SHARE:
-            weight = _weight(load, tangent, tried)
-            return replace(balance, bending_stiffness=tried, weight=weight)
+            return replace(balance, bending_stiffness=tried, weight=_weight(load, tangent, tried))
         least, _ = section.limits
         if least > 0 and (EI / section.bending_stiffness(least)).min() < HOPELESS_SHARE:
             raise _unsettled(section, change)
@@ -482,10 +481,10 @@ def _balance_by_descent(
         step = moved / EI - 1
         EI = np.maximum(moved, HOPELESS_SHARE * limit)  # an intermediate E I may be too small, or negative
         state = scale * unknowns[:3]
-        if float(np.abs(step).max()) < SETTLED_SHARE:
+        if np.abs(step).max() < SETTLED_SHARE:
             weight = _weight(load, tangent, scale)
             return replace(problem.balance(unknowns), bending_stiffness=scale, weight=weight)
-        reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
+        reach = SHORTER * reach if (step * before).sum() < 0 else min(LONGER * reach, WIDEST_REACH)
         before = step
     raise _unsettled(section, np.inf)
 
@@ -577,7 +576,7 @@ def refuse_below_limits(section: Section, bending_stiffness: FloatArray, s: Floa
             field=FieldName("limits"),
             quantity=section.quantity,
             given=Length(float(sizes.min())),
-            s=Length(float(s.flat[int(sizes.argmin())])),
+            s=Length(float(s.flat[sizes.argmin()])),
             largest=Length(largest),
             least=Length(least),
         )

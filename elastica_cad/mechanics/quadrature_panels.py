@@ -10,7 +10,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.nurbs_curve import curvature, curvature_slope
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import norm, numbers_in_groups
+from elastica_cad.geometry.plane_points import midpoints, norm, numbers_in_groups
 from elastica_cad.geometry.polynomials import (
     DENSE_PARTS,
     LEFT,
@@ -106,7 +106,7 @@ class Panels:
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
         """Return panel indices and coordinates x of dense samples, with `parts` intervals in each panel."""
         x = lobatto_places(parts)
-        return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
+        return np.arange(self.count).repeat(x.size), np.tile(x, self.count)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Return the arc lengths, mm, at coordinates x of panels."""
@@ -159,7 +159,7 @@ def cut_into_panels(
         fixed + [t for (t, apart), distance in zip(breaks, away, strict=True) if distance > apart]
     )
     smooth = curve.smooth_panels
-    between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
+    between, widths = smooth[1:-1], np.diff(smooth)
     finer = between[
         _distances_from_nearest(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])
     ]
@@ -190,7 +190,7 @@ def cut_into_panels(
 
 def nearest_of(places: FloatArray, t: FloatArray) -> IntArray:
     """Return the indices (n,) of the sorted places (k,) that are nearest to parameters `t` (n,)."""
-    return ((places[1:] + places[:-1]) / 2).searchsorted(t)
+    return midpoints(places).searchsorted(t)
 
 
 def _distances_from_nearest(t: FloatArray, sorted_places: list[float]) -> FloatArray:
@@ -389,9 +389,9 @@ class CutCurve:
         cls,
         check: EquilibriumCheck,
         natural_curvature: NaturalCurvature,
-        law: MaterialLaw | None = None,
-        weight: Weight | None = None,
-        stations: Sequence[float] = (),
+        law: MaterialLaw | None,
+        weight: Weight | None,
+        stations: Sequence[float],
     ) -> "CutCurve":
         """Return the curve, cut where the natural curvature, the material law or the load is not smooth.
 
@@ -434,7 +434,7 @@ class CutCurve:
         """Halve the panels on which the stiffness is not resolved; return None if it is resolved everywhere."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
-        return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
+        return self._also_at(midpoints(edges)[rough]) if rough.any() else None
 
     def _also_at(self, cuts: FloatArray) -> "CutCurve":
         return replace(self, cuts=(*self.cuts, *cuts))

@@ -14,7 +14,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
@@ -86,7 +86,9 @@ def _unit(name: str) -> str:
     return name.rsplit("_", 1)[-1]
 
 
-MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
+def cell_edges(s: FloatArray) -> FloatArray:
+    """Return the ends (n + 1,) of the cells around nodes at arc lengths s (n,)."""
+    return np.concatenate([s[:1], midpoints(s), s[-1:]])
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
@@ -99,15 +101,15 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
     if not steps.size:
         return K
-    edges = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
-    for i in np.unique(np.clip(np.searchsorted(edges, steps) - 1, 0, s.size - 1)):
+    edges, (points, weights) = cell_edges(s), gauss_rule(3)
+    for i in np.unique((edges.searchsorted(steps) - 1).clip(0, s.size - 1)):
         cuts = np.unique(
             np.concatenate([edges[i : i + 2], steps[(steps > edges[i]) & (steps < edges[i + 1])]])
         )
         turned = 0.0
         for a, b in pairwise(cuts):
-            inside = (a + b) / 2 + (b - a) / 2 * MEAN_POINTS
-            turned += (b - a) / 2 * float(MEAN_WEIGHTS @ (1 / profile(inside)))
+            inside = (a + b) / 2 + (b - a) / 2 * points
+            turned += (b - a) / 2 * float(weights @ (1 / profile(inside)))
         K[i] = (edges[i + 1] - edges[i]) / turned
     return K
 
@@ -254,7 +256,7 @@ TANGENT_RAD = 1e-8
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
     """Return True if all edges of the polygon are as long as the arc length between their nodes."""
     h = np.diff(s)
-    return bool(np.all(np.abs(norm(np.diff(position, axis=0)) - h) <= EVEN_EDGES * h))
+    return bool((np.abs(norm(np.diff(position, axis=0)) - h) <= EVEN_EDGES * h).all())
 
 
 def integrate_edges(
@@ -298,8 +300,8 @@ def integrate_edges(
     """
     edge = _edge_angles(position, angle)
     if edge.size == 1:
-        return PlaneCurve(np.repeat(s, DEGREE + 1), np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
-    length, ends, middles = float(s[-1]), s[[0, -1]], (s[:-1] + s[1:]) / 2
+        return PlaneCurve(s.repeat(DEGREE + 1), np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
+    length, ends, middles = float(s[-1]), s[[0, -1]], midpoints(s)
     low, high = (0.0, length) if bent is None else bent
     held = np.array([low <= 0.0, high >= length])
     if not held.all():
@@ -358,9 +360,8 @@ def _angle_corrections(x: FloatArray) -> FloatArray:
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
     """Return the angles (n,), rad, of edges between nodes (n + 1, 2), within half a turn of the nodal angles."""
-    edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
-    middle = (angle[:-1] + angle[1:]) / 2
-    return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
+    edge = angle_of(np.diff(position, axis=0))
+    return np.asarray(edge + 2 * np.pi * np.round((midpoints(angle) - edge) / (2 * np.pi)))
 
 
 # half width of the band that shows the stiffness in a notebook, as a fraction of the length
@@ -466,7 +467,7 @@ class Rod:
                 "in 1/mm"
             )
         if (self.stiffness <= 0).any():
-            at = float(self.s[int(np.argmin(self.stiffness))])
+            at = float(self.s[self.stiffness.argmin()])
             raise InputError(
                 f"the stiffness of the rod is not positive {Mm(at):.6g} from its start: give every place a "
                 "width above 0"
@@ -530,7 +531,7 @@ class Rod:
         profile, K = scaled_to_least(profile, s)
         tangent = unit_vectors(angle)
         rest = nodal_curvature(natural_curvature, s)
-        loaded = gravity is not None or weight is not None or bool(np.any(numbers(rest, "natural curvature")))
+        loaded = gravity is not None or weight is not None or bool(numbers(rest, "natural curvature").any())
         return cls(
             s=s, position=place + s[:, None] * tangent,
             angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K,
@@ -660,7 +661,7 @@ class Rod:
             float(np.abs(self.force).max()), float(np.abs(self.moment).max()) / self.length
         )
         for s, force in [*sorted(steps, key=lambda step: step[0]), (self.length, np.zeros(2))]:
-            sides.append(InflectionLine.of_moment(moment, b, place) if np.hypot(*b) > tiny else None)
+            sides.append(InflectionLine.of_moment(moment, b, place) if norm(b) > tiny else None)
             at = self.curve.at(np.array([s * self.curve.length / self.length])).position[0]
             moment, place, b = moment + float(b @ (at - place)), at, b - left_of(force)
         return tuple(sides)
@@ -695,7 +696,7 @@ class Rod:
         """
         change, law = self.curvature - self.natural_curvature, self.bending_law
         density = self.stiffness * (change**2 / 2 if law is None else law.energy(change))
-        return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
+        return float(((density[1:] + density[:-1]) * np.diff(self.s)).sum() / 2)
 
     def bend_at(self, s: FloatArray) -> FloatArray:
         """Return the change of curvature (n,), 1/mm, at arc lengths s (n,), mm.
@@ -741,7 +742,7 @@ class Rod:
         steps = np.diff(self.position, axis=0)
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
         if not apart.all():
-            at = float(self.s[int(np.argmin(apart))])
+            at = float(self.s[apart.argmin()])
             raise InputError(
                 f"two neighbouring nodes of the rod coincide at {Mm(at):.6g} from its start: remove one of "
                 "these nodes"
@@ -752,7 +753,7 @@ class Rod:
         if self.gravity is not None:
             load = self.nodal_load
             force = edge_forces(np.zeros(2), load)
-            nodal[1:-1] = (force[:-1] + force[1:]) / 2
+            nodal[1:-1] = midpoints(force)
             nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
         acting = self.acting
         if acting:
@@ -827,9 +828,9 @@ class Rod:
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
-        if np.any(K <= 0):
+        if (K <= 0).any():
             raise InputError(
-                f"stiffness is not positive at {Mm(self.s[int(np.argmin(K))]):.6g} from the start: give "
+                f"stiffness is not positive at {Mm(self.s[K.argmin()]):.6g} from the start: give "
                 "numbers above 0"
             )
         K, profile = K / K.min(), profile.scaled(1 / K.min())
@@ -850,8 +851,8 @@ def resample(rod: Rod, samples: int) -> Rod:
     angle, curvature, moment, *force = (
         np.interp(s, rod.s, row) for row in (rod.angle, rod.curvature, rod.moment, *rod.force.T)
     )
-    middles = (s[:-1] + s[1:]) / 2
-    before = (rod.s[:-1] + rod.s[1:]) / 2
+    middles = midpoints(s)
+    before = midpoints(rod.s)
     T = unit_vectors(np.interp(middles, before, rod.discrete.angles))
     if rod.compression is not None:
         T *= np.interp(middles, before, norm(rod.discrete.tangents))[:, None]

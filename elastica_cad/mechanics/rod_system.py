@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import dot, unit_vectors
+from elastica_cad.geometry.plane_points import dot, midpoints, unit_vectors
 from elastica_cad.mechanics.bracing import bracing_of
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
@@ -341,7 +341,7 @@ class RodState:
                 spring[node] = 0.0
                 work += float(moment * self.angles[node])
         # per length, the dead loads do the work -<lambda, T>, with their force lambda and the unit tangent T
-        work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
+        work -= system.edge_length * float((system.given_force * self.discrete.tangents).sum())
         if system.elements is not None:
             work += float(system.elements.load @ system.elements.shift(self._numbers))
         return float(spring.sum()) - work
@@ -387,7 +387,7 @@ class RodState:
         """Return attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
-        force[1:-1] = (edge[:-1] + edge[1:]) / 2
+        force[1:-1] = midpoints(edge)
         # forces of rails, pins and ties less than two edges from an end act partly on the end node
         element_load = lumped(self.actions, n + 1, system.length)
         start, end = at_ends(system.length, (*self.actions, *point_forces))
@@ -404,7 +404,7 @@ class RodState:
         curvature = change + system.natural_curvature
         bend = system.node_lengths * curvature
         angle = np.empty(n + 1)
-        angle[1:-1] = (self.angles[:-1] + self.angles[1:]) / 2
+        angle[1:-1] = midpoints(self.angles)
         for node, sign in ((0, -1), (-1, 1)):
             held = system.held_angles[node]
             angle[node] = self.angles[node] + sign * bend[node] if held is None else held

@@ -132,8 +132,7 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
     2.0
     """
     for thickness in thinner_on_sale(sheet):
-        thinner = sheet.with_thickness(thickness)
-        if judge_strain(thinner, strain * thickness / sheet.thickness).allowed:
+        if judge_strain(sheet.with_thickness(thickness), strain * thickness / sheet.thickness).allowed:
             return thickness
     return None
 
@@ -206,7 +205,7 @@ class LayerStrain:
     @property
     def station(self) -> int:
         """Index of the station with the largest strain."""
-        return int(np.argmax(self.strain))
+        return int(self.strain.argmax())
 
     def judged(self, at: float | None = None) -> StrainVerdict:
         """Compare the largest strain, at arc length `at` (mm), with the limit of the sheet."""
@@ -244,7 +243,7 @@ class ScaleRange:
         if not K.size:
             raise InputError("the array of stiffnesses is empty: give at least one stiffness")
         c_min, c_max = low_EI / K, high_EI / K
-        low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
+        low, high = int(c_min.argmax()), int(c_max.argmin())
         return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
 
     @property
@@ -282,6 +281,6 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
     array = numbers(values, name)
     good = np.isfinite(array) & (array > 0)
     if not good.all():
-        i = int(np.argmin(good))
+        i = int(good.argmin())
         raise InputError(f"{name} is {array.flat[i]:.6g} at station {i} (from 0): give a number above 0")
     return array

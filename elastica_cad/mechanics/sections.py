@@ -94,9 +94,9 @@ def anticlastic_factor(
             (natural_curvature, "rest curvature"),
         )
     )
-    if not (np.all(np.isfinite(w)) and np.all(w > 0)):
+    if not (np.isfinite(w).all() and (w > 0).all()):
         raise InputError("the strip width is not positive: give a number above 0, in mm")
-    if not (np.all(np.isfinite(kappa)) and np.all(np.isfinite(rest))):
+    if not (np.isfinite(kappa).all() and np.isfinite(rest).all()):
         raise InputError("the curvature is not finite: give a finite number, in 1/mm")
     matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
@@ -115,7 +115,7 @@ def _limited_curl(
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
     return np.asarray(
-        np.clip(scaled, 0, flat)
+        scaled.clip(0, flat)
         + _smoothly_limited(above, 1 + 2 * ratio - flat)
         - _smoothly_limited(below, 2 - nu**2 - 2 * ratio)
     )
@@ -124,8 +124,7 @@ def _limited_curl(
 def _smoothly_limited(excess: FloatArray, limit: FloatArray) -> FloatArray:
     """Limit `excess` smoothly. Values up to half of the limit do not change."""
     half = limit / 2
-    late = np.maximum(excess / half - 1, 0)
-    return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
+    return np.asarray(np.minimum(excess, half) - half * np.expm1(-np.maximum(excess / half - 1, 0)))
 
 
 def plate_width(

@@ -9,7 +9,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number, with_article
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import cross, dot, left_of, unit_vectors
+from elastica_cad.geometry.plane_points import cross, dot, left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.cross_sections import at_stations
@@ -426,12 +426,12 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     n = len(edgewise) - 1
     edge = rod.length / n
     s = np.linspace(0.0, rod.length, n + 1)
-    middle = (s[1:] + s[:-1]) / 2
+    middle = midpoints(s)
     angle = np.interp(middle, rod.s, rod.angle)
     force = at_stations(rod.force.T, rod.s, middle).T
     if rod.acting:  # use means over the edges, because the force jumps
         whole = np.zeros_like(rod.force)
-        np.cumsum(rod.discrete.force * rod.discrete.edge_length, axis=0, out=whole[1:])
+        (rod.discrete.force * rod.discrete.edge_length).cumsum(axis=0, out=whole[1:])
         force = np.diff(at_stations(whole.T, rod.s, s)).T / edge
     free = [end.is_free for end in rod.supports.ends]
     lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
@@ -468,7 +468,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> tuple[FloatArray, Floa
             rows.append((edge * edge_weights(float(action.s[0]), edge, n, 1)[:, None] * T).ravel())
         else:
             chord = np.diff(rod.curve.at(action.s).position, axis=0)[0]
-            terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
+            terms.append(np.sqrt(action.size / norm(chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
     if rod.between and not places and len(terms) == len(taut):
         # if only cords hold the strip, it can turn as a whole without a change of energy

@@ -1,5 +1,6 @@
 """Stability of a rod: its margin, its conjugate points, and a summary in words."""
 
+from bisect import bisect_left
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -9,7 +10,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_record, with_article
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import angle_of, at_sign_changes, left_of, midpoints
 from elastica_cad.mechanics.discrete_rod import (
     DiscreteRod,
     constrained_inertia,
@@ -54,9 +55,7 @@ class Determinant:
         beyond = np.flatnonzero(self.fields[1:, 0] <= 0)
         # before the first zero of the Jacobi solution zeta, the rod is stable even if its end is free to move
         first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
-        at, z = self.s[first:], self.value[first:]
-        k = np.flatnonzero(z[:-1] * z[1:] < 0)
-        return at[k] + (at[k + 1] - at[k]) * z[k] / (z[k] - z[k + 1])
+        return at_sign_changes(self.value[first:], self.s[first:])
 
 
 def stability_determinant(rod: DiscreteRod) -> Determinant:
@@ -75,16 +74,16 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
-    right = np.zeros((n + 1, 1 + rows.shape[0]))
+    right = np.zeros((n + 1, 1 + len(rows)))
     # the Jacobi solution zeta (paper, Eq. 7) at the first edge: its distance from a held start (slope 1), or 1 if
     # the start is free to turn
     right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
     right[1:, 1:] = -rows.T
     fields = np.zeros((n + 2, right.shape[1]))
     fields[1:] = _solve_recursion(rod, right)
-    integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
+    integrals = (rows.T[:, :, None] * fields[1:-1, None, :]).cumsum(axis=0)
     Z = _stability_matrices(fields, integrals)
-    ends = np.cumsum(lengths)
+    ends = lengths.cumsum()
     return Determinant(np.append(ends - lengths / 2, ends[-1]), np.linalg.det(Z), fields, integrals)
 
 
@@ -124,8 +123,8 @@ def determinant_gradient(
 
     # propagate the derivatives back through the determinants and integrals
     G = weights[:, None, None] * _cofactors(_stability_matrices(X, z.integrals))
-    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # each term is in the integrals of all following edges
-    per_field = G[:, 0, :].copy()
+    suffix = G[:0:-1, 1:].cumsum(axis=0)[::-1]  # each term is in the integrals of all following edges
+    per_field = G[:, 0].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
 
@@ -170,7 +169,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     count = _first_unstable_piece(rod)
     if count is None:
         return None
-    ends = np.cumsum(lengths)
+    ends = lengths.cumsum()
     # entry k - 1 is the position of the clamp of a piece with k edges
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
     if count == 1:
@@ -192,13 +191,9 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
     def is_unstable(k: int) -> bool:
         return k > len(rows) and bool(constrained_inertia(diagonal[:k], off[: k - 1], rows[:, :k]))
 
-    low, high = 0, diagonal.size
-    if high <= len(rows) or not rod.unstable_modes:
+    if diagonal.size <= len(rows) or not rod.unstable_modes:
         return None
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if is_unstable(middle) else (middle, high)
-    return high
+    return bisect_left(range(diagonal.size), True, key=is_unstable)
 
 
 def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:
@@ -223,9 +218,9 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
 def _stability_matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
     n, _, m = integrals.shape
     Z = np.empty((n + 1, m, m))
-    Z[:, 0, :] = fields[1:]
-    Z[0, 1:, :] = 0.0
-    Z[1:, 1:, :] = integrals
+    Z[:, 0] = fields[1:]
+    Z[0, 1:] = 0.0
+    Z[1:, 1:] = integrals
     return Z
 
 
@@ -250,14 +245,13 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     """Convert derivatives by edge forces to derivatives (n+1, 2) by nodal loads."""
-    n = per_force.shape[0]
-    per_load = np.zeros((n + 1, 2))
+    per_load = np.zeros((len(per_force) + 1, 2))
     ends = supports.ends
     for i, axis in enumerate("xy"):
         if getattr(ends[0], axis) and not getattr(ends[1], axis):
-            per_load[1:, i] = -np.cumsum(per_force[:, i])
+            per_load[1:, i] = -per_force[:, i].cumsum()
         else:
-            per_load[1:-1, i] = np.cumsum(per_force[:0:-1, i])[::-1]
+            per_load[1:-1, i] = per_force[:0:-1, i].cumsum()[::-1]
             if not getattr(ends[0], axis):
                 per_load[0, i] = per_force[:, i].sum()
     return per_load
@@ -413,16 +407,14 @@ def _safe_margin(rod: DiscreteRod) -> float:
     if rod.bracing is not None or not 0 < rod.margin.value < SAFE_MARGIN:
         return SAFE_MARGIN
     chord = rod.position[-1] - rod.position[0]
-    straight = replace(
-        rod, angles=np.full(rod.angles.size, np.arctan2(*chord[::-1])), force=np.zeros_like(rod.force)
-    )
+    straight = replace(rod, angles=np.full(rod.angles.size, angle_of(chord)), force=np.zeros_like(rod.force))
     return min(SAFE_MARGIN, UNLOADED_SHARE * straight.margin.value)
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
-    nodal[1:-1] = (mode[:-1] + mode[1:]) / 2
+    nodal[1:-1] = midpoints(mode)
     for node, held in zip((0, -1), rod.held_angles, strict=True):
         nodal[node] = 0.0 if held else mode[node]
-    return np.asarray(nodal / nodal[int(np.argmax(np.abs(nodal)))])
+    return np.asarray(nodal / nodal[np.abs(nodal).argmax()])

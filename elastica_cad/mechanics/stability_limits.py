@@ -144,8 +144,9 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
         t, state, margin = t_next, following, after
         visited.append((t, margin.value))
         step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
-    before = state.rod(course.loaded(t))
-    return StabilityLimit(None, course.entry(t), None, before, None, *np.array(visited).T)
+    return StabilityLimit(
+        None, course.entry(t), None, state.rod(course.loaded(t)), None, *np.array(visited).T
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,7 +221,7 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
             not is_straight(reached.state)
             or correct(reached.state.under(course.system(1e-3 * course.end))) is not None
         ):
-            return t, reached.state
+            break
     return t, reached.state
 
 
@@ -276,8 +277,8 @@ def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap",
     moments = elastic * mode
     moments[:-1] += off * mode[1:]
     moments[1:] += off * mode[:-1]
-    size = float(norm(moments) * norm(response) + norm(nu) * norm(miss))
-    work = float(mode @ imbalance - nu @ miss)
+    size = norm(moments) * norm(response) + norm(nu) * norm(miss)
+    work = mode @ imbalance - nu @ miss
     rounding = 1e-8 * (b - a) * state.scale * float(norm(mode, 1))
     return "snap" if abs(work) > 1e-3 * size + rounding else "bifurcation"
 
@@ -311,7 +312,7 @@ def _entry_as_keywords(step: Any) -> dict[str, Any]:
 
 def _present_values(rod: Rod, names: set[str]) -> dict[str, Any]:
     system = system_of(rod, rod)
-    if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
+    if "load" in names and not (system.load.any() or system.force.any() or system.moments.any()):
         raise InputError(
             "the rod has no load that the path could scale: add a weight, or a force or moment at an end"
         )

@@ -13,7 +13,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.fairing import smooth_for_corners
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
-from elastica_cad.geometry.plane_points import SMOOTH_TURN, left_of
+from elastica_cad.geometry.plane_points import SMOOTH_TURN, left_of, norm
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
@@ -44,7 +44,7 @@ class InflectionLine:
     def of_moment(cls, moment: float, b: FloatArray, position: FloatArray) -> "InflectionLine":
         """Return the line on which the moment, `moment` + <b, x - position>, is zero."""
         b, position = pair(b, "b"), pair(position, "position")
-        size = np.hypot(*b)
+        size = norm(b)
         foot = position - b * require_number(moment, "moment") / size**2
         return cls((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
 
@@ -237,7 +237,11 @@ class EquilibriumCheck:
         if points is None:
             return ()
         # a refused curve has tested changes instead of advice
-        noise = points.noise_message if self.realizable else points.noise_text
+        noise = (
+            points.noise_message
+            if self.realizable
+            else note("the points have noise of about {noise}", noise=points.rounded_noise)
+        )
         return points.outlier or (note("The curve was fitted to points, and {points}.", points=noise),)
 
     @property
@@ -547,8 +551,7 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
     slight = _smoothing_change(curve)
     if not slight:
         return ""
-    size = Length(slight[0].value)
-    return note(", or set {field} to about {size:g} to smooth it", field=SMOOTH, size=size)
+    return note(", or set {field} to about {size:g} to smooth it", field=SMOOTH, size=Length(slight[0].value))
 
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
@@ -597,7 +600,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     low, high = curve.domain
     t = float(curve.parameter(s))
     provenance, curve = curve.provenance, _closed_exactly(curve)
-    knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
+    knot = float(curve.knots[np.abs(curve.knots - t).argmin()])
     t = knot if abs(knot - t) <= NEAR_KNOT_SHARE * (high - low) else t
     if t <= low or t >= high:
         return curve.drawn_as(provenance)
@@ -608,8 +611,8 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     weights = None
     if first.weights is not None and second.weights is not None:
         # continue the weights of the first part; a common factor of all weights does not change the shape
-        onward = second.weights * (first.weights[-1] / second.weights[0])
-        weights = np.concatenate([first.weights, onward[1:]])
+        scale = first.weights[-1] / second.weights[0]
+        weights = np.concatenate([first.weights, second.weights[1:] * scale])
     return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())
 
 
@@ -925,7 +928,7 @@ def _faulty_joints(
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = joint.t, joint.after == 0
-        kappa, slope = float(excess.at(t, left=left)), float(excess.slope_at(t, left=left))
+        kappa, slope = float(excess.at(t, left=left)), excess.slope_at(t, left=left)
         if abs(kappa) > PINNED_SHARE * largest:
             bent.append(
                 note(

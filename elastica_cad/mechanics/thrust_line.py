@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import clipped, left_of
+from elastica_cad.geometry.plane_points import at_sign_changes, clipped, left_of
 from elastica_cad.mechanics.rod import Rod
 
 PARALLEL = 1e-6
@@ -19,10 +19,7 @@ def inflections_of(rod: Rod) -> FloatArray:
     """
     if rod.shape is not None and not np.any(rod.natural_curvature):
         return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
-    kappa = rod.curvature - rod.natural_curvature
-    i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
-    u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
-    return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)
+    return at_sign_changes(rod.curvature - rod.natural_curvature, rod.position)
 
 
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
@@ -52,7 +49,7 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
     none = np.full(len(turns), np.inf)
     distances = np.array([none if line is None else np.abs(line.distance(turns)) for line in lines])
     for turn, row in zip(turns, distances.T, strict=True):
-        reached[int(row.argmin())].append(turn)
+        reached[row.argmin()].append(turn)
     sides = []
     for line, points in zip(lines, reached, strict=True):
         if line is None or len(points) < 2:
@@ -86,5 +83,5 @@ def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArra
     inside = ((low <= points) & (points <= high)).all(axis=1)
     joined = inside[1:] & inside[:-1] & (along[1:] * along[:-1] > 0)
     stations = np.concatenate([action.s for action in rod.acting])
-    joined[np.searchsorted(rod.s, stations).clip(1, rod.s.size - 1) - 1] = False
+    joined[rod.s.searchsorted(stations).clip(1, rod.s.size - 1) - 1] = False
     return [part for part in np.split(points, np.flatnonzero(~joined) + 1) if len(part) > 1]

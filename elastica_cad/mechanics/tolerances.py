@@ -86,7 +86,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     changed, B = _as_cut(rod, v, max_width)
     limit = v.yield_curvature / v.thickness
     bend_here = rod.curvature - rod.natural_curvature
-    if np.any(np.abs(bend_here) > limit):
+    if (np.abs(bend_here) > limit).any():
         rest = rod.natural_curvature + PlasticLaw(limit).permanent_curvature(bend_here)
         law = changed.law
         changed = replace(
@@ -99,8 +99,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
     # divide loads on free ends by the changed stiffness, because their values in newtons do not change
-    softer = 1 / (v.youngs_modulus * v.thickness**3 * B)
-    force, moment = dead_loads(rod, softer)
+    force, moment = dead_loads(rod, 1 / (v.youngs_modulus * v.thickness**3 * B))
     return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
 
 
@@ -109,7 +108,7 @@ def feels_modulus(rod: Rod) -> bool:
     loads = system_of(rod, rod)
     pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
     turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
-    return bool(pulls or turns or np.any(loads.load))
+    return bool(pulls or turns or loads.load.any())
 
 
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
@@ -120,7 +119,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
         )
     require_positive(max_width, "max_width")
     plate = _plate_of(rod.following())
-    least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
+    least = max_width / float(rod.stiffness.max()) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
             "a loss of width of {loss:g} is more than the least width, {least:.4g}: use a smaller loss or a "
@@ -152,8 +151,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
     if v.thickness_wave:
         low = float((K * wave).min())
         K, B = K * wave / low, B * low
-    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
-    return _with_weight(changed, v, B), B
+    return _with_weight(_stiffened(rod, K), v, B), B
 
 
 def _plate_as_cut(
@@ -166,14 +164,17 @@ def _plate_as_cut(
     narrower, here = cut.width / curl.width, cut(kappa)
     K = rod.stiffness * narrower * here / law.designed
     B = float(K.min())
-    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
-    changed = _with_weight(replace(changed, law=replace(law, factor=cut, designed=here)), v, B)
+    changed = _with_weight(replace(_stiffened(rod, K), law=replace(law, factor=cut, designed=here)), v, B)
     if rod.weight is not None and rod.gravity is not None:
         alpha, beta = rod.weight.along(rod.s)
         newtons = v.density * v.thickness * narrower * (alpha + beta * rod.stiffness)
         weight = replace(rod.weight, alpha=Profile.interpolate(rod.s, newtons), beta=0.0)
         changed = replace(changed, weight=weight)
     return changed, B
+
+
+def _stiffened(rod: Rod, K: FloatArray) -> Rod:
+    return rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
@@ -319,21 +320,23 @@ class ToleranceStudy:
     seed: int
 
     def __getitem__(self, name: str) -> ToleranceEffect:
-        for effect in (*self.effects, self.combined):
+        for effect in self._every:
             if effect.name == name:
                 return effect
-        raise InputError(
-            f"unknown effect {name!r}: use one of {', '.join(e.name for e in (*self.effects, self.combined))}"
-        )
+        raise InputError(f"unknown effect {name!r}: use one of {', '.join(e.name for e in self._every)}")
 
     @property
     def failed(self) -> int:
         """Number of bent rods without a rest shape, over all causes."""
-        return sum(effect.failed for effect in (*self.effects, self.combined))
+        return sum(effect.failed for effect in self._every)
+
+    @property
+    def _every(self) -> tuple[ToleranceEffect, ...]:
+        return (*self.effects, self.combined)
 
     def __str__(self) -> str:
         lines = [f"{'deviation, mm':<26}{'95 %':>9}{'worst':>9}"]
-        for effect in (*self.effects, self.combined):
+        for effect in self._every:
             line = f"{effect.name:<26}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
             if effect.failed:
                 line += f"   {effect.failed} of {effect.samples} found no rest shape"
@@ -476,8 +479,7 @@ def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)
-    largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
-    if largest <= v.yield_curvature / v.thickness:
+    if np.abs(rod.curvature - rod.natural_curvature).max() <= v.yield_curvature / v.thickness:
         v = replace(v, yield_curvature=np.inf)
         if not (loaded or rod.follows_bend):
             v = replace(v, thickness=1.0)
@@ -498,13 +500,16 @@ def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _
 
 
 def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
-    good = np.array([outcome.deviation for outcome in inner if outcome.deviation is not None])
-    every = np.array([outcome.deviation for outcome in (*inner, *outer) if outcome.deviation is not None])
+    both = (*inner, *outer)
+    good, every = (
+        np.array([outcome.deviation for outcome in outcomes if outcome.deviation is not None])
+        for outcomes in (inner, both)
+    )
     return ToleranceEffect(
         name=name,
         worst=float(every.max()) if every.size else float("nan"),
         percentile_95=float(np.percentile(good, 95)) if good.size else float("nan"),
-        samples=len(inner) + len(outer),
-        failed=len(inner) + len(outer) - every.size,
-        snapped=sum(outcome.snapped for outcome in (*inner, *outer)),
+        samples=len(both),
+        failed=len(both) - every.size,
+        snapped=sum(outcome.snapped for outcome in both),
     )

@@ -13,7 +13,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError, rounded_down, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import homogeneous, norm, project
 from elastica_cad.geometry.splines import elevate_degree
 from elastica_cad.mechanics.elements import AT_JOINT_SHARE
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
@@ -116,8 +116,7 @@ def find_free_tails(
         near_joints = [joint for joint in joints if abs(joint[0] - station) <= AT_JOINT_SHARE * curve.length]
         drawn_at = (station, float(curve.parameter(station)))
         _, t = min(near_joints, key=lambda joint: abs(joint[0] - station), default=drawn_at)
-        length = abs(float(curve.arc_length(t)) - free_end)
-        tails.append(FreeTail(end, station, straight, t, length))
+        tails.append(FreeTail(end, station, straight, t, abs(float(curve.arc_length(t)) - free_end)))
     return tails if sum(tail.length for tail in tails) < curve.length - near else []
 
 
@@ -166,23 +165,23 @@ def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
     while p < LOCAL_DEGREE:
         knots, control_points, weights = elevate_degree(knots, control_points, p, weights)
         p += 1
-    homogeneous = np.ones(len(control_points)) if weights is None else weights
-    points = np.column_stack([control_points * homogeneous[:, None], homogeneous])
+    points = homogeneous(control_points, weights)
     for end in ends:
         x = end + LOCAL_SHARE * ((high if end == low else low) - end)
-        k = int(np.searchsorted(knots, x, side="right")) - 1
-        u = ((x - knots[k - p + 1 : k + 1]) / (knots[k + 1 : k + p + 1] - knots[k - p + 1 : k + 1]))[:, None]
+        k = int(knots.searchsorted(x, side="right")) - 1
+        before, after = knots[k - p + 1 : k + 1], knots[k + 1 : k + p + 1]
+        u = ((x - before) / (after - before))[:, None]
         mixed = (1 - u) * points[k - p : k] + u * points[k - p + 1 : k + 1]  # Boehm's knot insertion
         knots = np.insert(knots, k + 1, x)
         points = np.concatenate([points[: k - p + 1], mixed, points[k:]])
-    return PlaneCurve(knots, points[:, :2] / points[:, 2:], p, None if weights is None else points[:, 2])
+    return PlaneCurve(knots, project(points), p, None if weights is None else points[:, 2])
 
 
 def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
     curve = clamp_ends(curve)
     p, t = curve.degree, curve.domain[tail.end]
     velocity = curve.evaluate(t, 1)
-    sign, size = (1 if tail.end else -1), float(np.hypot(*velocity))
+    sign, size = (1 if tail.end else -1), float(norm(velocity))
     steps = np.linspace(0.0, sign * tail.length / size, p + 1)[1:, None]
     line, knots = curve.control_points[-tail.end] + steps * velocity, np.full(p + 1, t + steps[-1, 0])
     weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
