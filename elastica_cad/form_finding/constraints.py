@@ -107,7 +107,7 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
 
 
 def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
-    return np.arange(rows.shape[0]), rows
+    return np.arange(len(rows)), rows
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,9 +177,7 @@ class EndForce(Constraint):
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the scaled force: see `Constraint.rows`."""
-        rod = sensitivities.rod
-        n = rod.tangents.shape[0]
-        weights = np.zeros((n, 2))
+        weights = np.zeros((len(sensitivities.rod.tangents), 2))
         weights[-1, self.axis] = 1
         row = sensitivities.along_forces(weights)
         row += sensitivities.last_load_row(self.axis)
@@ -199,8 +197,7 @@ class Through(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the signed distance of the rod from the target, along the normal of the rod (1,)."""
         share, nodes, normal = self._foot(rod)
-        off = share @ rod.position[nodes] - self.target
-        return np.array([normal @ off])
+        return np.array([normal @ (share @ rod.position[nodes] - self.target)])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the signed distance: see `Constraint.rows`."""
@@ -214,7 +211,7 @@ class Through(Constraint):
         return foot
 
     def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
-        n = position.shape[0] - 1
+        n = len(position) - 1
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
         off = position[window] - self.target
@@ -259,7 +256,7 @@ class InflectionLine(Constraint):
         b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
         off = self.point - rod.position[0]
         rows[0, u.moment] = 1
-        rows[0, u.force] = [-off[1], off[0]]
+        rows[0, u.force] = left_of(off)
         rows[0, u.position] = -b
         rows[1, u.force] = [-self.direction[1], self.direction[0]]
         return _all_rows(rows / self.scale)
@@ -325,16 +322,14 @@ class MiddleOfTurn(Constraint):
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the indices and the derivatives of all three values: see `Constraint.rows`."""
-        rod = sensitivities.rod
-        nodes, _ = _middle(rod)
+        nodes, _ = _middle(sensitivities.rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
         return _all_rows(np.vstack([sensitivities.position[nodes].mean(axis=0), moment]))
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
-    n = rod.tangents.shape[0]
-    nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
-    return sorted(nodes), sorted(edges)
+    n = len(rod.tangents)
+    return sorted({n // 2, (n + 1) // 2}), sorted({(n - 1) // 2, n // 2})
 
 
 _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
@@ -394,8 +389,7 @@ class MarginLimit(Constraint):
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return (margin - limit times least stiffness) / scale, as an array (1,)."""
-        mu = self.disturbed(rod).margin.value
-        return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
+        return np.array([(self.disturbed(rod).margin.value - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
@@ -405,7 +399,7 @@ class MarginLimit(Constraint):
         by_stiffness, by_moment = self.chained(rod, d.stiffness)
         if by_moment is not None:
             row += by_moment @ sensitivities.moments
-        by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
+        by_stiffness[rod.stiffness.argmin()] -= self.limit
         row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
         row[u.length] += d.length
         return _all_rows(row[None] / self.scale)
@@ -596,5 +590,5 @@ class LeastStiffness(Constraint):
         """Return the index and the derivatives of the value: see `Constraint.rows`."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
-        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        row[0, grid.unknowns.stiffness] = -grid.basis[rod.stiffness.argmin()]
         return _all_rows(row)

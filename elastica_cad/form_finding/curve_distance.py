@@ -69,22 +69,19 @@ class TargetCurve:
 
     def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
         """Return the arc lengths (n,) of the target points nearest to `points` (n, 2), in windows around `near`."""
-        offsets = np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)
-        tries = np.clip(near[:, None] + offsets, 0, 1)
-        spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
-        off = self.position[spots] - points[:, None]
-        s = tries[np.arange(points.shape[0]), np.argmin(dot(off, off), axis=1)]
+        tries = (near[:, None] + np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)).clip(0, 1)
+        off = self.position[np.rint(tries * (len(self.position) - 1)).astype(int)] - points[:, None]
+        s = tries[np.arange(len(points)), dot(off, off).argmin(axis=1)]
         for _ in range(4):
             position, direction = self.at(s)
-            s = np.clip(s + dot(points - position, direction) / self._stretch(s, points, position), 0, 1)
+            s = (s + dot(points - position, direction) / self._stretch(s, points, position)).clip(0, 1)
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
+        i = np.rint(s * (len(self.position) - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
-        bend = self.curvature[i] * cross(direction, off)
-        return np.asarray(np.maximum(1 - bend, 0.3))
+        return np.asarray(np.maximum(1 - self.curvature[i] * cross(direction, off), 0.3))
 
     @cached_property
     def _spline(self) -> "CubicHermiteSpline":
@@ -117,9 +114,8 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
         axis = np.array([1.0, 0.0])
     else:
         values, vectors = np.linalg.eigh(across.T @ across)
-        axis = vectors[:, int(np.argmin(values))]
-        normal = left_of(axis)
-        error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ normal).max()))
+        axis = vectors[:, int(values.argmin())]
+        error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ left_of(axis)).max()))
     if error > _SYMMETRIC_LENGTHS:
         name = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
@@ -171,7 +167,7 @@ class MeanDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a model of the distance that is exact for positions linear in the unknowns."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
-        return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
+        return _least_squares(J, (rod.position - self.targets).ravel(), self.shares.repeat(2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,7 +244,7 @@ def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray
 
 
 def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-    n = rod.position.shape[0] - 1
+    n = len(rod.position) - 1
     feet = target.feet(rod.position, even_steps(n + 1))
     position, direction = target.at(feet)
     off = rod.position - position
@@ -283,8 +279,7 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
     The unit is the length of the target.
     """
-    smooth = spline_through(even_steps(nodes.shape[0]), nodes, 3)
-    other = smooth(even_steps(target.position.shape[0]))
+    other = spline_through(even_steps(len(nodes)), nodes, 3)(even_steps(len(target.position)))
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
 
 

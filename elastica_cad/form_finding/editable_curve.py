@@ -61,7 +61,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
         curve = _fitted(shape, edges)
         error = _errors(curve, shape)
         if error.max() < least:
-            least, best = float(error.max()), curve
+            least, best = error.max(), curve
         if least <= 1:
             break
         edges = _refined(edges, shape.s[error > 1])
@@ -96,8 +96,8 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
     width = np.diff(edges)
-    bad = np.searchsorted(edges, places, side="right") - 1
-    bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
+    bad = edges.searchsorted(places, side="right") - 1
+    bad = np.unique(np.concatenate([bad - 1, bad, bad + 1]).clip(0, width.size - 1))
     bad = bad[width[bad] > 0.6 * width[bad].max()]
     return np.sort(np.concatenate([edges, edges[bad] + width[bad] / 2]))
 
@@ -119,8 +119,7 @@ class _Shape:
     size: float
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        table = np.column_stack([self.position, self.angle, self.curvature])
-        values = spline_through(self.s, table, 5)(s)
+        values = spline_through(self.s, np.column_stack([self.position, self.angle, self.curvature]), 5)(s)
         return values[:, :2], values[:, 2], values[:, 3]
 
     def slope(self, s: FloatArray) -> FloatArray:
@@ -178,7 +177,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     root = np.sqrt(half * share)
     position, angle, kappa = shape.at(s)
     normal = left_of(unit_vectors(angle))
-    typical = float(np.sqrt(np.mean(kappa**2))) + 1e-6
+    typical = float(np.sqrt((kappa**2).mean())) + 1e-6
     w = root.ravel() * _REACH_LENGTHS**2 * typical / (np.abs(kappa) + 0.1 * typical)
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
@@ -191,7 +190,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     along = unit_vectors(turned)
     across = left_of(along[2:])
     # if the strip has a rest curvature, the spline parameter at inflections must be the arc length
-    paced = inner[: inner.size * bool(np.any(rest))]
+    paced = inner[: inner.size * bool(rest.any())]
     C = np.vstack(
         [
             spline(np.concatenate([ends, inner])),

@@ -21,7 +21,7 @@ from elastica_cad.geometry.control_point_constraints import (
     FixedLength,
 )
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import angle_of
+from elastica_cad.geometry.plane_points import angle_of, left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Supports
@@ -89,8 +89,9 @@ class EquilibriumCurve:
             )
         balance = balance_without_weight(RodRequest(curve, supports=supports, known_check=check))
         dense = balance.panels.dense_places(_PARTS)
-        extremes = balance.stiffness.extreme_places
-        panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))
+        panel, x = (
+            np.concatenate(pair) for pair in zip(dense, balance.stiffness.extreme_places, strict=True)
+        )
         order = np.lexsort((x, panel))
         places = (panel[order], x[order])
         least = float(balance.stiffness.at(*places).min())
@@ -130,12 +131,11 @@ class EquilibriumCurve:
     def rod(self) -> DiscreteRod:
         """Discrete rod of section 7.1 of the paper."""
         nodes = self.nodes
-        steps = np.diff(nodes.position, axis=0)
-        angles = np.unwrap(angle_of(steps))
+        angles = np.unwrap(angle_of(np.diff(nodes.position, axis=0)))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
         # force lambda, which is perpendicular to b (paper, Eq. 4)
-        force = np.tile([-b[1], b[0]], (angles.size, 1))
+        force = np.tile(left_of(b), (angles.size, 1))
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property

@@ -123,8 +123,9 @@ class Smoothing:
 
     def _weightless_rod_on(self, curve: PlaneCurve) -> Rod | None:
         try:
-            supports = self.supports or Supports()
-            return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
+            return rod_of_request(
+                RodRequest(curve, None, self.supports or Supports(), self.natural_curvature)
+            )
         except ElasticaError:
             return None
 
@@ -218,7 +219,7 @@ class Smoothing:
 def _has_steps_or_corners(curve: PlaneCurve, slight: float) -> bool:
     """Return True for an outline with steps, or corners above `slight`, but without straight pieces."""
     jumps, kinks = curvature_jumps(curve, curve.breaks if curve.seam is None else (curve.seam, *curve.breaks))
-    rough = np.any(kinks > slight) or np.any(jumps > STEP_SHARE)
+    rough = (kinks > slight).any() or (jumps > STEP_SHARE).any()
     return bool(rough) and all(zero.kind != "flat" for zero in curve.curvature_zeros)
 
 

@@ -218,7 +218,7 @@ class _Search:
         m = places.size
         clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)
-        gaps = np.clip(np.sort(places), low, high) - low
+        gaps = np.sort(places).clip(low, high) - low
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
@@ -255,7 +255,7 @@ class _Search:
         values = 1 / self.section.bending_stiffness(counts), self.section.weight_per_length(counts)
         means = []
         for value in values:
-            reached = np.concatenate([[0.0], np.cumsum(value * np.diff(cuts))])
+            reached = np.append(0.0, (value * np.diff(cuts)).cumsum())
             means.append(np.diff(np.interp(edges, cuts, reached)) / np.diff(edges))
         return means[0], means[1]
 
@@ -265,7 +265,7 @@ class _Search:
         The second result (m + 1,) is the number of plies between successive positions.
         """
         cuts = np.concatenate([[0.0], self._separated(places), [1.0]])
-        return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
+        return cuts, len(self.first) + np.append(0, self.steps[:, 1].cumsum())
 
     def _record(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
         places, length = self._separated(x[: self.places.size]), rod.length
@@ -279,9 +279,7 @@ class _Search:
         leaves += [Leaf(number, start, length) for number, start in began.items()]
         cuts, counts = self._stack(places)
         K = self.section.bending_stiffness(counts) / float(rod.bending_stiffness or 1.0)
-        stepped = Profile(
-            np.concatenate([[0.0], np.repeat(cuts, 2)[1:-1], [1.0]]) * length, np.repeat(K, 2), 1
-        )
+        stepped = Profile(np.concatenate([[0.0], cuts.repeat(2)[1:-1], [1.0]]) * length, K.repeat(2), 1)
         laid = self.section.laid(sorted(leaves, key=lambda leaf: (leaf.number, leaf.start)))
         fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
         s = np.linspace(0.0, fine.length, NODES)

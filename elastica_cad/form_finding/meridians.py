@@ -1,7 +1,7 @@
 """Meridians of surfaces of revolution that consist of equal strips (paper, section 9.4)."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -12,7 +12,7 @@ from elastica_cad._values import is_number, pair, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import finite, fit_spline
@@ -89,8 +89,8 @@ class FoundMeridian:
 
     def position(self, s: FloatArray) -> FloatArray:
         """Return the points (n, 2) at arc lengths (n,) from the start."""
-        marks = np.append(0.0, np.cumsum(self.lengths))
-        piece = np.clip(np.searchsorted(marks, s, side="right") - 1, 0, len(self.lengths) - 1)
+        marks = np.append(0.0, self.lengths.cumsum())
+        piece = (marks.searchsorted(s, side="right") - 1).clip(0, len(self.lengths) - 1)
         places = np.empty((np.size(s), 2))
         for k in np.unique(piece):
             here = piece == k
@@ -104,7 +104,7 @@ class FoundMeridian:
         """Largest residual of the equation of the meridian, and of unit speed, along the curve.
 
         If the curve crosses the axis, its distance beyond the axis counts as a residual."""
-        if not np.all(self.lengths > 0):
+        if not (self.lengths > 0).all():
             return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
         worst = 0.0
@@ -124,7 +124,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
     For more than five points, or if no meridian passes through the points, the sum of squared distances is
     minimised. The points are scaled to an extent of about 1, and the axis is x = 0.
     """
-    if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
+    if norm(np.diff(points, axis=0)).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")
     closes = bool(points[-1, 0] == 0)
     equations = _Equations(len(points), closes, max(FEWEST, -(-SEARCH_NODES // (len(points) - 1))))
@@ -186,7 +186,7 @@ class _Equations:
 
     def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
         angles, lengths, constants = self.parts(unknown)
-        tangents = np.swapaxes(unit_vectors(angles), 1, 2)
+        tangents = unit_vectors(angles).swapaxes(1, 2)
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
@@ -196,8 +196,7 @@ class _Equations:
         y = points[:-1, 1:] + half * (np.sin(angles) @ self.integral.T)
         balance = x * (angles @ self.slope.T) - half * (a + b1 * x + b2 * y)
         ends = np.column_stack([x[:, -1], y[:, -1]]) - points[1:]
-        joints = angles[1:, 0] - angles[:-1, -1]
-        rows = [balance[:, 1:].ravel(), ends.ravel(), joints]
+        rows = [balance[:, 1:].ravel(), ends.ravel(), angles[1:, 0] - angles[:-1, -1]]
         if self.closes:
             last, turning = angles[-1, -1], self.slope[-1] @ angles[-1]
             rows.append([turning * np.cos(last) - half[-1, 0] * (b1 * np.cos(last) + b2 * np.sin(last))])
@@ -244,15 +243,14 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
-    at = np.sort([s[int(np.argmin(norm(line - p)))] for p in points])
+    at = np.sort([s[norm(line - p).argmin()] for p in points])
     at[0], at[-1] = 0.0, curve.length
-    middles, halves = (at[1:] + at[:-1]) / 2, np.diff(at) / 2
+    middles, halves = midpoints(at), np.diff(at) / 2
     angles = [curve.at(m + h * equations.stations).angle for m, h in zip(middles, halves, strict=True)]
     even = curve.sample(200)
     rows = np.column_stack([np.ones(200), even.position])
     constants = np.linalg.lstsq(rows, even.position[:, 0] * even.curvature, rcond=None)[0]
-    pieces = np.column_stack([angles, 2 * halves])
-    return np.concatenate([pieces.ravel(), constants]), curve.length
+    return np.concatenate([np.column_stack([angles, 2 * halves]).ravel(), constants]), curve.length
 
 
 def _through(
@@ -278,15 +276,14 @@ def _through(
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
-        size = float(np.linalg.norm(missed))
+        size = np.linalg.norm(missed)
         if size < SOLVED:
             return unknown
-        slopes = equations.slopes(unknown, points)[:, : equations.count]
-        step = _least_step(slopes, -missed)
+        step = _least_step(equations.slopes(unknown, points)[:, : equations.count], -missed)
         share = _largest_fraction(equations, unknown, step)
         # `not` makes the condition true for NaN, so that a step to NaN is halved
         while not (
-            float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
+            np.linalg.norm(equations.off(unknown + share * step, points)) <= (1 - 1e-4 * share) * size
         ):
             share /= 2
             if share < LEAST_SHARE:
@@ -326,14 +323,14 @@ def _nearest(
         while share > LEAST_SHARE and not merit(unknown + share * step, places + share * move) <= before:
             share /= 2
         unknown, places = unknown + share * step, places + share * move
-        if share * max(float(np.abs(move).max()), float(np.abs(missed).max())) < SETTLED:
+        if share * max(np.abs(move).max(), np.abs(missed).max()) < SETTLED:
             break
     return places, unknown
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
     try:
-        if system.shape[0] == system.shape[1]:
+        if len(system) == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
         across, corner = np.linalg.qr(system.T)
         return across @ np.linalg.solve(corner.T, right)
@@ -428,10 +425,8 @@ class Meridian:
             curve.length,
             _distance_at_end(self.ring[0], curve.length, ring),
         )
-        cut = PlaneCurve.fit_function(
-            lambda s: curve.at(s).position, 0.0, end, tolerance=CURVE_TOLERANCE * curve.length, degree=5
-        )
-        return Meridian(self.a, self.b, cut, self.at_pole or end < curve.length, self.deviation)
+        cut = _fitted(lambda s: curve.at(s).position, end, curve.length)
+        return replace(self, curve=cut, at_pole=self.at_pole or end < curve.length)
 
     @cached_property
     def rod(self) -> Rod:
@@ -502,9 +497,7 @@ def meridian(
         )
     _refuse_winding(p)
     end, shape = _integrated(p[:6], p[6], _distance_at_end(float(p[3]), float(p[6]), ring))
-    curve = PlaneCurve.fit_function(
-        lambda s: shape(s)[:2].T, 0.0, end, tolerance=CURVE_TOLERANCE * float(p[6]), degree=5
-    )
+    curve = _fitted(lambda s: shape(s)[:2].T, end, float(p[6]))
     return Meridian(float(p[0]), p[1:3], curve, at_pole=end < p[6])
 
 
@@ -537,7 +530,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     if isinstance(points, PlaneCurve):
         points = points.sample(SOUGHT).position
     data = _checked_points(points)
-    size = float(np.linalg.norm(np.ptp(data, axis=0)))
+    size = float(norm(np.ptp(data, axis=0)))
     chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
     try:
         shape = _search_meridian(data[chosen] / size)
@@ -547,10 +540,12 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
                 "away from the axis"
             )
         length, start = shape.length * size, float(shape.points[0, 0]) * size
-        end = _end(
-            lambda s: size * shape.position(s / size)[:, 0], length, _distance_at_end(start, length, ring)
-        )
-        curve = _curve(shape, size, end)
+
+        def position(s: FloatArray) -> FloatArray:
+            return size * shape.position(s / size)
+
+        end = _end(lambda s: position(s)[:, 0], length, _distance_at_end(start, length, ring))
+        curve = _fitted(position, end, length)
     except NotConvergedError as problem:
         advice = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
         raise NotConvergedError(f"{HOPELESS}: {problem}{advice}") from problem
@@ -558,7 +553,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     if len(chosen) == len(data):
         gaps = norm(size * shape.points - data)
     else:
-        gaps = distances(Spline(_curve(shape, size, length)), data)
+        gaps = distances(Spline(_fitted(position, length, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
             "{hopeless}: every meridian (profile of the surface) is at least {most} from point number "
@@ -570,11 +565,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     return Meridian(shape.a, shape.b / size, curve, closes, float(gaps.max()))
 
 
-def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
-    tolerance = CURVE_TOLERANCE * shape.length * size
-    return PlaneCurve.fit_function(
-        lambda s: size * shape.position(s / size), 0.0, end, tolerance=tolerance, degree=5
-    )
+def _fitted(position: Callable[[FloatArray], FloatArray], end: float, length: float) -> PlaneCurve:
+    """Return the curve up to the arc length `end`, mm, of a meridian of the given length, mm."""
+    return PlaneCurve.fit_function(position, 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5)
 
 
 def _distance_at_end(start: float, length: float, ring: float | None) -> float:
@@ -615,7 +608,7 @@ def _checked_points(points: ArrayLike) -> FloatArray:
         data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
     if beyond.any():
-        i = int(np.argmax(beyond))
+        i = int(beyond.argmax())
         raise InputError(
             f"point {i + 1} at {data[i].tolist()} is on or beyond the axis x = 0: keep x positive "
             "(the last point may be on the axis)"
@@ -671,8 +664,7 @@ def _refuse_winding(p: FloatArray) -> None:
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]
-        waving = np.sqrt(norm(b) / (start[0] + length))
-        most = max(bending, waving)
+        most = max(bending, np.sqrt(norm(b) / (start[0] + length)))
         too_much = most * length > 2 * np.pi * MOST_TURNS
     if too_much:
         raise InputError(

@@ -271,7 +271,7 @@ def _with_least_ratio(
     except ElasticaError:
         return None
     least = rod.ratio * SETTINGS.spline_factor
-    if best.violation > MET or least >= float(K.max() / K.min()):
+    if best.violation > MET or least >= K.max() / K.min():
         return None
     try:
         tight = task.within_ratio(least)
@@ -355,10 +355,11 @@ def _start(
         problem = problem.with_given(u.length, z[u.length])
     if force is not None:
         problem = problem.with_given(u.force, force)
-    z = np.clip(z, problem.lower, problem.upper)
+    z = z.clip(problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
-    start = grid.assemble(z, angles, moments)
-    return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
+    return lift(
+        replace(problem, distance=task.mean_distance), grid.assemble(z, angles, moments), lifted_steps
+    )
 
 
 _STRICTER = 6  # largest number of searches for a stack of plies, with stricter and stricter limits
@@ -406,8 +407,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     broken = tuple(limit for limit, _ in _violated_limits(laid, curve.length, limits, keep))
     missed = max((binding.broken for binding in broken), default=0.0)
     target = TargetCurve.of(curve)
-    position = (laid.rod.position - target.origin) / target.size
-    deviation = measure_deviation(target, position) * target.size
+    deviation = measure_deviation(target, (laid.rod.position - target.origin) / target.size) * target.size
     points = curve.sample(laid.rod.s.size).position
     mean = float(np.sqrt(((laid.rod.position - points) ** 2).sum(axis=1).mean()))
     return NearestRod(

@@ -179,7 +179,7 @@ class NearestTask:
             if width is None
             else (section.family.bent(0.0), width[0])
         )
-        narrowest = float(np.max(family.bending_stiffness(least))) / section.scale if least > 0 else 1.0
+        narrowest = float(family.bending_stiffness(least).max()) / section.scale if least > 0 else 1.0
         by_widths = width is not None and ratio >= width[1] / width[0]
         return min(narrowest if by_widths else max(1.0, narrowest), ratio)
 
@@ -340,7 +340,7 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
     if weights is None:
         return np.ones(nodes)
     values = values_along(weights, even_steps(nodes), size, "weights")
-    if np.any(values < 0) or not values.any():
+    if (values < 0).any() or not values.any():
         raise InputError(
             "the weights along the curve are negative or all 0: give numbers of 0 or more, some above 0"
         )
@@ -352,11 +352,10 @@ def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatA
 
     `given` is a number, evenly spaced values, or a function of the arc length x * `size`, mm.
     """
-    values = given(x * size) if callable(given) else given
-    array = numbers(values, what)
+    array = numbers(given(x * size) if callable(given) else given, what)
     if array.ndim == 0:
         array = np.full(2, float(array))
-    if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
+    if array.ndim != 1 or array.size < 2 or not np.isfinite(array).all():
         raise InputError(
             f"{what} cannot be read: give a finite number, values at equal distances, or a function of arc "
             "length"

@@ -57,18 +57,16 @@ class Mesh:
         points, rows = _checked(vertices, faces)
         points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
         rows = _with_merged_cracks(points, index.reshape(-1)[rows])
-        reports: list[str] = []
         a, b, c = points[rows].swapaxes(0, 1)
         keep = np.cross(b - a, c - a).any(axis=1) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
-        reports += _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
+        reports = _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
         remaining = rows[keep]
         _, first = np.unique(np.sort(remaining, axis=1), axis=0, return_index=True)
-        again = np.ones(len(remaining), dtype=bool)
-        again[first] = False
+        again = np.delete(remaining, first, axis=0)
         reports += _complaint(
-            points, remaining[again], len(rows), "is there twice", "are there twice", ": left out once"
+            points, again, len(rows), "is there twice", "are there twice", ": left out once"
         )
-        remaining = remaining[~again]
+        remaining = remaining[np.sort(first)]
         if not len(remaining):
             raise InputError("all triangles of the mesh have zero area: export the mesh again")
         reports += _edge_notes(points, remaining)
@@ -107,7 +105,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
             "from 0, in each row"
         )
     if not np.all(np.isfinite(points)):
-        bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        bad = int(np.isfinite(points).all(axis=1).argmin())
         raise InputError(f"vertex {bad} of the mesh is {points[bad].tolist()}: give finite coordinates")
     largest = float(np.abs(points).max())
     if largest > FARTHEST_MM:
@@ -129,11 +127,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 
 
 def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
-    edges, count = np.unique(
-        np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
-        axis=0,
-        return_counts=True,
-    )
+    edges, count = np.unique(np.sort(_sides(rows), axis=1), axis=0, return_counts=True)
     border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
     if not border.size:
         return rows
@@ -153,22 +147,25 @@ def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     return merged[rows]
 
 
+def _sides(rows: IntArray) -> IntArray:
+    """Return the two vertices of each side (3 m, 2) of triangles (m, 3)."""
+    return rows[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+
+
 def _complaint(
     points: FloatArray, rows: IntArray, total: int, singular: str, many: str, then: str
 ) -> list[str]:
-    if not len(rows):
-        return []
     return [
         note(
             "{count} of {total} triangles {what}{then} (the first at {place:.6g})",
-            count=len(rows), total=total, what=singular if len(rows) == 1 else many, then=then,
-            place=Point(points[rows[0]].mean(axis=0).round(6) + 0.0),
+            count=len(rows), total=total, what=singular if len(rows) == 1 else many, then=then, place=place,
         )
+        for place in _places(points, rows[:1])
     ]  # fmt: skip
 
 
 def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
-    directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
+    directed = _sides(rows)
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )

@@ -15,6 +15,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.limits import Limits
+from elastica_cad.geometry.plane_points import cross, left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
 from elastica_cad.mechanics.cross_sections import Section, scale_within
@@ -48,7 +49,7 @@ class StiffnessBasis:
 
         If `mirrored`, the basis functions are sums of mirrored pairs.
         """
-        basis = bezier_spans(self.knots, 3).basis(np.clip(s, 0, 1))
+        basis = bezier_spans(self.knots, 3).basis(s.clip(0, 1))
         if not self.mirrored:
             return basis
         half = (self.count + 1) // 2
@@ -101,10 +102,10 @@ class SectionScale:
         least, largest = family.limits
         ratio = limits.largest_ratio
         if not np.isfinite(largest):
-            return cls(family, float(np.max(family.bending_stiffness(least))), ratio)
-        most = float(np.min(family.bending_stiffness(largest)))
+            return cls(family, float(family.bending_stiffness(least).max()), ratio)
+        most = float(family.bending_stiffness(largest).min())
         if least > 0:
-            low = float(np.max(family.bending_stiffness(least)))
+            low = float(family.bending_stiffness(least).max())
             if low > most:
                 raise InputError(
                     "the {quantity} limits {least:g} and {largest:g} are too close together: set them "
@@ -135,7 +136,7 @@ class SectionScale:
 
         def room(log_scale: float) -> float:
             share = replace(self, scale=float(np.exp(log_scale))).strain(stiffness, limits.strain)
-            return 1.0 - float(np.max(share * np.abs(bend)))
+            return 1.0 - float((share * np.abs(bend)).max())
 
         low, high = np.log(min(least, self.scale)), np.log(max(most, self.scale))
         if limits.sheet is None or room(high) >= 0:
@@ -151,7 +152,7 @@ class SectionScale:
         least, largest = self.family.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
             return None
-        low = float(np.max(self.family.bending_stiffness(least)))
+        low = float(self.family.bending_stiffness(least).max())
         even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
         scale = max(low, even.scale / self.ratio)
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
@@ -172,16 +173,14 @@ class SectionScale:
 
         `bend` (n,) is the change of curvature, and `rest` is the natural curvature, 1/mm.
         """
-        most = np.full(bend.size, self.family.limits[1])
-        return self.family.bent(bend, rest).bending_stiffness(most)
+        return self.family.bent(bend, rest).bending_stiffness(np.full(bend.size, self.family.limits[1]))
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
         """Return the weight per length (n,) for the stiffness K (n,), and the derivative of the weight by K.
 
         The weight is divided by the scale and multiplied by the cube of `size`, mm.
         """
-        EI = self.scale * stiffness
-        slope, fixed = tangent_weight(self.family, EI)
+        slope, fixed = tangent_weight(self.family, self.scale * stiffness)
         over = size**3
         return (fixed / self.scale + slope * stiffness) * over, slope * over
 
@@ -367,7 +366,7 @@ class StripGrid:
     @property
     def edges(self) -> int:
         """Number n of edges."""
-        return int(self.basis.shape[0]) - 1
+        return len(self.basis) - 1
 
     @cached_property
     def unknowns(self) -> Unknowns:
@@ -386,24 +385,24 @@ class StripGrid:
     @cached_property
     def running(self) -> FloatArray:
         """Integrals (n+1, m) of the basis functions up to and including each node, for a rod of length 1."""
-        return np.cumsum(self.shares[:, None] * self.basis, axis=0)
+        return (self.shares[:, None] * self.basis).cumsum(axis=0)
 
     def carried(self, rod: MappedRod) -> CarriedWeight:
         """Return the integrated weight of a rod, from a cache if possible."""
 
         def summed() -> CarriedWeight:
             if self.weight is None:
-                return CarriedWeight(np.cumsum(self.shares * rod.stiffness), self.running)
+                return CarriedWeight((self.shares * rod.stiffness).cumsum(), self.running)
             q, slope = self.weight(rod.stiffness)
             by_coefficient = (self.shares * slope)[:, None] * self.basis
-            return CarriedWeight(np.cumsum(self.shares * q), np.cumsum(by_coefficient, axis=0))
+            return CarriedWeight((self.shares * q).cumsum(), by_coefficient.cumsum(axis=0))
 
         return cast(CarriedWeight, rod.remembered("carried weight", summed))
 
     @cached_property
     def heavy(self) -> bool:
         """True if the rod has weight."""
-        return bool(np.any(self.e))
+        return bool(self.e.any())
 
     def shoot(self, z: FloatArray) -> MappedRod:
         """Return the rod in equilibrium for unknowns z. Its last moment is not finite if numbers overflow."""
@@ -454,12 +453,11 @@ class StripGrid:
         drive_angle[:, u.length] = self.shares * (M / K + self.natural_curvature)
         drive_angle[0, u.moment] += w[0] / K[0]
         drive_angle[0, u.angle] += 1
-        first, second = u.force.start, u.force.start + 1
-        drive_moment[:, first], drive_moment[:, second] = -edge * T[:, 1], edge * T[:, 0]
+        drive_moment[:, u.force] = edge * left_of(T)
         drive_moment[:, u.length] = rod.shear / n
         drive_moment[0, u.moment] += 1
         if self.heavy:
-            lift = self.e[1] * T[:, 0] - self.e[0] * T[:, 1]
+            lift = cross(T, self.e)
             carried = self.carried(rod)
             np.multiply(
                 (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[:, u.stiffness]
@@ -490,7 +488,7 @@ class StripGrid:
             np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
             np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
             step[:, :, u.length] += T / n
-            np.cumsum(step, axis=0, out=step)
+            step.cumsum(axis=0, out=step)
         position[:, 0, u.position.start] += 1
         position[:, 1, u.position.start + 1] += 1
         return Sensitivities(self, rod, angles, moments, position)

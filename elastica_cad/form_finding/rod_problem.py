@@ -105,7 +105,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def apart(self, first: MappedRod, other: MappedRod) -> float:
         """Return half the mean of the squared distances between the nodes of two rods."""
-        return float(np.mean((first.position - other.position) ** 2))
+        return float(((first.position - other.position) ** 2).mean())
 
     def for_open_points(self) -> "RodProblem":
         """Return the problem for rods far from equilibrium, without its `near_balance_only` constraints."""
@@ -113,11 +113,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
         z = self._clipped(d.rod.z + change[:-1])
-        angles, moments = d.angles @ change, d.moments @ change
-        return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
+        return self.grid.assemble(z, d.rod.all_angles + d.angles @ change, d.rod.moments + d.moments @ change)
 
     def _clipped(self, z: FloatArray) -> FloatArray:
-        return np.clip(z, self.lower, self.upper)
+        return z.clip(self.lower, self.upper)
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
         """Return the problem with some `unknowns` fixed to `value`, clipped to the bounds."""
@@ -138,7 +137,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         at = np.concatenate([value[index] for value, (index, _) in zip(values, rows, strict=True)])
         if jacobian.shape[1] > p:
             at, jacobian = at + jacobian[:, p], jacobian[:, :p]
-        number = np.repeat(np.arange(len(rows)), [index.size for index, _ in rows])
+        number = np.arange(len(rows)).repeat([index.size for index, _ in rows])
         return ConstraintRows(
             number, np.concatenate([index for index, _ in rows]), at, jacobian, self.highest_penalties[number],
             self.one_sided[number],
@@ -199,7 +198,7 @@ def _grid(task: NearestTask) -> StripGrid:
 
 
 def _moment_scale(task: NearestTask) -> float:
-    bend = float(np.sqrt(np.mean(task.target.curvature**2)))
+    bend = float(np.sqrt((task.target.curvature**2).mean()))
     return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
 
 
@@ -393,8 +392,8 @@ def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, Floa
             f"the lower of the `stiffness_bounds` is {low.min():.4g} or more everywhere, but the stiffness "
             "K / min K is 1 at the softest place. Reduce the lower bound to 1 at one place at least"
         )
-    if np.any(low > high):
-        at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
+    if (low > high).any():
+        at = float(s[np.argmax(support[:, int(np.argmax(low - high))])]) * task.target.size
         raise InputError(
             "near {at:.4g} along the curve, the lower of the `stiffness_bounds` is above the upper one or "
             "the ratio limit {ratio:.4g}: widen the bounds",

@@ -96,7 +96,7 @@ class SectionLine:
         If the plane misses the line, the result is the line itself.
         """
         n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
-        if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
+        if n.shape != (3,) or p.shape != (3,) or not n.any() or not np.isfinite([n, p]).all():
             raise InputError(
                 "the splitting plane cannot be read: give a point and a normal of three numbers each, the "
                 "normal not zero"
@@ -190,7 +190,7 @@ def collect_section(
     frame: Frame,
     chains: Iterable[FloatArray],
     *,
-    half: bool = False,
+    half: bool,
     apart: float,
     missed: Callable[[], str] = lambda: "misses the shape",
 ) -> PlaneSection:
@@ -243,10 +243,9 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
     `small` is the distance below which points are equal.
     """
     closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
-    keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)
-    points = points[keep]
+    points = points[np.append(True, norm(np.diff(points, axis=0)) > small)]
     if closed and len(points) > 1:
-        if np.linalg.norm(points[-1] - points[0]) <= small:
+        if norm(points[-1] - points[0]) <= small:
             points = points[:-1]
         if len(points) < 3:
             return points[:1]
@@ -264,13 +263,12 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
 
 
 def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
-    closed = bool(np.all(points[0] == points[-1]))
     x = points[:, 0]
-    if np.all(x >= 0):
+    if (x >= 0).all():
         return [points]
-    if closed:  # start the closed line at x < 0, so that its start does not divide a part with x >= 0
-        shift = int(np.argmin(x[:-1]))
-        points = begun_at(points, shift)
+    if np.all(points[0] == points[-1]):
+        # start the closed line at x < 0, so that its start does not divide a part with x >= 0
+        points = begun_at(points, int(x[:-1].argmin()))
         x = points[:, 0]
     parts: list[list[FloatArray]] = []
     for i in range(len(points)):
@@ -291,10 +289,9 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 def _nearest(points: FloatArray, place: FloatArray) -> float:
     """Return the position on a polyline nearest to a point: a vertex index plus a fraction of the next side."""
     step = np.diff(points, axis=0)
-    u = np.clip(dot(place - points[:-1], step) / dot(step, step), 0.0, 1.0)
-    off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
-    i = int(np.argmin(off))
-    return i + float(u[i])
+    u = (dot(place - points[:-1], step) / dot(step, step)).clip(0.0, 1.0)
+    i = norm(points[:-1] + u[:, None] * step - place).argmin()
+    return float(i + u[i])
 
 
 def place_in_words(point: FloatArray) -> Point:
@@ -356,7 +353,7 @@ class SectionCurve:
     @property
     def called(self) -> str:
         """Text with the name of the section and the start of the curve in space."""
-        begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
+        begins = place_in_words(self.frame.point(self.curve.evaluate(self.curve.domain[0])))
         return note("{name}, from {begins}", name=self.name, begins=begins)
 
     def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
@@ -425,8 +422,7 @@ def section_curves(
 def _curve(
     line: SectionLine, tolerance: float, wavelength: float, false_turn: float
 ) -> tuple[SectionCurve, list[str]]:
-    small = CLOSED_SHARE * line.length
-    if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
+    if line.is_closed or norm(line.points[-1] - line.points[0]) <= CLOSED_SHARE * line.length:
         raise InputError(
             "the section is a closed line (through {place}), but a strip has two ends: split it by a plane "
             "or at two points",
@@ -449,11 +445,10 @@ def _curve(
     if notes and not wavelength:
         _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
-    places = np.concatenate([vertices, curve.sample(SAMPLES).position])
-    off = np.concatenate(
-        [distances(Spline(curve), vertices), polyline_distances(line.points, places[len(vertices) :])]
-    )
-    worst = int(off.argmax())
+    on_curve = curve.sample(SAMPLES).position
+    places = np.concatenate([vertices, on_curve])
+    off = np.concatenate([distances(Spline(curve), vertices), polyline_distances(line.points, on_curve)])
+    worst = off.argmax()
     if off[worst] > tolerance:
         place = note(
             "{far} from the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
@@ -466,7 +461,7 @@ def _filled(points: FloatArray) -> FloatArray:
     """Add points to long sides, because a curve fitted only to vertices could deviate from the sides."""
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
-    index = np.repeat(np.arange(len(counts)), counts)
+    index = np.arange(len(counts)).repeat(counts)
     fraction = numbers_in_groups(counts) / counts[index]
     between = points[index] + fraction[:, None] * (points[index + 1] - points[index])
     return np.concatenate([between, points[-1:]])
@@ -499,7 +494,7 @@ def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:
 
 
 def _sharpest(line: SectionLine, turned: FloatArray) -> str:
-    worst = int(turned.argmax())
+    worst = turned.argmax()
     return note(
         "the section has a corner of {angle:.3g} at {place}",
         angle=Angle(turned[worst]),
@@ -532,7 +527,7 @@ def _deviation_message(
 
 def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
     samples = curve.sample(SAMPLES)
-    worst = int(np.abs(samples.curvature).argmax())
+    worst = np.abs(samples.curvature).argmax()
     kappa = abs(float(samples.curvature[worst]))
     if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:
         return []
@@ -646,8 +641,7 @@ def remove_false_inflections(
     points = curve.sample(SMOOTHED_POINTS).position
     most = curve.length / 100 if give is None else give
     for wavelength in curve.length * 2.0 ** np.arange(-4.0, 0.1, 0.5):
-        where = bends + wavelength * np.array([-1.0, 1.0])
-        even = smooth_polyline(points, float(wavelength), where=where)
+        even = smooth_polyline(points, float(wavelength), where=bends + wavelength * np.array([-1.0, 1.0]))
         if norm(even - points).max() > most:
             break
         try:
@@ -673,5 +667,4 @@ def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
     half = np.diff(marks) / 2
     s = (marks[:-1] + half)[:, None] + half[:, None] * NODES
     kappa = curve.at(s.ravel()).curvature.reshape(s.shape)
-    false = np.abs(kappa @ WEIGHTS) * half < turn
-    return np.column_stack([marks[:-1], marks[1:]])[false]
+    return np.column_stack([marks[:-1], marks[1:]])[np.abs(kappa @ WEIGHTS) * half < turn]

@@ -148,7 +148,7 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
         raise InputError(f"{name} is {str(value)[:60]!r}: give numbers")
-    if not np.all(np.isfinite(v)):
+    if not np.isfinite(v).all():
         raise InputError(f"{name} is {v.tolist()}: give finite numbers")
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
         raise InputError(f"{name} contains {np.abs(v).max():.3g}: give numbers up to {FARTHEST_MM:g}")
@@ -440,13 +440,12 @@ def _reasons(reports: Sequence[str]) -> str:
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
     """Raise InputError for two equal planes. `values` are offsets or, with a `period`, angles."""
-    order = np.argsort(np.mod(values, period), kind="stable")
+    order = np.mod(values, period).argsort(kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])
     if np.isfinite(period):
         steps -= period * np.round(steps / period)
-    largest = max(1.0, float(np.abs(values).max(initial=0.0)))
-    twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * largest)
+    twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * max(1.0, float(np.abs(values).max(initial=0.0))))
     if len(values) > 1 and twice.size:
         i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
         raise InputError(

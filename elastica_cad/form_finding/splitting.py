@@ -232,7 +232,7 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
     if values is None:
         raise InputError(f"places are {places!r}: give arc lengths in mm")
     s = np.unique(values)
-    if not np.all(np.isfinite(s)):
+    if not np.isfinite(s).all():
         raise InputError("places of supports are not finite: give arc lengths in mm")
     t = curve.parameter(s)
     low, high = curve.domain
@@ -325,14 +325,13 @@ def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
     if not np.isfinite(total[0]):
         return chosen
     for stage, best in zip(reversed(stages), reversed(comes_from[1:]), strict=True):
-        at = int(best[at])
+        at = best[at]
         chosen.append(float(stage[at]))
     return chosen[::-1]
 
 
 def _splitting(cut: _Cut, supports: Sequence[float], ranges: Sequence[tuple[float, float]]) -> Splitting:
-    ends = [cut.curve.domain[0], *supports, cut.curve.domain[1]]
-    pairs = list(pairwise(ends))
+    pairs = list(pairwise([cut.curve.domain[0], *supports, cut.curve.domain[1]]))
     s = cut.curve.arc_length(np.array(supports))
     spans = cut.curve.arc_length(np.array(ranges).reshape(-1, 2))
     return Splitting(

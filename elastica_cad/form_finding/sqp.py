@@ -323,8 +323,7 @@ class Iterate(Generic[Point]):
             _, here, there = np.intersect1d(
                 _row_keys(rows), self.active.keys, assume_unique=True, return_indices=True
             )
-            clearance = np.minimum(z - program.lower, program.upper - z)
-            free = clearance > SETTINGS.bound_tolerance * program.scale
+            free = np.minimum(z - program.lower, program.upper - z) > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
             # with more rows than free unknowns, rows with large derivatives dominate the least-squares solution
@@ -710,7 +709,7 @@ def _solve_step(
     solution = solve_quadratic(
         QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, penalty, one_sided)
     )
-    if not np.all(np.isfinite(solution.x)):
+    if not np.isfinite(solution.x).all():
         return None
     low, high = solution.lower_multipliers[:p] * fine, solution.upper_multipliers[:p] * fine
     return solution.x[:p] * s, replace(
@@ -749,8 +748,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
     """
     best, least = point, np.inf
     for _ in range(SETTINGS.exact_steps):
-        values = program.values(point)
-        z, rows = program.rows(point, values)
+        z, rows = program.rows(point, program.values(point))
         aim = np.where(rows.one_sided, SETTINGS.clearance - rows.value, -rows.value)
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
