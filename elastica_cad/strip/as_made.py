@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.plane_points import cross, left_of, unit_vectors
+from elastica_cad.geometry.plane_points import cross, left_of, midpoints, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.cross_sections import BendFactor
 from elastica_cad.mechanics.laminated_section import LaminateCurl, LaminatedSection
@@ -39,7 +39,7 @@ from elastica_cad.strip.outline import Ends, fix_tab_widths
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.styles import Layout
-from elastica_cad.strip.tab_seats import rest_in_seats
+from elastica_cad.strip.tab_seats import EndPose, rest_in_seats
 
 CUTS = 8
 """Number of stations between two nodes of the rod at which the net width is measured."""
@@ -115,13 +115,12 @@ def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 def _cell_stations(rod: Rod) -> FloatArray:
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
-    return (ends[1:] + ends[:-1]) / 2
+    return midpoints(ends)
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
-    inner = (halves[1:-1:2] + halves[2::2]) / 2
-    return np.concatenate([halves[:1], inner, halves[-1:]])
+    return np.concatenate([halves[:1], (halves[1:-1:2] + halves[2::2]) / 2, halves[-1:]])
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
@@ -471,15 +470,18 @@ class StripAsMade:
         B = rod.bending_stiffness or self.bending_stiffness
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
-    def rest(self, seats: Seats = (None, None)) -> Rod:
-        """Return the rest shape in the holders.
+    def rest(self) -> Rod:
+        """Return the rest shape with both ends held as designed.
 
         Raises
         ------
         NotConvergedError
             No rest shape was found.
         """
-        return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))[0]
+        return self._rest_in((None, None))[0]
+
+    def _rest_in(self, seats: Seats) -> tuple[Rod, tuple[EndPose, EndPose]]:
+        return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
 
     @cached_property
     def loaded(self) -> Rod:
@@ -497,7 +499,7 @@ class StripAsMade:
 
         The deviations by cause are computed for `uncorrected`, the strip without compensation.
         """
-        rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
+        rod, poses = self._rest_in(seats)
         parts, corrected = uncorrected.parts(), uncorrected is not self
         made_up_for = tuple(
             cause
@@ -564,7 +566,7 @@ class StripAsMade:
             None if seat is None else seat.loosened(float(room))
             for seat, room in zip(seats, rooms.sum(axis=1), strict=True)
         )
-        loose, _ = rest_in_seats(self.rod, self.design, (start, end), self.tab_ratios(self.rod))
+        loose, _ = self._rest_in((start, end))
         far = deviation_from(rod, loose.position) * rooms.sum(axis=0) / rooms.sum()
         return dict(zip(("thinner tabs", "wider slots"), far.tolist(), strict=True))
 
@@ -608,11 +610,10 @@ class StripAsMade:
             return np.zeros((design.s.size, 2))
         aside = (stack.counts(design.s) - 1) * stack.sheet.thickness / 2
         normals = left_of(unit_vectors(design.angle))
-        between = (normals[1:] + normals[:-1]) / 2
+        between = midpoints(normals)
         off = aside[:, None] * normals
-        axis = off[0] + np.vstack([np.zeros(2), np.cumsum(np.diff(aside)[:, None] * between, axis=0)])
-        force = design.force
-        moments = cross(force, axis)[:, None]
+        axis = off[0] + np.vstack([np.zeros(2), (np.diff(aside)[:, None] * between).cumsum(axis=0)])
+        moments = cross(design.force, axis)[:, None]
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self) -> dict[str, float]:

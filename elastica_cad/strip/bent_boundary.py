@@ -63,8 +63,7 @@ class SpaceSurface:
     def turned(self) -> "SpaceSurface":
         """Return the same surface with the parameters (-v, u) and the same direction of its normal."""
         u, v = self.knots
-        points = self.control_points[:, ::-1].swapaxes(0, 1)
-        return SpaceSurface((-v[::-1], u), points, self.degree[::-1])
+        return SpaceSurface((-v[::-1], u), self.control_points[:, ::-1].swapaxes(0, 1), self.degree[::-1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,7 +226,7 @@ class BentMap:
         local = np.empty((len(flat), len(heights), 3))
         local[:, :, :2] = rows[:, None, :2] - np.reshape(heights, (-1, 1)) * rows[:, None, 2:]
         local[:, :, 2] = flat[:, 1:]
-        return self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
+        return self.frame.point(local)
 
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
@@ -268,8 +267,9 @@ class BentMap:
         local = np.empty((len(plane), 2, 3))
         local[:, :, :2] = plane[:, None]
         local[:, :, 2] = low, high
-        points = self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
-        return SpaceSurface((self.knots, np.array([low, low, high, high])), points, (DEGREE, 1))
+        return SpaceSurface(
+            (self.knots, np.array([low, low, high, high])), self.frame.point(local), (DEGREE, 1)
+        )
 
     @property
     def curvature(self) -> tuple[FloatArray, FloatArray]:
@@ -278,11 +278,6 @@ class BentMap:
         s = np.linspace(edges[:-1], edges[1:], 9).ravel()
         along, turn = np.split(self._spline(s, 1), 2, axis=1)
         return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
-
-    @cached_property
-    def _smoothness(self) -> tuple[FloatArray, IntArray]:
-        knots, counts = knot_runs(self.knots)
-        return knots[1:-1], DEGREE - counts[1:-1]
 
     @cached_property
     def _spline(self) -> SplineFunction:
@@ -297,15 +292,15 @@ class BentMap:
         last parameter of the bent part of the segment.
         """
         (offset, speed), (first, last) = even, limits
-        t, continuity = self._smoothness
-        t, degree = (t - offset) / speed, DEGREE
+        knots, counts = knot_runs(self.knots)
+        t, continuity, degree = (knots[1:-1] - offset) / speed, DEGREE - counts[1:-1], DEGREE
         if isinstance(segment, Spline):
             knots, counts = knot_runs(segment.curve.knots)
             degree = max(degree, segment.curve.degree)
             t = np.concatenate([t, knots])
             continuity = np.concatenate([continuity, segment.curve.degree - counts])
         near = 1e-9 * (last - first)
-        order = np.argsort(t)
+        order = t.argsort()
         order = order[(t[order] > first + near) & (t[order] < last - near)]
         t, continuity = t[order], continuity[order]
         if t.size:
@@ -313,7 +308,7 @@ class BentMap:
             t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
         if t.size < LEAST_SPANS - 1:
             t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
-        inner = np.repeat(t, np.minimum(degree - continuity, degree))
+        inner = t.repeat(np.minimum(degree - continuity, degree))
         return np.concatenate([np.full(degree + 1, first), inner, np.full(degree + 1, last)]), degree
 
 
@@ -357,7 +352,7 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
 def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
     for bent in maps:
         s, kappa = bent.curvature
-        i = int(np.argmax(np.abs(kappa)))
+        i = np.abs(kappa).argmax()
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
                 "the radius of the curve {s:.4g} from its start is {given:.4g}. The surface of the strip "
@@ -407,7 +402,7 @@ def _fit_spline(
 def _divide_spans(edges: FloatArray, counts: FloatArray) -> FloatArray:
     parts = counts.astype(int)
     width = np.repeat(np.diff(edges) / parts, parts)
-    return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
+    return np.append(edges[:-1].repeat(parts) + numbers_in_groups(parts) * width, edges[-1])
 
 
 ROUNDED_MM = 1e-12
@@ -433,23 +428,13 @@ class BoundaryMaker:
     at_piece: dict[int, int] = field(default_factory=dict)
     posts: dict[int, int] = field(default_factory=dict)
 
-    def sheet(self, regions: Sequence[Region]) -> Boundary:
-        """Return a surface with one face for every region, at the first height."""
+    def boundary(self, regions: Sequence[Region]) -> Boundary:
+        """Return a face for every region at the only height, or the closed surface between the two heights."""
         for region in regions:
             self._add_faces(region)
-        return self._boundary()
-
-    def solid(self, regions: Sequence[Region]) -> Boundary:
-        """Return the closed surface between the two heights."""
-        for region in regions:
-            self._add_faces(region)
-            for loop in region.loops:
-                for piece in loop:
-                    if not piece.seam:
-                        self._add_side(piece, self.maps[region.interval])
-        return self._boundary()
-
-    def _boundary(self) -> Boundary:
+            rim = (piece for loop in region.loops for piece in loop if not piece.seam)
+            for piece in rim if len(self.heights) > 1 else ():
+                self._add_side(piece, self.maps[region.interval])
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
 
     def _add_edges(self, region: Region) -> None:
@@ -529,8 +514,7 @@ class BoundaryMaker:
         if not isinstance(segment, Spline) or segment.curve.is_rational:
             return ExtrudedSurface(placed)
         points = placed.frame.point(segment.curve.control_points)
-        rise = (self.heights[1] - up) * shape.z_axis
-        return self._ruled_surface(segment.curve, points, points + rise)
+        return self._ruled_surface(segment.curve, points, points + (self.heights[1] - up) * shape.z_axis)
 
     def _ruled_surface(
         self, curve: SpaceCurve | PlaneCurve, low: FloatArray, high: FloatArray

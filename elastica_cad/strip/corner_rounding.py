@@ -135,7 +135,7 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
     chord = arc.end - arc.start
     sense = np.sign(cross(chord, arc.at(0.5) - arc.start))
     clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
-    return bool(np.all(clear & (sense * cross(chord, points - arc.start) > 0)))
+    return bool((clear & (sense * cross(chord, points - arc.start) > 0)).all())
 
 
 def _corners(
@@ -154,7 +154,7 @@ def _corners(
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
-    x = np.clip(np.column_stack([1 - reach / norm(s), reach / norm(t)]), 0.0, 1.0)
+    x = np.column_stack([1 - reach / norm(s), reach / norm(t)]).clip(0.0, 1.0)
     open_ = np.arange(before.size)
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
@@ -172,8 +172,7 @@ def _corners(
         open_ = open_[apart]
         determinant = cross(w, v)
         determinant[determinant == 0] = PARALLEL
-        step = np.column_stack([cross(gap, w), cross(gap, v)])
-        target = x[open_] + step / determinant[:, None]
+        target = x[open_] + np.column_stack([cross(gap, w), cross(gap, v)]) / determinant[:, None]
         outside = (target < 0) | (target > 1)
         turned_back[open_] += outside.any(axis=1)
         halfway = (x[open_] + np.clip(target, 0.0, 1.0)) / 2
@@ -201,7 +200,7 @@ def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
     splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
     if splines:
         counts = np.array([len(curve.control_points) for _, curve in splines])
-        begins = np.cumsum(counts) - counts
+        begins = counts.cumsum() - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
         sides[begins[1:] - 1] = 0.0

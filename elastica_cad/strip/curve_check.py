@@ -42,7 +42,7 @@ def common_request(
     """Return a request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
 
-    curvature = float(np.abs(curve.survey.curvature).max())
+    curvature = np.abs(curve.survey.curvature).max()
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
     width = float(np.clip(round(curve.length / LENGTH_PER_WIDTH), *WIDTHS_MM))
     return StripSpec(

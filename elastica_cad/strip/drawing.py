@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated
 
 import numpy as np
@@ -58,6 +59,15 @@ class LayeredPath:
     def __post_init__(self) -> None:
         _check_layer(self.layer)
         require_record(self.path, Path, "the path on a layer", "a Path")
+
+
+def cut_paths(outline: Path, holes: Iterable[Path], marks: Iterable[Path] = ()) -> tuple[LayeredPath, ...]:
+    """Return the marks, holes and outline of a part on their layers, in the order of cutting."""
+    return (
+        *(LayeredPath(MARK, mark) for mark in marks),
+        *(LayeredPath(CUT_INNER, hole) for hole in holes),
+        LayeredPath(CUT_OUTER, outline),
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,6 +239,11 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
             "the tolerance is {tolerance}: give {finest:g} to {coarsest:g} mm",
             tolerance=tolerance, finest=FINEST_KERF_MM, coarsest=COARSEST_KERF_MM,
         )  # fmt: skip
+    return _compensated(drawing, kerf, tolerance)
+
+
+@lru_cache(maxsize=1)  # a drawing is written as DXF and then as SVG
+def _compensated(drawing: Drawing, kerf: float, tolerance: float) -> Drawing:
     sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}
     moved = []
     loops = []
@@ -259,7 +274,7 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
         return
     bounds = np.array([loop.bounds for loop in loops])
     low, high = bounds[:, 0], bounds[:, 1]
-    order = np.argsort(low[:, 0], kind="stable")
+    order = low[:, 0].argsort(kind="stable")
     outlines: dict[int, np.ndarray] = {}
 
     def outline(i: int) -> np.ndarray:

@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import distinct_digits
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import at_sign_changes, left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.elements import Pin, Tie, noun_of
 from elastica_cad.mechanics.rod import Rod
@@ -41,8 +41,7 @@ FIT_TOLERANCE = 1e-6
 def _grain_factor(sheet: Sheet) -> float:
     from elastica_cad.strip.as_made import CUT_GRAIN
 
-    nu = min(sheet.poisson_ratio, 0.5)
-    return float((even_shear_ratio(nu) / sheet.shear_ratio) ** (CUT_GRAIN / 2))
+    return float((even_shear_ratio(min(sheet.poisson_ratio, 0.5)) / sheet.shear_ratio) ** (CUT_GRAIN / 2))
 
 
 @dataclass(frozen=True)
@@ -77,11 +76,6 @@ class ElementCut:
         half = max(self.hole, self.notch) / 2
         return self.at - half, self.at + half
 
-    @property
-    def concentration(self) -> float:
-        """Stress concentration factor minus 1 in a wide sheet in tension: 2 sqrt(depth / radius of the cut)."""
-        return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
-
     def added_length(self, width: float, sheet: Sheet) -> float:
         """Return the added length, mm, of the cut in a strip of width `width`, mm.
 
@@ -97,7 +91,7 @@ class ElementCut:
 
         nu, grain = min(sheet.poisson_ratio, 0.5), _grain_factor(sheet)
         chords = self.hole * np.sqrt(1 - (2 * FRACTIONS - 1) ** 2)
-        net = self.hole * float(np.mean(chords / (width - chords)))
+        net = self.hole * float((chords / (width - chords)).mean())
         corners = 2 * (1 + nu) / (3 + nu) * grain * np.pi / 4 * self.hole**2 / (width + self.hole)
         cracks = 2 * CUT * crack_energy(nu) * grain * self.notch**2 / width
         return net + corners + cracks + NOTCH_FILL * self.notch * 2 * self.notch / (width - 2 * self.notch)
@@ -206,7 +200,7 @@ class _Bump:
         shape = self(low + (high - low) * FRACTIONS)
 
         def lack(peak: float) -> float:
-            saved = float(np.mean(1 - 1 / (1 + peak * shape))) * (high - low)
+            saved = float((1 - 1 / (1 + peak * shape)).mean()) * (high - low)
             return cut.added_length(self.width * (1 + peak), sheet) - saved
 
         from scipy.optimize import brentq
@@ -230,8 +224,7 @@ class StrainedCut:
         return replace(judged, state=min(judged.state, StrainState.WARNED))
 
     def __str__(self) -> str:
-        limit = self.sheet.max_strain
-        strain, allowed = distinct_digits(100 * self.strain, 100 * limit, ".2g")
+        strain, allowed = distinct_digits(100 * self.strain, 100 * self.sheet.max_strain, ".2g")
         return note(
             "At {at} from the start, the edge of the hole or notch for the {element} is strained by {strain:g} %; "
             "{sheet} allows {limit:g} %: {outcome}. Move the {element} to a gentler bend, or leave out its hole or "
@@ -252,10 +245,12 @@ def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     nu = min(sheet.poisson_ratio, 0.5)
     strained = []
     for cut in cuts:
+        # k - 1 is 2 sqrt(depth / radius of the cut), and a notch is twice as deep as its radius
+        concentration = 2.0 if cut.hole else 2.0 * np.sqrt(2.0)
         at = np.array([cut.at])
         strain = max(float(layer.largest) for layer in layout.strains(Bends(np.abs(rod.bend_at(at)), at)))
-        factor = 1 + (1 + nu) / (3 + nu) * _grain_factor(sheet) * cut.concentration
-        strained.append(StrainedCut(cut, sheet, strain * factor))
+        factor = 1 + (1 + nu) / (3 + nu) * _grain_factor(sheet) * concentration
+        strained.append(StrainedCut(cut, sheet, float(strain * factor)))
     return tuple(cut for cut in strained if not cut.verdict.allowed)
 
 
@@ -280,7 +275,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
             continue
         gaps = np.interp(along[between], (0, 1), width(action.s) - 2 * notch)
         if np.any(gaps <= wide):
-            k = int(np.argmin(gaps - wide))
+            k = np.argmin(gaps - wide)
             yield note(
                 "The two cords in the notches from {start} to {end} cross the strip {at} from its start, because "
                 "they are {gap:.1f} apart there and the strip is {wide:.1f} wide. Tie them to bars across the "
@@ -295,11 +290,6 @@ def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> tuple[FloatArray
     """Return the arc lengths, mm, at which the rod crosses a cord, and the fractions of the cord up to there."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
-    before = np.flatnonzero(aside[:-1] * aside[1:] < 0)
-    u = aside[before] / (aside[before] - aside[before + 1])
-    along = (
-        rod.position[before] + u[:, None] * (rod.position[before + 1] - rod.position[before]) - start
-    ) @ (chord / (chord @ chord))
+    along = (at_sign_changes(aside, rod.position) - start) @ (chord / (chord @ chord))
     inside = (along > 0) & (along < 1)
-    s = rod.s[before] + u * (rod.s[before + 1] - rod.s[before])
-    return s[inside], along[inside]
+    return at_sign_changes(aside, rod.s)[inside], along[inside]

@@ -301,7 +301,9 @@ class _Cutter:
             self.chains.setdefault(interval, []).append([piece for _, piece in run])
 
     def result(self) -> CutPattern:
-        on_seam = [self._corners_on(x) for x in self.stations]
+        points = np.array(self.points)
+        upward = points[:, 1].argsort(kind="stable")
+        on_seam = [upward[np.abs(points[upward, 0] - x) < ON_SEAM].tolist() for x in self.stations]
         regions: list[Region] = []
         for interval in sorted({*self.loops, *self.chains}):
             loops = [*self.loops.get(interval, []), *self._closed(interval, on_seam)]
@@ -312,7 +314,7 @@ class _Cutter:
                 "holes, slots or edges of the flat part touch where a tab begins: move the holes and "
                 "slots there apart"
             )
-        return CutPattern(np.array(self.points), tuple(regions))
+        return CutPattern(points, tuple(regions))
 
     def _next(self) -> int:
         self.count += 1
@@ -348,10 +350,6 @@ class _Cutter:
                 if abs(station - middle) < ON_SEAM:
                     return k + (0 if rises else 1)
         return bisect_left(stations, middle)
-
-    def _corners_on(self, x: float) -> list[int]:
-        corners = [(float(p[1]), i) for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
-        return [i for _, i in sorted(corners)]
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
         chains = list(self.chains.get(interval, []))
@@ -427,8 +425,7 @@ def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[Seg
 def _crossings(segment: Segment, x: float) -> list[float]:
     if isinstance(segment, Line):
         a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
-        apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
-        return [segment.length * a / (a - b)] if apart else []
+        return [segment.length * a / (a - b)] if min(abs(a), abs(b)) > ON_SEAM and a * b < 0 else []
     if isinstance(segment, Arc):
         ratio = (x - segment.center[0]) / segment.radius
         if abs(ratio) >= 1 - 1e-12:

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.geometry.plane_curve import CORNER_RAD
-from elastica_cad.geometry.plane_points import cross, dot, left_of, norm
+from elastica_cad.geometry.plane_points import cross, dot, left_of, norm, rotated
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
@@ -191,8 +191,7 @@ def deviation_from(design: Rod, place: FloatArray) -> float:
         target = design.position.mean(axis=0)
         off, designed = place - place.mean(axis=0), design.position - target
         turn = np.arctan2(cross(off, designed).sum(), dot(off, designed).sum())
-        cos, sin = np.cos(turn), np.sin(turn)
-        place = target + off @ np.array([[cos, sin], [-sin, cos]])
+        place = target + rotated(off, turn)
     return float(norm(place - design.position).max())
 
 
@@ -226,7 +225,7 @@ def shape_responses(
     imbalance = moments[:-1] - moments[1:]
     if loads is not None:
         pull = np.zeros((n - 1, m, 2))
-        pull[1:] = np.cumsum(loads[1:-1], axis=0)
+        pull[1:] = loads[1:-1].cumsum(axis=0)
         imbalance = imbalance + lengths * cross(tangents[:, None], pull)
     rows = discrete.constraint_rows
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
@@ -235,7 +234,7 @@ def shape_responses(
     # `rows` can be singular, because small rotations do not change the length of a straight rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     moved = np.zeros((n, m, 2))
-    moved[1:] = np.cumsum(lengths[..., None] * turned[..., None] * left_of(tangents)[:, None], axis=0)
+    moved[1:] = (lengths[..., None] * turned[..., None] * left_of(tangents)[:, None]).cumsum(axis=0)
     return moved
 
 
@@ -276,9 +275,9 @@ def open_deviation(
     sheet: Sheet,
     parts: Mapping[str, float],
     *,
-    width: float = 0.0,
-    approximated: bool = False,
-    crowded: bool = False,
+    width: float,
+    approximated: bool,
+    crowded: bool,
 ) -> float:
     """Return the uncertainty of the model, mm, apart from errors of sheet and workmanship.
 
@@ -305,8 +304,7 @@ def open_deviation(
     from_causes = sum(OPEN_FRACTIONS.get(cause, 0.0) * mm for cause, mm in parts.items())
     from_causes += parts.get("slots", 0.0) * crowded
     if approximated:
-        grained = OPEN_GRAINED * max(0.0, shear**0.5 - 1)
-        from_causes += (OPEN_BUILT + grained) * length
+        from_causes += (OPEN_BUILT + OPEN_GRAINED * max(0.0, shear**0.5 - 1)) * length
     every = [OPEN_PLAIN, OPEN_CURLED * (nu / 0.3) ** 2, OPEN_WIDE * shear * (width / length) ** 2]
     return float(np.linalg.norm([*(length * np.array(every)), from_causes]))
 
@@ -412,6 +410,6 @@ def sheet_effects(
             turned = changes[f"clamp at the {('start', 'end')[k]}"] = np.zeros((n, 1))
             turned[-k] = rod.stiffness[-k] * tolerance.clamps / rod.discrete.node_lengths[-k]
     moved = shape_responses(rod, np.hstack([*changes.values()]))
-    owner = np.repeat(np.arange(len(changes)), [columns.shape[1] for columns in changes.values()])
+    owner = np.arange(len(changes)).repeat([columns.shape[1] for columns in changes.values()])
     far = np.array([deviation_from(design, design.position + moved[:, k]) for k in range(owner.size)])
     return {cause: float(far[owner == k].max()) for k, cause in enumerate(changes)}

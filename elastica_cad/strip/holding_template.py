@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import cross, left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
@@ -123,9 +122,8 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
     >>> first.position.round(6).tolist(), round(first.angle, 6), round(last.tilt, 6)
     ([-100.0, 0.0], 90.0, -90.0)
     """
-    require_record(strip, Strip, "what is held", "a Strip, as make_strip makes one")
     rod = strip.rod
-    line = np.degrees(np.arctan2(*rod.chord[::-1]))
+    line = np.degrees(angle_of(rod.chord))
     first, last = (
         HeldEnd(
             np.array(rod.position[k]),
@@ -290,7 +288,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
         normal = left_of(unit_vectors(at.angle))
         direction = at.angle[0]
         if isinstance(action.element, PointForce | PointMass):
-            direction = np.arctan2(action.force[0, 1], action.force[0, 0])
+            direction = angle_of(action.force[0])
             normal = action.force / (action.size or 1.0)
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
@@ -303,7 +301,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
                 (at.position - rod.position[0]) @ axes,
-                _principal_angle(np.degrees(direction - np.arctan2(chord[1], chord[0]))),
+                _principal_angle(np.degrees(direction - angle_of(chord))),
                 strip.bending_stiffness * action.size,
                 contact, face,
             )
@@ -324,7 +322,7 @@ def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
 
 def side_of_bar(direction: FloatArray) -> Refusal:
     """Return the side of the strip, in words, in the direction (2,) of `bar_direction`."""
-    quarter = round(float(np.arctan2(direction[1], direction[0])) / (np.pi / 2)) % 4
+    quarter = round(float(angle_of(direction)) / (np.pi / 2)) % 4
     sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
     return note(sides[quarter])
 
@@ -357,8 +355,7 @@ def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]
         yield [tip - HEAD_MM * (normal + along / 2), tip, tip - HEAD_MM * (normal - along / 2)]
         return
     if isinstance(held.action.element, Rail):
-        sides = (1.0,) if held.action.element.one_sided else (1.0, -1.0)
-        for side in sides:
+        for side in (1.0,) if held.action.element.one_sided else (1.0, -1.0):
             face = point + side * half * normal
             yield [face - CROSS_MM / 2 * along, face + CROSS_MM / 2 * along]
             yield [face, face + side * CROSS_MM * normal]
@@ -440,8 +437,7 @@ def holding_template(strip: Strip) -> Drawing:
         away = ARROW_MM if held.is_load else CROSS_MM
         names.append((held.name, 1.0, held.position[0] + (away + LETTERS_MM) * held.outward[0]))
     for name, wide, (x, y) in names:
-        where = (x - wide * LETTERS_MM / 2, y - LETTERS_MM / 2)
-        texts.append(Text(where, name, LETTERS_MM, 0.0, MARK))
+        texts.append(Text((x - wide * LETTERS_MM / 2, y - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
 
 

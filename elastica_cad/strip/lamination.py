@@ -124,7 +124,7 @@ class Laminated:
         s = refine_stations(s, section.on(w1).bending_stiffness(w1) / rod.profile(s), w1 / rod.profile(s))
         K, w1 = rod.profile(s), base(s)
         section = section.on(w1)
-        i = int(np.argmin(w1))
+        i = w1.argmin()
         if w1[i] < least:
             narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
             raise FaultError(

@@ -16,9 +16,9 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Line, chords_of_all
 from elastica_cad.mechanics.cross_sections import LaidLeaves
 from elastica_cad.mechanics.laminated_section import stack_stiffness
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod import Rod, cell_edges
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.strip.drawing import Drawing, cut_paths
 from elastica_cad.strip.lettering import Text, fit_label
 from elastica_cad.strip.outline import Ends, add_register_holes, end_holes, fix_tab_widths, flat_rim
 from elastica_cad.strip.slots import (
@@ -109,13 +109,13 @@ class Layer:
         if (stations := numbers(s, "stations")).ndim > 1:
             raise InputError(f"stations have the shape {stations.shape}: give numbers (n,), in mm")
         stations = np.atleast_1d(stations)
-        order = np.argsort(stations, kind="stable")
+        order = stations.argsort(kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
         # stations in the x range of each chord: index of the first station, and number of stations
-        first = np.searchsorted(at, np.minimum(x, x1), side="left")
-        count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
-        line = np.repeat(np.arange(x.size), count)
+        first = at.searchsorted(np.minimum(x, x1))
+        count = at.searchsorted(np.maximum(x, x1)) - first
+        line = np.arange(x.size).repeat(count)
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
@@ -135,7 +135,7 @@ class Layer:
         loops = self.outline, *self.holes
         which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
         same_loop = np.append(which[1:] == which[:-1], False)
-        loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[same_loop]]
+        loop = np.arange(len(loops)).repeat([len(line.segments) for line in loops])[which[same_loop]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
         ends = np.roll(points, -1, axis=0)
         ends[np.append(begins[1:], loop.size) - 1] = points[begins]
@@ -184,7 +184,7 @@ def draw_layers(
     engraved: str,
     name: str,
     *,
-    lap: float = 0.0,
+    lap: float,
 ) -> tuple[Drawing, ...]:
     """Return a drawing of each layer with engraved texts, marks, inner cuts and the outer cut.
 
@@ -200,11 +200,7 @@ def draw_layers(
         )
         if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
-        paths = (
-            *(LayeredPath(MARK, mark) for mark in marks),
-            *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
-            LayeredPath(CUT_OUTER, layer.outline),
-        )
+        paths = cut_paths(layer.outline, layer.holes, marks)
         texts = _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
         if layout.stack is not None:
             texts = (_leaf_text(engraved or name, layer),)
@@ -239,7 +235,7 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
     points, _ = slot.center_line(outer)
-    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
+    return bool(abs(points[0, 1]) < inner(np.clip(points[0, 0], 0.0, inner.length)) / 2)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
@@ -316,8 +312,8 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
-        covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
+        edges = cell_edges(rod.s)
+        covered = ((length - edges[:-1]) / np.diff(edges)).clip(0.0, 1.0)
         both = width + lap_width
         stiffer = (both + 12 * width * lap_width / both) / width
         natural = rod.natural_curvature
@@ -359,7 +355,7 @@ class LapPlates:
         Strip and plate bend as one section, except near the ends of the plate and at the joint.
         """
         base, *more = layers
-        at = np.clip(s, END_MM, layout.width.length - END_MM)
+        at = s.clip(END_MM, layout.width.length - END_MM)
         wide, cut = layout.width(at), base.material(at)
         net_width = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
@@ -376,11 +372,11 @@ class LapPlates:
         return 1 / compliance
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
+        ends = cell_edges(s)
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)
         under = np.zeros(s.size)
         for at in joints:
             for low, high in ((at - far, at - near), (at + near, at + far)):
-                under += np.diff(np.clip(ends, low, high))
+                under += np.diff(ends.clip(low, high))
         return under / np.diff(ends)

@@ -51,8 +51,7 @@ class Text:
 
     def __post_init__(self) -> None:
         place = tuple(self.position) if is_series(self.position) else ()
-        sizes = (*place, self.height, self.angle)
-        if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
+        if len(place) != 2 or not all(map(is_number, (*place, self.height, self.angle))) or self.height <= 0:
             raise InputError(
                 f"the text {self.text!r} cannot be placed: give a finite position and angle, and a height "
                 "above 0, in mm"

@@ -20,7 +20,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import thinner_for
 from elastica_cad.refusals import FieldName, Listed, note, sentences
 from elastica_cad.refusals import Length as Mm
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.strip.drawing import MARK, Drawing, cut_paths
 from elastica_cad.strip.held_shape import LEAST_REPORTED_MM, closes, deviation_from, shape_responses
 from elastica_cad.strip.layers import LapPlates, Layer
 from elastica_cad.strip.perforation import Perforated
@@ -40,7 +40,7 @@ SMOOTHING_PENALTY = 5e-3  # weight of a correction's roughness relative to the d
 SIZE_PENALTY = 7e-3  # weight of a correction's size relative to the deviation
 
 
-def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
+def _width_basis(s: FloatArray, *, closed: bool) -> FloatArray:
     """Return the values (n, m) of m cubic B-splines at stations s (n,).
 
     At the joint of a closed strip, the first and last B-splines are combined.
@@ -313,7 +313,7 @@ class Splice:
             edges = [at + side * self.plates.lap / 2 for at in whole.joints for side in (-1, 1)]
             marks = [_tick(whole, x) for x in edges if low < x < high]
             marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
-            holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
+            holes = [hole for hole in layer.holes if low < hole.bounds.mean(axis=0)[0] < high]
             pairs = zip(whole.slots, layer.slots, strict=True)
             slots = [(slot, rim) for slot, rim in pairs if low < slot.at < high]
         span = max(low, 0.0), min(high, self.strip.rod.length)
@@ -329,11 +329,7 @@ class Splice:
         mates = mating_marks(slots, whole.width, holes, (*marks, *ends), label)
         known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
         numbers = end_numbers(whole.width, cuts, (*label, *mates), known)
-        paths = (
-            *(LayeredPath(MARK, mark) for mark in marks),
-            *(LayeredPath(CUT_INNER, hole) for hole in holes),
-            LayeredPath(CUT_OUTER, outline),
-        )
+        paths = cut_paths(outline, holes, marks)
         number = text if labelled.number else ""
         return Piece(name, Drawing(name, paths, (*label, *mates, *numbers)), layer.sheet, number=number)
 
@@ -457,10 +453,10 @@ def _cheapest_joints(
     came: list[FloatArray] = []
     for _ in range(count - 1):
         total = np.where(allowed, best[None, :], np.inf)
-        came.append(np.argmin(total, axis=1))
+        came.append(total.argmin(axis=1))
         best = cost + total.min(axis=1)
     best = np.where(last - s <= stock, best, np.inf)
-    at = int(np.argmin(best))
+    at = int(best.argmin())
     if not np.isfinite(best[at]):
         return None
     chosen = [at]

@@ -370,8 +370,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
-    first = PlaneCurve(knots, points[0], degree)
-    return [Spline(curve) for curve in first.siblings(points)]
+    return [Spline(curve) for curve in PlaneCurve(knots, points[0], degree).siblings(points)]
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
@@ -411,7 +410,7 @@ def _parts_between_jumps(width: Profile) -> list[Profile]:
         return [width]
     pieces, first = [], 0
     for cut in [*cuts, None]:
-        last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
+        last = width.coefficients.size if cut is None else int(width.knots.searchsorted(cut))
         pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
         first = last
     return pieces

@@ -51,8 +51,7 @@ def bent_under(
         bent = bend(heavy, **(part_of_change(heavy, {"loads": loads}, fraction) if loads else {}))
     except NotConvergedError:
         return None
-    lost = bent.discrete.unstable_modes > rod.discrete.unstable_modes
-    return None if has_snapped(bent) or lost else bent
+    return None if has_snapped(bent) or bent.discrete.unstable_modes > rod.discrete.unstable_modes else bent
 
 
 def carried_percentage(

@@ -105,8 +105,7 @@ class DiamondPattern:
 
     def slopes(self, s: FloatArray) -> FloatArray:
         """Return the slopes (n,) of the sides of the diamonds to the centre line at stations `s` (n,), mm."""
-        holes = self.width(s) - self.material(s)
-        return holes / (2 * self.columns * self.side_length)
+        return (self.width(s) - self.material(s)) / (2 * self.columns * self.side_length)
 
     @cached_property
     def joints(self) -> FloatArray:
@@ -172,9 +171,11 @@ class DiamondPattern:
         points, line = loop.closed_points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
         if polylines_cross(points, line) is not None or encloses(line, points[0]):
             return False
-        near = min(float(distances(segment, points).min()) for segment in cut.segments)
-        back = min(float(distances(segment, line).min()) for segment in loop.segments)
-        return min(near, back) >= self.clearance
+        return all(
+            distances(segment, others).min() >= self.clearance
+            for path, others in ((cut, points), (loop, line))
+            for segment in path.segments
+        )
 
     @cached_property
     def _rows(self) -> list["_Row"]:
@@ -182,8 +183,8 @@ class DiamondPattern:
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
         middles = np.array([(stretch.knots[0] + stretch.knots[-1]) / 2 for stretch in stretches])
-        begins = np.searchsorted(middles, np.append(first[:1], first), side="right").tolist()
-        ends = np.searchsorted(middles, np.append(last, last[-1:]), side="left").tolist()
+        begins = middles.searchsorted(np.append(first[:1], first), side="right").tolist()
+        ends = middles.searchsorted(np.append(last, last[-1:])).tolist()
         return [
             _Row(tuple(stretches[begin:end]), self.columns, full=i % 2 == 1)
             for i, (begin, end) in enumerate(zip(begins, ends, strict=True))
@@ -216,9 +217,9 @@ class DiamondPattern:
         """Return the columns (n, 3): outline width, net width and width of a full diamond, mm."""
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
-        k = np.clip(np.floor(s / half), 0, last)
+        k = np.floor(s / half).clip(0, last)
         before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
-        rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
+        rise = ((s - k * half - before) / (half - before - after)).clip(0.0, 1.0)
         T = np.where(k % 2 == 0, rise, 1 - rise)
         return np.column_stack([w, m, T * (w - m) / self.columns])
 
@@ -278,7 +279,7 @@ class _Stretch:
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
         # rounding can put a Greville abscissa slightly beyond the ends
-        sites = np.clip(greville(knots, 3), a, b)
+        sites = greville(knots, 3).clip(a, b)
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
         return _Stretch(knots, np.asarray(solved, dtype=float))
@@ -410,7 +411,7 @@ class Perforated:
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> Iterator[str]:
         slopes = pattern.slopes(s)
-        i = int(np.argmax(slopes))
+        i = slopes.argmax()
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             yield note(
@@ -419,7 +420,7 @@ class Perforated:
                 angle=Angle(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             )  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
-        i = int(np.argmax(missing))
+        i = missing.argmax()
         if missing[i] > TIP_FRACTION:
             yield note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips of the "
@@ -456,7 +457,7 @@ class _Fit:
             sheet, ligaments=style.ligaments, least_ligament=style.least_ligament
         )
         room = self.w - self.holes
-        i = int(np.argmin(room))
+        i = room.argmin()
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
                 "the outline {s:.1f} from the start is {w:.4g} wide, but {ligaments} ligaments (material "
@@ -566,7 +567,7 @@ class _Fit:
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
-        i = int(np.argmax(need / self.w))
+        i = int((need / self.w).argmax())
         if self._has_varying_outline(i):
             return i, float(need[i])
         left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())

@@ -65,7 +65,7 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
+    paths = [part.ravel() for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
 

@@ -16,7 +16,15 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, boxes_meet, left_of, lengths_along, norm, place
+from elastica_cad.geometry.plane_points import (
+    box_about,
+    boxes_meet,
+    left_of,
+    lengths_along,
+    norm,
+    place,
+    rotated,
+)
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, trim_segment
 from elastica_cad.geometry.splines import spline_through
@@ -111,7 +119,7 @@ class Slot:
             raise InputError(f"{here}: path or widths are missing; give both")
         if self.path is not None:
             path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
-            if not np.all(np.isfinite(path)) or not np.all(widths > 0):
+            if not np.isfinite(path).all() or not (widths > 0).all():
                 raise InputError(
                     f"{here}: path or widths cannot be used; give finite numbers in mm, and positive widths"
                 )
@@ -251,7 +259,7 @@ class _Opening:
 
 
 def cut_slots(
-    outline: Path, holes: Sequence[Path], slots: Sequence[Slot], width: Profile, *, name: str = "strip"
+    outline: Path, holes: Sequence[Path], slots: Sequence[Slot], width: Profile, *, name: str
 ) -> Path:
     """Return the outline with its slots.
 
@@ -284,7 +292,7 @@ class _Edge:
             np.concatenate([c.points[part] for c in self.chords]) for part in (slice(-1), slice(1, None))
         )
         self.low, self.high = np.minimum(begins, ends) - FLAT_MM, np.maximum(begins, ends) + FLAT_MM
-        self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
+        self.owner = np.arange(len(self.chords)).repeat([len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
         crossings: list[tuple[_Place, _Place]] = []
@@ -315,8 +323,7 @@ class _Edge:
             )
         (first, a), (second, b) = sorted(crossings, key=itemgetter(1))
         points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
-        cut = _between([c.segment for c in chords], a, b)
-        return _Opening(slot, first, second, tuple(cut), points)
+        return _Opening(slot, first, second, tuple(_between([c.segment for c in chords], a, b)), points)
 
     def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
         crossings: list[tuple[_Place, _Place]] = []
@@ -394,8 +401,7 @@ def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
     flat = flat + distance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    c, s = np.cos(text.angle), np.sin(text.angle)
-    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]))
+    return text.position + rotated(flat, text.angle)
 
 
 class Cut:
@@ -416,7 +422,7 @@ class Cut:
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
         """Return True if this cut line crosses a box (4, 2), or if there is no material in the box."""
         low, high = box_about(box)
-        if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
+        if np.any(np.all((self.points > low) & (self.points < high), axis=1)):
             return True
         if polylines_cross(edge, self.points) is not None:
             return True
@@ -472,8 +478,8 @@ def mating_marks(
     slots: Sequence[tuple[Slot, Cut]],
     width: Profile,
     holes: Sequence[Path],
-    marks: Sequence[Path] = (),
-    taken: Sequence[Text] = (),
+    marks: Sequence[Path],
+    taken: Sequence[Text],
 ) -> tuple[Text, ...]:
     """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
@@ -494,7 +500,7 @@ def mating_marks(
 
 
 def end_numbers(
-    width: Profile, cuts: Cuts, taken: Sequence[Text] = (), names: tuple[str, str] = ("1", "2")
+    width: Profile, cuts: Cuts, taken: Sequence[Text], names: tuple[str, str] = ("1", "2")
 ) -> tuple[Text, ...]:
     """Return the texts "1" and "2" at the start and end of the bent part, clear of cuts and texts.
 
@@ -525,11 +531,11 @@ def label_off_cuts(
     low, high = span or (0.0, width.length)
     step = max(LABEL_STEP_MM, (high - low) / 2 / LABEL_STEPS)
     steps = step * np.arange(1, max(int((high - low) / 2 / step), 1))
-    places = (low + high) / 2 + np.concatenate([[0.0], np.column_stack([steps, -steps]).ravel()])
+    places = (low + high) / 2 + np.append(0.0, np.column_stack([steps, -steps]))
     along = max(text_width(engravable(label), 1.0), 1e-9)
     largest = np.minimum(LABEL_SHARE * width(places), min(LABEL_MM, 0.8 * (high - low) / along))
     heights = np.outer(LABEL_SHARES, largest).ravel()
-    order = [int(k) for k in np.argsort(-heights.round(1), kind="stable") if heights[k] >= LEAST_LABEL_MM]
+    order = [int(k) for k in (-heights.round(1)).argsort(kind="stable") if heights[k] >= LEAST_LABEL_MM]
     tried = (
         (centred_text(label, (float(places[k % places.size]), 0.0), float(heights[k]), np.inf), near)
         for near in LABEL_DISTANCES_MM

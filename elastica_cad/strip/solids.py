@@ -185,7 +185,7 @@ class FlatSolid:
     def boundary(self) -> Boundary:
         """Closed boundary of planes, cylinders, and a ruled B-spline face along each spline."""
         pattern = cut_across(self.outline, self.holes, ())
-        return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
+        return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).boundary(pattern.regions)
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
@@ -263,7 +263,7 @@ class BentSolid:
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}
         for name, (x, y, sign) in self.places.items():
-            shape = self.maps[int(np.searchsorted(stations, x))]
+            shape = self.maps[np.searchsorted(stations, x)]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
             frames[name] = turned(tangent.shifted(x, y), sign)
         return _with_faces(frames, self.between) if self.between else frames
@@ -271,13 +271,13 @@ class BentSolid:
     @cached_property
     def boundary(self) -> Boundary:
         """Closed boundary: B-spline faces on the bent part, planes and cylinders on the tabs."""
-        return BoundaryMaker(self.pattern.points, self.maps, self.heights).solid(self.pattern.regions)
+        return BoundaryMaker(self.pattern.points, self.maps, self.heights).boundary(self.pattern.regions)
 
     @cached_property
     def middle(self) -> Boundary:
         """Open surface at mid-thickness; its area is the area of the flat strip."""
         half_way = (self.heights[0] + self.heights[1]) / 2
-        return BoundaryMaker(self.pattern.points, self.maps, (half_way,)).sheet(self.pattern.regions)
+        return BoundaryMaker(self.pattern.points, self.maps, (half_way,)).boundary(self.pattern.regions)
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
@@ -435,7 +435,7 @@ def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
     return (*(layer.sheet for layer in strip.layers), *lap)
 
 
-def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[tuple[float, ...], ...]:
+def bent_colors(strip: Strip, color: tuple[float, ...] | None) -> tuple[tuple[float, ...], ...]:
     """Return the screen colour of each body of `BentSolid.layers`. The base sheet has the colour `color`."""
     base = strip.layers[0].sheet
     return tuple(

@@ -26,7 +26,7 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, ro
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import midpoints, norm
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
@@ -329,7 +329,7 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
 
 def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
     bend = bends.amount
-    tightest = int(np.argmax(bend))
+    tightest = int(bend.argmax())
     for cut, layer in zip(layers, strains, strict=False):
         least = cut.sheet.published_radius
         if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + PRINTED_ACCURACY:
@@ -376,8 +376,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
     s = stations_of_sideways(rod)
     K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
     if isinstance(layout.section, RoundLaw):
-        thickest = layout.width.extremes[1]
-        return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))
+        return sideways_stability_of(rod, SidewaysSection.round(K, layout.width.extremes[1], ratio))
     if isinstance(layout.pattern, DiamondPattern):
         between = SidewaysSection.perforated(
             K, width, layout.material(s), layout.pattern.slopes(s), ligaments=layout.pattern.ligaments,
@@ -386,7 +385,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
         return sideways_stability_of(rod, *between)
     if layout.backing is not None:
         section = LaminatedSection(sheet, layout.backing.sheet)
-        backing = np.clip(layout.backing.width(s), 0.0, width)
+        backing = layout.backing.width(s).clip(0.0, width)
         laminate = SidewaysSection.laminated(K, layout.bending_stiffness, width, backing, section)
         return sideways_stability_of(rod, laminate)
     thickness = sheet.thickness if layout.size is None else layout.size
@@ -483,11 +482,11 @@ class Strip:
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends, self.rod.supports))
-        object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
-        for slot in self.slots:
+        slots = several("slots", self.slots, Slot, "Slot")
+        for slot in slots:
             slot.require_rad()
-        missing = [notch for cut in element_cuts(self.rod) for notch in cut.missing_from(self.slots)]
-        object.__setattr__(self, "slots", (*self.slots, *missing))
+        missing = [notch for cut in element_cuts(self.rod) for notch in cut.missing_from(slots)]
+        object.__setattr__(self, "slots", (*slots, *missing))
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
@@ -843,8 +842,7 @@ class Strip:
         if not self.creep:
             return None
         crept = creep(self.rod, self.creep)
-        sheets = {layer.sheet for layer in self.layers}
-        return crept if len(sheets) == 1 else replace(crept, exact=False)
+        return crept if len({layer.sheet for layer in self.layers}) == 1 else replace(crept, exact=False)
 
     @property
     def area(self) -> float:
@@ -915,8 +913,7 @@ class Strip:
         rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
         if rod.bending_stiffness is None:  # loads in N need a bending stiffness in N mm2
             rod = replace(rod, bending_stiffness=self.bending_stiffness)
-        middles = (rod.s[:-1] + rod.s[1:]) / 2
-        section, parameter = self.layout.section_at(middles)
+        section, parameter = self.layout.section_at(midpoints(rod.s))
         compliance = self.bending_stiffness / section.axial_stiffness(parameter)
         return replace(rod, compression=Compression(compliance, rod.discrete.pull))
 

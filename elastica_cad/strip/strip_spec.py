@@ -107,14 +107,14 @@ def _direction(direction: object) -> tuple[float, ...]:
     row: tuple[Any, ...] = ()
     if isinstance(direction, Sequence | np.ndarray) and is_series(direction):
         row = tuple(direction)
-    if len(row) not in (2, 3) or not all(is_number(number) for number in row) or not any(row):
+    if len(row) not in (2, 3) or not all(map(is_number, row)) or not any(row):
         raise InputError(
             f"gravity is {direction!r}: give True, a Gravity record, or the direction in which things "
             "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) or "
             "(0, 0, -1)",
             where={"field": "gravity"},
         )
-    return tuple(float(number) for number in row)
+    return tuple(map(float, row))
 
 
 NEAREST_CALL = (
@@ -123,8 +123,8 @@ NEAREST_CALL = (
 """Note for Python users, added to an error about a drawn curve if the request allows no other curve."""
 
 
-def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
-    if seam_position is not None and seam_position > curve.length:
+def _check_seam(seam_position: float, curve: PlaneCurve) -> None:
+    if seam_position > curve.length:
         raise InputError(
             "{field} is {seam:g}, which is not on the curve: set a place from 0 to {length:.4g}, or leave "
             "out {field}",
@@ -133,7 +133,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
             length=Length(curve.length),
             where={"field": "seam_position"},
         )
-    if seam_position is not None and not curve.is_closed:
+    if not curve.is_closed:
         raise InputError(
             "the curve is open and has no joint, but {field} puts a joint {seam:g} from its start: leave "
             "out {field}, or close the curve",
@@ -566,7 +566,8 @@ class StripSpec(EqualByValue):
             )  # fmt: skip
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
-        _check_seam(self.seam_position, self.curve)
+        if self.seam_position is not None:
+            _check_seam(self.seam_position, self.curve)
         settled = {
             "sheet": sheet,
             "label": require_name(self.label, "the label"),

@@ -177,7 +177,7 @@ class Layout:
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
-        if float((self.width(s) - self.backing.width(s)).max()) < GUIDE_MM:
+        if (self.width(s) - self.backing.width(s)).max() < GUIDE_MM:
             return ()
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
@@ -346,11 +346,10 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         profile = Profile.fit(width, length, tolerance=WIDTH_ERROR_MM)
     else:
         require_positive(width, name)
-        value = float(width)
-        return Profile(np.repeat([0.0, length], 4), np.full(4, value))
+        return Profile(np.repeat([0.0, length], 4), np.full(4, float(width)))
     if profile.extremes[0] <= 0:
         s = stations_of(length, profile)
-        at = float(s[int(np.argmin(profile(s)))])
+        at = float(s[profile(s).argmin()])
         raise InputError(
             "{name} is {given:.4g} at {at:.4g} from the start: give numbers above 0 everywhere",
             name=name,
@@ -404,7 +403,7 @@ def bends_along(rod: Rod) -> Bends:
     t = np.sort(np.concatenate([t, jumps, jumps]))
     kappa = curve.curvature_at(t)
     if jumps.size:
-        kappa[np.searchsorted(t, jumps)] = curve.curvature_at(jumps, left=True)
+        kappa[t.searchsorted(jumps)] = curve.curvature_at(jumps, left=True)
     if np.size(rest) > 1:
         rest = rod.rest_at(curve.arc_length(t))
     return Bends(np.abs(kappa - rest), t, curve)

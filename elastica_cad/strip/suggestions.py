@@ -382,15 +382,14 @@ def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
             yield Change("sheet", sheet.name)
 
 
-def _requests(
-    spec: StripSpec, change: Change, sheet_size: tuple[float, float] | None = None
-) -> Sequence[StripSpec]:
+def _requests(spec: StripSpec, change: Change, sheet_size: tuple[float, float] | None) -> Sequence[StripSpec]:
     match change.field, change.value:
         case "point", (index, place):
             points = spec.curve.control_points.copy()
             points[index] = place
-            moved = spec.curve.with_control_points(points)
-            return [spec.changed(curve=moved.drawn_as(spec.curve.provenance))]
+            return [
+                spec.changed(curve=spec.curve.with_control_points(points).drawn_as(spec.curve.provenance))
+            ]
         case "size", scale:
             shop = spec.shop if sheet_size is None else replace(spec.shop, stock=sheet_size)
             return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])), shop=shop)]

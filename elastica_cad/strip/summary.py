@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad.errors import ElasticaError
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import angle_of, norm
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import (
@@ -367,8 +367,8 @@ def farthest_move(design: Rod, bent: Rod) -> tuple[float, float, Refusal]:
     """Return the largest movement of a point of a bent rod, mm, the point's arc length, mm, and its direction."""
     moves = bent.position - design.position
     sizes = norm(moves)
-    k = int(sizes.argmax())
-    direction = direction_in_drawing(float(np.degrees(np.arctan2(*moves[k][::-1]))))
+    k = sizes.argmax()
+    direction = direction_in_drawing(float(np.degrees(angle_of(moves[k]))))
     return float(sizes[k]), float(design.s[k]), direction
 
 
@@ -469,7 +469,7 @@ def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
             start=Length(action.s[0]), end=Length(action.s[1]), force=force,
             length=Length(action.distance_on(rod.curve)),
         )  # fmt: skip
-    angle = float(np.degrees(np.arctan2(*action.force[0][::-1])))
+    angle = float(np.degrees(angle_of(action.force[0])))
     if isinstance(action.element, Rail):
         return note(
             "rail {at:.0f} from the start pushes the strip {direction} with {force:.2g}",

@@ -12,7 +12,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.form_finding.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
-from elastica_cad.geometry.plane_points import left_of, unit_vectors
+from elastica_cad.geometry.plane_points import left_of, rotated, unit_vectors
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import FieldName, Length, note
@@ -126,9 +126,7 @@ class TabSeat:
 
         The centre of rotation is the end of the bent part.
         """
-        cos, sin = np.cos(turn), np.sin(turn)
-        rotation = np.array([[cos, sin], [-sin, cos]])
-        left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
+        left, right = (rotated(side, turn) + np.array([0.0, shift]) for side in (self.left, self.right))
         return replace(self, left=left, right=right)
 
     def loosened(self, room: float) -> "TabSeat":
@@ -180,9 +178,8 @@ class TabSeat:
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
-        least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
         # the tab might fit again at larger angles, but it stops at the first contact
-        room = most - least
+        room = most - (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
             return float(STEEPEST_RAD)
@@ -443,8 +440,8 @@ class _ContactProblem:
 
     def bent(self, q: FloatArray, near: Rod) -> Rod:
         design = self.design
-        places = [design.position[0], design.position[-1]]
-        angles = [float(design.angle[0]), float(design.angle[-1])]
+        places = [*design.position[[0, -1]]]
+        angles = design.angle[[0, -1]].tolist()
         for seated_end, part in self.parts(q):
             shift, turn = self.pose(part)
             places[seated_end.index] = places[seated_end.index] + shift * seated_end.left(design)
@@ -515,7 +512,7 @@ def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
 def _made_definite(stiffness: FloatArray) -> FloatArray:
     values, vectors = np.linalg.eigh(stiffness)
     values = np.maximum(np.abs(values), LEAST_EIGENVALUE_FRACTION * np.abs(values).max())
-    return np.asarray(vectors @ np.diag(values) @ vectors.T)
+    return np.asarray(vectors * values @ vectors.T)
 
 
 SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
@@ -561,7 +558,7 @@ class Lean:
         """
         (into, left), (slopes, places, bent) = wall.T, self.resting
         gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
-        nearest = int(np.abs(gaps).argmin())
+        nearest = np.abs(gaps).argmin()
         place = float(into[nearest])
         slope = float(slopes[np.clip(int(place / self.piece), 0, slopes.size - 1)])
         return place, slope, float(abs(gaps[nearest]))
@@ -575,7 +572,7 @@ class Lean:
     def resting(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Slopes (k,) of the pieces of the resting tab, and `into` and `left` (k + 1,), mm, of their ends."""
         slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a piece of slope 0
-        bent = np.append(0.0, np.cumsum(slopes)) * self.piece
+        bent = np.append(0.0, slopes.cumsum()) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
 
 

@@ -82,15 +82,14 @@ def places_of_ends(strip: Strip, *, bent: bool) -> tuple[FloatArray, FloatArray]
 
 
 def _flat_face(size: Profile, side: int) -> PlaneCurve:
-    points = np.column_stack([size.greville, side * size.coefficients / 2])
-    return PlaneCurve(size.knots, points, size.degree)
+    return PlaneCurve(size.knots, np.column_stack([size.greville, side * size.coefficients / 2]), size.degree)
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
-        at = float(strip.rod.s[int(tight.argmax())])
+        at = float(strip.rod.s[tight.argmax()])
         raise InputError(
             "{at:.4g} from its start the strip bends to a radius below half its thickness: draw a gentler "
             "curve, or allow less thickness",
@@ -98,7 +97,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
         )
 
     def face(s: FloatArray) -> FloatArray:
-        nodes = curve.at(np.clip(s, 0.0, curve.length))
+        nodes = curve.at(s.clip(0.0, curve.length))
         return nodes.position + side * size(s)[:, None] / 2 * left_of(unit_vectors(nodes.angle))
 
     breaks = [*size.breaks, *((place.s, max(place.continuity - 1, 0)) for place in curve.breaks)]
@@ -154,7 +153,7 @@ class RoundSolid:
         """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm."""
         length, size = self.strip.rod.length, self.strip.layout.size
         assert size is not None
-        within = np.clip(s, 0.0, length)
+        within = s.clip(0.0, length)
         if self.bent:
             curve = self.strip.rod.curve
             nodes = curve.at(within / length * curve.length)
@@ -254,8 +253,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return knots over 0..1 and coefficients of splines that approximate cosine and sine over half a turn."""
     from scipy.interpolate import make_lsq_spline
 
-    inner = np.linspace(0.0, 1.0, HALF_TURN_SPANS + 1)
-    knots = np.pad(inner, DEGREE, mode="edge")
+    knots = np.pad(np.linspace(0.0, 1.0, HALF_TURN_SPANS + 1), DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
     weights[[0, -1]] = 1e6  # large weights, because both halves of the cross section must meet exactly

@@ -251,7 +251,7 @@ class Travel:
         falls = dot(gains, steps) < -even
         if self.snaps_at is not None:
             falls &= self.travel[1:] <= self.snaps_at
-        return float(self.travel[int(np.argmax(falls))]) if falls.any() else None
+        return float(self.travel[falls.argmax()]) if falls.any() else None
 
     @cached_property
     def _at_rest(self) -> Rod:
@@ -374,15 +374,13 @@ def bend_strip(
         strain=strain,
         stress=strain * [layer.sheet.youngs_modulus for layer in layers],
         safety=safety,
-        verdicts=tuple(stability(rod) for rod in rods),
+        verdicts=tuple(map(stability, rods)),
         sideways=tuple(strip_sideways(rod, strip.layout) for rod in rods),
     )  # fmt: skip
 
 
 def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    first = end[0] if len(end) > 1 else first_direction
-    before = np.concatenate([[first], end[:-1]])
-    after = np.concatenate([end[1:], end[-1:]])
-    steps = after - before
+    before = np.concatenate([[end[0] if len(end) > 1 else first_direction], end[:-1]])
+    steps = np.concatenate([end[1:], end[-1:]]) - before
     size = norm(steps)[:, None]
     return np.asarray(np.divide(steps, size, out=np.zeros_like(steps), where=size > 0))

@@ -251,7 +251,7 @@ def _widths_across(
         facing = np.flatnonzero(ahead & (width < (1 - 1e-9) * least))
         narrowest = facing[_narrowest(i[facing], width[facing])]
         pairs.append((i[narrowest], j[narrowest], width[narrowest]))
-    i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
+    i, j, width = map(np.concatenate, zip(*pairs, strict=True))
     i, j = np.minimum(i, j), np.maximum(i, j)
     once = _narrowest(i * len(points) + j, width)
     return i[once], j[once], width[once]
@@ -262,7 +262,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     cells = (middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)
     row, column = cells.astype(np.int64).T
     kept = np.sort(_narrowest(row * 2**31 + column, width))
-    order = kept[np.argsort(width[kept], kind="stable")]
+    order = kept[width[kept].argsort(kind="stable")]
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
     thinnest, known = ranks.copy(), None  # for each place, rank of the narrowest place found nearby so far
@@ -291,7 +291,7 @@ class _Chords:
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
-        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+        loop = np.arange(len(lines)).repeat([len(line) for line in lines])
         chords = cls(np.concatenate(lines) + vectors / 2, vectors, loop)
         return chords.at(np.flatnonzero(chords.length))
 
@@ -308,8 +308,8 @@ class _Chords:
 
     def divided(self, longest: float) -> "_Chords":
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
-        count = np.repeat(parts, parts)[:, None]
-        whole = self.at(np.repeat(np.arange(parts.size), parts))
+        count = parts.repeat(parts)[:, None]
+        whole = self.at(np.arange(parts.size).repeat(parts))
         place = (numbers_in_groups(parts)[:, None] + 0.5) / count - 0.5
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
@@ -536,7 +536,7 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
     if any(tab != tab.plain for tab in strip.ends):
         return False
     # no spline is steeper than its control polygon
-    rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
+    rises, runs = np.abs(np.diff(width.coefficients)), np.diff(width.greville)
     return min(width.extremes[0], strip.rod.length) >= least and bool(
         (rises < STEEPEST_WIDTH_SLOPE * runs).all()
     )
@@ -545,8 +545,8 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # ligaments have another limit: see `find_strip_faults`
+    # ligaments have another limit: see `find_strip_faults`
+    holes = layer.holes if strip.layout.pattern is None else ()
     places = find_thin_places([layer.outline], holes, least)
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
@@ -555,7 +555,7 @@ def _thin_strip(
         if slots[1:]:
             apart = note(
                 "Move the slots at {places} apart",
-                places=Listed(Length(at) for at in sorted(slot.at for slot in slots)),
+                places=Listed(map(Length, sorted(slot.at for slot in slots))),
             )
             yield from _faults_at(name, [place], least, layer.sheet, apart, strip=strip)
             continue
@@ -613,8 +613,7 @@ def _suggestions_for_necks(
             width=Length(wider[0].value),
         )
     smoothing = note("or smooth the points of the curve more ({field})", field=FieldName("smooth"))
-    more = [smoothing] if noisy else []
-    return sentences([cure, *more], ", "), (*wider, *nearest)
+    return sentences([cure, *([smoothing] if noisy else [])], ", "), (*wider, *nearest)
 
 
 def change_to_nearest(rod: Rod) -> tuple[Change, ...]:
@@ -622,8 +621,7 @@ def change_to_nearest(rod: Rod) -> tuple[Change, ...]:
 
     The result is empty for a rod with rails, pins, ties or masses, because `nearest_rod` does not support them.
     """
-    masses = rod.weight is not None and rod.weight.masses
-    return () if rod.acting or masses else (Change("nearest", True),)
+    return () if rod.acting or (rod.weight is not None and rod.weight.masses) else (Change("nearest", True),)
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
@@ -670,8 +668,7 @@ def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: fl
         larger = note(
             "Make the tab {width} wide and {length} long", width=Length(width), length=Length(length)
         )
-    cures = [larger, smaller] if room > 0 else [larger]
-    return Fault(name, what, sentences(cures, note(", or ")))
+    return Fault(name, what, sentences([larger, smaller] if room > 0 else [larger], note(", or ")))
 
 
 def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
