@@ -277,7 +277,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     }
     small, drawings = [], []
     for piece in pieces:
-        if np.all(np.sort(piece.size) + 2 * margin <= size):
+        if (np.sort(piece.size) + 2 * margin <= size).all():
             # paper has no grain, so parts may be rotated
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:

@@ -102,14 +102,17 @@ class StripResult:
         if not strip.is_closed:
             template = holding_template(strip)
             files += self._drawn("holding", template, request, pdf=bool(request.paper) or looked_at)
+        printed = self.patterns[0]
         if strip.layout.size is not None:
             from elastica_cad.model.batten import bench_csv, bench_drawing
 
+            side = bench_drawing(strip)
             files.append(text_file(f"{name}-bench.csv", bench_csv(strip), "bench csv"))
-            files += self._drawn("side", bench_drawing(strip), request, pdf=pictures or looked_at)
+            files += self._drawn("side", side, request, pdf=pictures or looked_at)
+            printed = replace(side, name=name) if strip.layout.stack else printed
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
-            "pdf": (request.paper, partial(self._write_template, request)),
+            "pdf": (request.paper, partial(_write_drawing, printed, "pdf", request)),
             "step": (request.step and not step_trouble(), self._write_step),
             "stl": (request.stl, self._write_stl),
             "glb": (request.glb, self._write_glb),
@@ -169,13 +172,6 @@ class StripResult:
 
         target = None if self.near is None else self.near.target
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
-
-    def _write_template(self, request: StripFiles, path: Path) -> None:
-        """Write the pattern of the base or, for a stack of plies, the side view as pages to print."""
-        from elastica_cad.model.batten import bench_drawing
-
-        drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
-        _write_drawing(replace(drawing, name=self.name), "pdf", request, path)
 
     def _write_stl(self, path: Path) -> None:
         from elastica_cad.strip.solids import BentSolid

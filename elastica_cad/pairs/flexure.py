@@ -33,7 +33,14 @@ from elastica_cad.errors import (
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import dot, left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import (
+    angle_of,
+    dot,
+    left_of,
+    lengths_along,
+    norm,
+    unit_vectors,
+)
 from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
@@ -46,7 +53,7 @@ from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_s
 from elastica_cad.pairs.two_state_rods import TwoStateRod
 from elastica_cad.refusals import FieldName, Force, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.strip.drawing import Drawing, cut_paths
 from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.lettering import (
     LEAST_LABEL_MM,
@@ -319,7 +326,7 @@ class Flexure:
                 bends, stretch = self._shapes_at(scale)
             except NotConvergedError:
                 break  # `warnings` reports the missing path
-            if float(self._strains(bends, stretch, scale).max()) <= enough:
+            if self._strains(bends, stretch, scale).max() <= enough:
                 break
             scale = min(scale, self._thickest(bends, stretch / scale**2, reduced))
         return scale
@@ -337,7 +344,7 @@ class Flexure:
         else:
             rods = self._rods_with_moved_end
             shapes.append((self._bends_of(rods), scale**2 * self._pull_of(rods)))
-        bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
+        bends, stretch = map(np.vstack, zip(*shapes, strict=True))
         return bends, stretch
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
@@ -357,7 +364,7 @@ class Flexure:
 
     def thickness_at(self, s: FloatArray) -> FloatArray:
         """Return the thickness in the plane (n,), mm, at arc lengths (n,), mm; it is constant beyond the ends."""
-        inside = np.clip(numbers(s, "the arc lengths"), 0.0, self.pair.length)
+        inside = numbers(s, "the arc lengths").clip(0.0, self.pair.length)
         return np.asarray(self.scale * self.pair.first.profile(inside) ** (1 / 3))
 
     @property
@@ -378,8 +385,7 @@ class Flexure:
             inside = np.abs(s - s[end]) <= self.fillet - _overhang(float(h[end]), self.fillet)
             root = np.flatnonzero(inside)[-1 - end]
             bending, axial = root_factors(max(self.fillet, SHARP_MM) / float(h[root]))
-            worst = bending * bent[..., root] + axial * np.abs(stretch[..., root])
-            strains[..., inside] = worst[..., None]
+            strains[..., inside] = (bending * bent[..., root] + axial * np.abs(stretch[..., root]))[..., None]
         return strains
 
     def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
@@ -483,8 +489,7 @@ class Flexure:
         def side(side_sign: int) -> PlaneCurve:
             def points(s: FloatArray) -> FloatArray:
                 position, angle = line.at(s)
-                half = side_sign * self.thickness_at(s)[:, None] / 2
-                return position + half * left_of(unit_vectors(angle))
+                return position + side_sign * self.thickness_at(s)[:, None] / 2 * left_of(unit_vectors(angle))
 
             breaks = [(place, 1) for place in (0.0, self.pair.length) if low < place < high]
             knots, rows = adaptive_spline(points, (low, high), degree=3, tolerance=SIDE_MM, breaks=breaks)
@@ -553,18 +558,14 @@ class Flexure:
 
     def drawing(self) -> Drawing:
         """Return the cutting drawing of the unloaded part."""
-        paths = [LayeredPath(CUT_INNER, hole) for hole in self.holes]
-        return Drawing(
-            self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), self._label_texts
-        )
+        return Drawing(self.label or "flexure", cut_paths(self.outline, self.holes), self._label_texts)
 
     @property
     def _label_texts(self) -> tuple[Text, ...]:
         near, far = self.hole_places(self.centre)[0]
-        along, across = float(np.hypot(*(far - near))) - self.pad.hole - 2, self.pad_width - 2
+        along, across = float(norm(far - near)) - self.pad.hole - 2, self.pad_width - 2
         x, y = ((near + far) / 2).tolist()
-        right, up = (near - far).tolist()  # from the tip of the pad to the strip
-        angle = float(np.arctan2(up, right))
+        angle = float(angle_of(near - far))  # from the tip of the pad to the strip
         label = self._engraved[self.label]
         texts = (
             fit_label(label, (x, y), angle=angle, room=along, across=across),
@@ -582,7 +583,7 @@ class Flexure:
         settings = [] if self.pair.bistable else [group[1] for group in places]
         distinct = _distinct(np.concatenate([*places[0], *settings[1:]]))
         apart = min(
-            (float(np.hypot(*(a - b))) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
+            (float(norm(a - b)) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
         )
         least, spacing = self.pad.hole + self.sheet.thickness / 2, self.pad.length - 2 * self.pad.inset
         if spacing < least:
@@ -611,9 +612,9 @@ class Flexure:
         low, high = (f([f(distinct, axis=0) + side * margin, *(f(box, axis=0) for box in boxes)], axis=0)
                      for f, side in ((np.min, -1), (np.max, 1)))  # fmt: skip
         plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
-        holes = [LayeredPath(CUT_INNER, Path.circle(place, self.pad.hole / 2)) for place in distinct]
+        holes = [Path.circle(place, self.pad.hole / 2) for place in distinct]
         name = f"{self.label or 'flexure'}-holder"
-        return Drawing(name, (*holes, LayeredPath(CUT_OUTER, plate)), tuple(texts))
+        return Drawing(name, cut_paths(plate, holes), tuple(texts))
 
     @property
     def holder_solid(self) -> FlatSolid:
@@ -662,9 +663,9 @@ class Flexure:
         first, second = self.rods
         distances = second.position - first.position
         sizes = norm(distances)
-        i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
+        i = np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin()
         if self.push_at is None and sizes[i] < FAR_SHARE * sizes.max():
-            i = int(sizes.argmax())
+            i = sizes.argmax()
         return float(first.s[i]), distances[i]
 
     @cached_property
@@ -675,10 +676,10 @@ class Flexure:
         direction.
         """
         if self.pair.bistable:
-            x, y = self.pushed[1]
+            force = self.pushed[1]
         else:
-            x, y = -self._rods_with_moved_end[int(self.travel.force.argmax())].force[-1]
-        return float(np.degrees(np.arctan2(y, x)))
+            force = -self._rods_with_moved_end[int(self.travel.force.argmax())].force[-1]
+        return float(np.degrees(angle_of(force)))
 
     @cached_property
     def travel(self) -> FlexureTravel:
@@ -734,8 +735,7 @@ class Flexure:
         the direction of the force and the moment on the moved end are also included.
         """
         travel = self.travel
-        name = "travel_mm" if travel.unit == "mm" else "turn_deg"
-        columns = {name: travel.travel, "force_N": travel.force}
+        columns = {"travel_mm" if travel.unit == "mm" else "turn_deg": travel.travel, "force_N": travel.force}
         if travel.direction is not None and travel.moment is not None:
             columns |= {"direction_deg": travel.direction, "moment_Nmm": travel.moment}
         return csv_text(columns | {"energy_Nmm": travel.energy, "largest_strain": travel.strain})
@@ -761,7 +761,7 @@ class Flexure:
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
-        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(norm(push)))]
         return push_path(start, at, push, np.unique(travel), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
@@ -784,7 +784,7 @@ class Flexure:
         snaps = [percent for rod in rods if (percent := snap_percent(rod)) is not None]
         if not snaps:
             return rods
-        near = np.clip(snaps[0] / 100 + np.array([-SNAP_SHARE, SNAP_SHARE]), 0.0, 1.0)
+        near = (snaps[0] / 100 + np.array([-SNAP_SHARE, SNAP_SHARE])).clip(0.0, 1.0)
         return self._moved_end(np.union1d(shares, near))
 
     def _moved_end(self, shares: FloatArray) -> Sequence[Rod]:
@@ -801,7 +801,7 @@ class Flexure:
         rods, B = self._rods_with_moved_end, self.bending_stiffness
         energy = B * np.array([rod.bending_energy for rod in rods])
         pulls = -B * np.array([rod.force[-1] for rod in rods])
-        force, direction = norm(pulls), np.degrees(np.arctan2(pulls[:, 1], pulls[:, 0]))
+        force, direction = norm(pulls), np.degrees(angle_of(pulls))
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
         movement = Movement.of(rods)
         travel = np.degrees(movement.turn) if movement.is_turn else movement.travel
@@ -842,10 +842,10 @@ class Flexure:
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
         """Return the centre line through the nodes (n, 2), mm, of a bent shape from `travel` or `rests`."""
-        steps = np.append(0.0, np.cumsum(norm(np.diff(positions, axis=0))))
+        steps = lengths_along(positions)
         s = steps * self.pair.length / steps[-1]
         along = np.gradient(positions, s, axis=0, edge_order=2)
-        return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
+        return CentreLine(s, np.unwrap(angle_of(along)), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
@@ -862,8 +862,7 @@ class Flexure:
                 share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
         worst = max(self.strain)
-        verdict = judge_strain(self.sheet, worst)
-        if verdict.refused:
+        if judge_strain(self.sheet, worst).refused:
             reached, limit = distinct_digits(100 * worst, 100 * self.sheet.max_strain, ".2g")
             yield StrainError(
                 "the part breaks, because its strain is {worst:g} % and {sheet} allows {most:g} %: make "
@@ -946,7 +945,7 @@ class Flexure:
                          "near one curve only ({name}). Make the part thinner ({field}), or bend the "
                          "curves more",
                          severity="warning", field=FieldName("least_thickness"),
-                         name=self.state_labels[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
+                         name=self.state_labels[np.argmin(self.rest_deviations)]),)  # fmt: skip
         messages = []
         for name, deviation, stays in zip(
             self.state_labels, self.rest_deviations, self.pair.stability, strict=True
@@ -1058,11 +1057,11 @@ def curved_beam_factor(share: FloatArray) -> FloatArray:
     kappa_0 the natural curvature. `share` (n,) is h |kappa_0|. The factor of Winkler's theory is
     about 1 + share / 3.
     """
-    x = np.clip(share, 1e-3, 1.8)
+    x = share.clip(1e-3, 1.8)
     inner = 1 - x / 2
     neutral = x / np.log((1 + x / 2) / inner)
     factor = x * (neutral - inner) / (6 * (1 - neutral) * inner)
-    return np.asarray(np.where(share < 1e-3, 1 + share / 3, factor))
+    return np.where(share < 1e-3, 1 + share / 3, factor)
 
 
 @dataclass(frozen=True, eq=False)
@@ -1097,7 +1096,7 @@ class CentreLine:
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return positions (n, 2), mm, and angles (n,), rad, at arc lengths s, mm; straight beyond the ends."""
-        inside = np.clip(s, self.s[0], self.s[-1])
+        inside = s.clip(self.s[0], self.s[-1])
         place, zero = self._place
         angle = self._turn(inside)
         return self.start + place(inside) - zero + (s - inside)[:, None] * unit_vectors(angle), angle
@@ -1114,7 +1113,7 @@ def _free_place(
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[norm(steps).argsort(kind="stable")]
     apart = np.maximum(np.abs(centres[:, None] - holes) - half, 0.0)
-    clear = np.all(norm(apart) > radius, axis=1)
+    clear = (norm(apart) > radius).all(axis=1)
     for low, high in boxes:
         clear &= np.any((centres + half < low) | (centres - half > high), axis=1)
     return np.asarray(centres[clear][0])
@@ -1123,6 +1122,6 @@ def _free_place(
 def _distinct(places: FloatArray) -> list[FloatArray]:
     distinct: list[FloatArray] = []
     for place in places:
-        if all(np.hypot(*(place - other)) > 0.01 for other in distinct):
+        if all(norm(place - other) > 0.01 for other in distinct):
             distinct.append(place)
     return distinct

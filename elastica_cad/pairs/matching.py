@@ -80,7 +80,7 @@ def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCu
     for curve in (first, first.reversed()):
         for other in (second, second.reversed()):
             candidates = _Drawn.of(curve), _Drawn.of(other)
-            apart = float(np.hypot(*(candidates[0].clamps[0] - candidates[1].clamps[0])))
+            apart = norm(candidates[0].clamps[0] - candidates[1].clamps[0])
             if apart <= ALIKE_SHARE * first.length or _are_alike(*candidates):
                 return curve, other
     return first, second
@@ -158,7 +158,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
     `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional.
     """
     size = max(first.curve.length, second.curve.length)
-    apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
+    apart, angles, other_angles = norm(first.chord - second.chord), first.clamps[2], second.clamps[2]
     return bool(
         apart <= share * size and np.abs(angles - other_angles).max() <= ALIKE_RAD / ALIKE_SHARE * share
     )

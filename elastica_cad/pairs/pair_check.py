@@ -20,7 +20,7 @@ from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, InputError
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
-from elastica_cad.geometry.plane_points import left_of, unit_vectors
+from elastica_cad.geometry.plane_points import left_of, norm, unit_vectors
 from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
 from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature
 from elastica_cad.mechanics.moment_conditions import (
@@ -119,7 +119,7 @@ def examine_pair(
         bistable=_have_same_clamps(first, second),
     )  # fmt: skip
     largest = float(np.abs(difference.survey).max())
-    if largest <= CONGRUENT_SHARE * float(np.abs(first.survey.curvature).max(initial=1 / first.length)):
+    if largest <= CONGRUENT_SHARE * np.abs(first.survey.curvature).max(initial=1 / first.length):
         return replace(check, any_stiffness=True), None, None
     crossings = difference.zeros
     flats = tuple((z.s, z.s_end) for z in crossings if _is_stretch(first, z))
@@ -166,10 +166,8 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
-    return bool(
-        np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
-    )
+    (chord, turn), (other, other_turn) = map(_clamps_of, (first, second))
+    return bool(norm(chord - other) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS)
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
@@ -206,7 +204,7 @@ def _with_orders(
         if before and order == before.order == 1 and before.before:
             middle = (before.s + z.s) / 2
             t = float(curve.parameter(middle))
-            if abs(float(difference.at(t))) <= FAINT_SHARE * largest:
+            if abs(difference.at(t)) <= FAINT_SHARE * largest:
                 zeros[-1] = PairZero(middle, t, 2, before.before, z.after)
                 continue
         s = (z.s + z.s_end) / 2
@@ -227,7 +225,7 @@ def _with_orders(
 def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
     curve = difference.curve
     t = curve.domain[int(s > 0)]
-    slope = float(difference.slope_at(t, left=s > 0))
+    slope = difference.slope_at(t, left=s > 0)
     beside = float(difference.at(curve.parameter(abs(s - BESIDE_SHARE * curve.length))))
     sign = int(np.sign(beside))
     order = 2 if abs(slope) * curve.length <= GENTLE_SHARE * largest else 1
@@ -326,10 +324,10 @@ class PairedPanels:
             natural_curvature=difference.rest, orders=[z.order for z in zeros],
         )  # fmt: skip
         stretch = panels.stretch[..., None]
-        s = np.clip(panels.s, 0.0, second.length)
+        s = panels.s.clip(0.0, second.length)
         tangent = second.evaluate(second.parameter(s), 1)
         along = tangent / np.hypot(tangent[..., :1], tangent[..., 1:]) * stretch
-        edge = second.evaluate(second.parameter(np.clip(panels.edge_s, 0.0, second.length)))
+        edge = second.evaluate(second.parameter(panels.edge_s.clip(0.0, second.length)))
         from_left = (panels.from_left, in_panels(LEFT, along))
         from_right = (panels.from_right, -in_panels(RIGHT, along))
         edges = [(x - x[len(x) // 2]) / size for x in (panels.edge_position, edge)]
@@ -345,8 +343,9 @@ class PairedPanels:
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
-        steps = zip(from_left, from_right, strict=True)
-        step = [np.where(left[:, None, None], a, b) / size for a, b in steps]
+        step = [
+            np.where(left[:, None, None], a, b) / size for a, b in zip(from_left, from_right, strict=True)
+        ]
         far = np.where(left[:, None], panels.stretch @ LEFT.T, -(panels.stretch @ RIGHT.T)) / size
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
@@ -398,9 +397,7 @@ class PairedPanels:
     @cached_property
     def rank(self) -> int:
         """Dimension of the space of moment differences: five, or three for congruent or mirrored curves."""
-        return int(
-            np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
-        )
+        return int(np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(len(self._difference))))
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:

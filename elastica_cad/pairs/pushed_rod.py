@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_points import left_of, norm, turn_between, unit_vectors
+from elastica_cad.geometry.plane_points import left_of, norm, turn_between, unit, unit_vectors
 from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
@@ -120,7 +120,7 @@ class PushPath:
         gone = np.flatnonzero((self.force[1:] <= 0) & (self.force[:-1] > 0))
         if not gone.size:
             return None
-        i = int(gone[0])
+        i = gone[0]
         share = self.force[i] / (self.force[i] - self.force[i + 1])
         return float(self.travel[i] + share * (self.travel[i + 1] - self.travel[i]))
 
@@ -177,7 +177,7 @@ def push_path(
     away = pair(direction, "the direction of the push")
     if not away.any():
         raise InputError(f"the direction of the push is {direction!r}: give two numbers, not both 0")
-    away = away / np.hypot(*away)
+    away = unit(away)
     chain = _Chain.of(rod, at, np.array([away, left_of(away)]), thickness)
     x = chain.settled(chain.start)
     free = x[chain.pushed, 0]
@@ -187,7 +187,7 @@ def push_path(
         x = chain.settled(chain.led(x, free + u - x[chain.pushed, 0]), held=True)
         push = chain.gradient(x)[chain.pushed, 0]
         states.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
-    force, energy, position, bend, stretch = (np.array(column) for column in zip(*states, strict=True))
+    force, energy, position, bend, stretch = map(np.array, zip(*states, strict=True))
     released = chain.placed(chain.settled(x))
     return PushPath(steps, force, energy, position, bend, stretch, released, chain.s, at, away)
 
@@ -379,8 +379,7 @@ class _Chain:
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
                     # near rest, rounding errors hide the decrease of the energy
-                    promised = float(-slope.ravel() @ step)
-                    if energy <= here or promised <= ROUNDING * abs(here):
+                    if energy <= here or -slope.ravel() @ step <= ROUNDING * abs(here):
                         x, here = there, energy
                         damping = damping / DAMPING_STEP if damping > LEAST_DAMPING else 0.0
                         break

@@ -364,8 +364,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     from scipy.optimize import linprog
 
     panels, size, basis = paired.panels, paired.check.length, paired.solutions
-    s = np.linspace(0.0, size, THICKNESS_SAMPLES)
-    place = panels.locate(paired.check.first.parameter(s))
+    place = panels.locate(paired.check.first.parameter(np.linspace(0.0, size, THICKNESS_SAMPLES)))
 
     def rows_of(values: FloatArray) -> FloatArray:
         return PanelFunction.through(values @ basis).at(*place)

@@ -15,7 +15,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted, is_one_of
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.plane_points import angle_of, box_about, norm
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
 from elastica_cad.model.assembly import (
@@ -505,15 +505,14 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
     rows = [[_padded(row[k]) for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
     widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
     while sum(widths) > most:
-        widths[int(np.argmax(widths))] -= 1
+        widths[np.argmax(widths)] -= 1
     starts = [0, *accumulate(widths[:-1])]
     lines = []
     for row in rows:
         cells = [wrap(cell, width - GAP_LETTERS) for cell, width in zip(row, widths, strict=True)]
         wrapped = zip_longest(*cells, fillvalue="")
         lines.append([Line([*zip(starts, texts, strict=True)]) for texts in wrapped])
-    titles = wrap(_padded(table.title), most)
-    heads = [Line([(0, text)], "bold") for text in titles]
+    heads = [Line([(0, text)], "bold") for text in wrap(_padded(table.title), most)]
     if table.head:
         heads += [Line(line.cells, "bold") for line in lines.pop(0)]
     return heads, [line for row in lines for line in row]
@@ -620,7 +619,7 @@ class View:
             names.setdefault(holder.name, _plate_label(holder.name, loops[0][0] + shift))
             for slot in () if isinstance(holder, Rib) else holder.slots:
                 if slot.tab is not None:
-                    targets[slot.tab.key] = holder.frame.point([*slot.corners.mean(axis=0), 0.0]) + shift
+                    targets[slot.tab.key] = holder.frame.point(slot.corners.mean(axis=0)) + shift
         ends, tabs = place_tabs(moved), place_tabs(model.placed)
         leads = {
             k: np.array([end.tip, targets[tab.key]])
@@ -643,7 +642,7 @@ class View:
                 labels.append(
                     Label(f"{times}{part.name}:{k + 1}", line[0] + LABEL_AT[:, None] * (line[1] - line[0]))
                 )
-        patches, colors = (np.concatenate(arrays) for arrays in zip(*painted, strict=True))
+        patches, colors = map(np.concatenate, zip(*painted, strict=True))
         assembled = assembled_box(assembled_strips, holders)
         shown_box = box_about(np.concatenate([patches.reshape(-1, 3), *(loop for loop, _, _ in outlines)]))
         size, corner = np.ptp(assembled, axis=0), shown_box[0]
@@ -684,8 +683,7 @@ class View:
         depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
         # paint from far to near, and draw runs of patches at once, which is much faster
         order = np.argsort(depths, kind="stable")
-        whole = order >= len(self.patches)
-        for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
+        for run in np.split(order, np.flatnonzero(np.diff(order >= len(self.patches))) + 1):
             if run[0] < len(self.patches):
                 paint_patches(axes, self.patches[run] @ to_points, self.colors[run], rasterized=True)
                 continue
@@ -722,10 +720,10 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
     axes.annotate("", line[0], line[1], arrowprops=arrow)
     turned = abs(way[1]) > abs(way[0])
     # if a line is too short for its text, the text is beside the line
-    if np.hypot(*way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
+    if norm(way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
         center = center - LABEL_HIGH * np.array([turned, not turned])
     axes.text(*center, text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
-              rotation=np.degrees(np.arctan2(way[1], way[0])),
+              rotation=np.degrees(angle_of(way)),
               bbox={"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none"})  # fmt: skip
     half = np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
     half = half[::-1] if turned else half
@@ -747,8 +745,7 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
-        points = path.points(EDGE_MM)
-        loop = solid.frame.point(np.column_stack([points, np.full(len(points), solid.thickness)]))
+        loop = solid.frame.shifted(z=solid.thickness).point(path.points(EDGE_MM))
         if k == 0:
             depth = loop.mean(axis=0)
         yield loop, depth + 1e-6 * k * TOWARD, HOLE if k else PLATE

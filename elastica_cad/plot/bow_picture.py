@@ -6,7 +6,7 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_points import box_about, norm
 from elastica_cad.model.bows import Bow
 from elastica_cad.plot.canvas import INK, Figure, new_page
-from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, blend, finish_axes, numbered_panel
+from elastica_cad.plot.strip_pictures import FAINT, LINE, blend, finish_axes, numbered_panel
 from elastica_cad.strip.travel import Travel
 
 SAME_CORD_SHARE = 1e-6
@@ -27,7 +27,7 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
     low, high = box_about(np.concatenate([wish, rod.position, *(shape.position for shape in shorter.rods)]))
     size = np.maximum(high - low, 0.3 * np.max(high - low))
     figure, (axes,) = new_page([numbered_panel(size * (1.0, 1.1))])
-    cords, colors = norm(shorter.end), blend(FIRST, LAST, len(shorter.rods))
+    cords, colors = norm(shorter.end), blend(len(shorter.rods))
     lines = [
         axes.plot(*shape.position.T, color=color, linewidth=1.0, label=f"_{cord:.1f} mm")[0]
         for shape, cord, color in zip(shorter.rods, cords, colors, strict=True)

@@ -240,8 +240,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
     height = headed + sum(panel.above + panel.height + panel.below for panel in panels)
     figure = empty_figure((WIDTH_INCHES, height))
     if title:
-        top = 1 - TITLE_INCHES / height
-        figure.suptitle(title, y=top, va="top", fontsize=TITLE_POINTS, color=INK)
+        figure.suptitle(title, y=1 - TITLE_INCHES / height, va="top", fontsize=TITLE_POINTS, color=INK)
     stacked, low = [], height - headed
     for panel in panels:
         low -= panel.above + panel.height

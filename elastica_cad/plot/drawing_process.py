@@ -70,9 +70,8 @@ class DrawingProcess:
         """
         pictures = [file for file in files if file.name.endswith(PICTURES)]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
-        request = pickle.dumps((MADE_BY.get(), tasks))
         # use a thread, because the second process reads the request only after importing matplotlib
-        Thread(target=self._send, args=(request,), daemon=True).start()
+        Thread(target=self._send, args=(pickle.dumps((MADE_BY.get(), tasks)),), daemon=True).start()
         try:
             yield [
                 replace(file, write=partial(self._receive, file)) if file in pictures else file

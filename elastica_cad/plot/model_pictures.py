@@ -13,7 +13,14 @@ from elastica_cad._values import is_series, is_whole, numbers, require_number, s
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import box_about, numbers_in_groups, unit_vectors
+from elastica_cad.geometry.plane_points import (
+    at_sign_changes,
+    box_about,
+    midpoints,
+    norm,
+    numbers_in_groups,
+    unit_vectors,
+)
 from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Color, sheet_color
@@ -73,12 +80,12 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     cuts = np.unique(
         np.concatenate([left[:, 0], right[:, 0], stations[(stations > low) & (stations < high)]])
     )
-    cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
-    middles = (cuts[:-1] + cuts[1:]) / 2
+    cuts = cuts[np.append(True, np.diff(cuts) > APART_MM)]
+    middles = midpoints(cuts)
     # a slab is the area between neighbouring values of x, and a line crosses consecutive slabs
     first = np.searchsorted(middles, left[:, 0], side="right")
-    count = np.searchsorted(middles, right[:, 0], side="left") - first
-    line = np.repeat(np.arange(len(left)), count)
+    count = np.searchsorted(middles, right[:, 0]) - first
+    line = np.arange(len(left)).repeat(count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
     # in each slab, consecutive lines bound a part of the area from below and from above
@@ -89,7 +96,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     along = np.lexsort((slab, above, below))
     below, above, slab = below[along], above[along], slab[along]
     continues = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
-    begin = np.flatnonzero(np.concatenate([[True], ~continues]))
+    begin = np.flatnonzero(np.append(True, ~continues))
     end = np.append(begin[1:], len(slab)) - 1
     below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
     heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
@@ -136,16 +143,11 @@ def _patches(
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
     corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
-    parts = []
-    for z in (0.0, solid.thickness):
-        level = np.concatenate([corners, np.full((*corners.shape[:2], 1), z)], axis=2)
-        parts.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
+    faces = solid.frame, solid.frame.shifted(z=solid.thickness)
+    parts = [face.point(corners) for face in faces]
     for loop in loops:
         points = _fine_polygon(_polygon_of(loop, size), size)
-        under, over = (
-            solid.frame.point(np.column_stack([points, np.full(len(points), z)]))
-            for z in (0.0, solid.thickness)
-        )
+        under, over = (face.point(points) for face in faces)
         parts.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
     patches = np.concatenate(parts)
     return patches, np.tile(np.asarray(color, dtype=float), (len(patches), 1))
@@ -162,7 +164,7 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
     pieces = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
+        count = max(1, int(np.ceil(norm(b - a) / size)))
         pieces.append(a + (b - a) * (np.arange(count) / count)[:, None])
     return np.concatenate(pieces)
 
@@ -205,10 +207,7 @@ def assembled_box(strips: Sequence[tuple[Strip, FloatArray]], holders: Sequence[
     for holder in single_holders(holders):
         for solid in holder.solid.added if isinstance(holder, EndFixture) else (holder.solid,):
             points = solid.outline.points(EDGE_MM)
-            corners += [
-                solid.frame.point(np.column_stack([points, np.full(len(points), height)]))
-                for height in (0.0, solid.thickness)
-            ]
+            corners += [solid.frame.shifted(z=height).point(points) for height in (0.0, solid.thickness)]
     return box_about(np.concatenate(corners))
 
 
@@ -242,7 +241,7 @@ def model(
     strips = [rule_strip(placed, MODEL_RIM * size, faces) for placed in model.placed]
     holding = holder_patches(held_by, HOLDER_PATCH * size)
     painted = [*strips, *((part, lit(part) * color) for part, color in holding)]
-    patches, colors = (np.concatenate(part) for part in zip(*painted, strict=True))
+    patches, colors = map(np.concatenate, zip(*painted, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
@@ -409,8 +408,7 @@ def rule_strip(
     stations = [np.linspace(0.0, rod.length, STATIONS)]
     for face in faces:
         height = (placed.frame.point(_bent(rod, x)) - face.origin) @ face.z_axis
-        i = np.flatnonzero(height[:-1] * height[1:] < 0)
-        stations.append(x[i] - height[i] * (x[i + 1] - x[i]) / (height[i + 1] - height[i]))
+        stations.append(at_sign_changes(height, x))
     flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
     across = np.diff(flat[..., 1:], axis=-1)
     rim = np.minimum(min(RIM * (high - low), rim_most), across / 4)
@@ -426,4 +424,4 @@ def _bent(rod: Rod, x: FloatArray) -> FloatArray:
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])
-    return np.asarray(points + (x - inside)[..., None] * unit_vectors(angle))
+    return points + (x - inside)[..., None] * unit_vectors(angle)

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import unit_vectors
+from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
@@ -59,11 +59,10 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
         at, displacement = part.pushed
-        start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(np.hypot(*displacement))
+        start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(norm(displacement))
     else:
         start, size = travel.position[travel.force.argmax(), -1], part.pad.length
-    turn = np.radians(part.force_direction)
-    tip = start + size * unit_vectors(turn)
+    tip = start + size * unit_vectors(np.radians(part.force_direction))
     arrow = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
     bent.annotate("", xy=tip, xytext=start, arrowprops=arrow)
     bent.annotate(
@@ -81,8 +80,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     if travel.direction is None or travel.moment is None:
         label += f"; force at {part.force_direction:.0f}° to the x axis"
     else:
-        low, high = travel.moment.min(), travel.moment.max()
-        label += f"; moment on this end from {low:.2g} to {high:.2g} N mm"
+        moment = travel.moment
+        label += f"; moment on this end from {moment.min():.2g} to {moment.max():.2g} N mm"
         turns = np.unwrap(travel.direction, period=360)
         turns += 360 * np.round((part.force_direction - turns[travel.force.argmax()]) / 360)
         directions = push.twinx()

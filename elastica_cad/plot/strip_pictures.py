@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm
+from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm, unit
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
@@ -225,8 +225,7 @@ def _paint_bent(
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
     for k, side in enumerate([] if design else thrust_sides(rod, low, high)):
-        label = "_side" if k else "thrust line"
-        axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
+        axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label="_side" if k else "thrust line")
     _mark_stations(axes, rod)
     shown += _mark_loads(axes, rod, float(np.max(high - low)))
     # enlarge the axes of a nearly straight curve, so that their numbers can be read
@@ -303,7 +302,7 @@ def _stations_of(size: Profile) -> list[float]:
     s = np.linspace(0.0, length, 801)
     # round the widths, so that rounding errors do not choose between places of equal width
     w = np.round(size(s), 9)
-    candidates = [s[np.argmax(w)], s[np.argmin(w)], *(length * np.array([0.0, 1.0, 0.5, 0.25, 0.75]))]
+    candidates = [s[w.argmax()], s[w.argmin()], *(length * np.array([0.0, 1.0, 0.5, 0.25, 0.75]))]
     stations: list[float] = []
     for x in map(float, candidates):
         if all(abs(x - other) > 0.08 * length for other in stations):
@@ -316,7 +315,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
     Return None for a rod with weight, rails, pins, ties or point forces, or without a force at its start.
     """
-    size = float(np.linalg.norm(rod.force[0]))
+    size = float(norm(rod.force[0]))
     if rod.gravity is not None or rod.acting or size == 0.0:
         return None
     direction = rod.force[0] / size
@@ -374,7 +373,7 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
         loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
     for s, force, text in loads:
         head = np.array([np.interp(s, rod.s, axis) for axis in rod.position.T])
-        way = ARROW_SHARE * size * force / np.hypot(*force)
+        way = ARROW_SHARE * size * unit(force)
         arrow = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 1}
         axes.annotate("", tuple(head), tuple(head - way), arrowprops=arrow)
         places.append(head - 1.25 * way)
@@ -463,7 +462,7 @@ def travel(moved: Travel) -> Figure:
     if steps == 1:
         return rod(moved.rods[0], design=moved.strip.rod)
     figure, (above, below) = new_page([SHAPES, COSTS])
-    colors = blend(FIRST, LAST, steps)
+    colors = blend(steps)
     for k, shape in enumerate(moved.rods):
         color = colors[k] if moved.stable[k] else UNSTABLE
         above.plot(*shape.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
@@ -500,7 +499,7 @@ def travel(moved: Travel) -> Figure:
             )
     if below.get_legend_handles_labels()[0]:
         _paint_legend(below)
-    worst = int(np.argmin(moved.safety))
+    worst = moved.safety.argmin()
     text = (
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
         f"safety {number_text(moved.safety[worst], '.2g')}"
@@ -509,7 +508,7 @@ def travel(moved: Travel) -> Figure:
     return figure
 
 
-def blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
-    """Return `count` colours, evenly spaced from the first to the last colour."""
-    a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
+def blend(count: int) -> list[tuple[float, float, float]]:
+    """Return `count` colours, evenly spaced from `FIRST` to `LAST`."""
+    a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (FIRST, LAST))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

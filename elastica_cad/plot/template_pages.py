@@ -59,7 +59,7 @@ class Tiling:
     size: tuple[float, float]
 
 
-def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
+def _tile_drawing(drawing: Drawing, paper: str) -> Tiling:
     """Return the tiles that cover a drawing.
 
     Pages are upright or across, whichever needs fewer. Empty tiles are left out.
@@ -74,7 +74,7 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
     >>> from elastica_cad.strip.drawing import LayeredPath
     >>> from elastica_cad.geometry.path import Path
     >>> long = Drawing("long", [LayeredPath("CUT_OUTER", Path.rectangle(400, 20))])
-    >>> _tile_drawing(long).names
+    >>> _tile_drawing(long, "A4").names
     ('A1', 'B1')
     """
     require_record(drawing, Drawing, "what is printed", "a Drawing")
