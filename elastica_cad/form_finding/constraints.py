@@ -215,7 +215,7 @@ class Through(Constraint):
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]
         off = position[window] - self.target
-        nearest = int(window[np.argmin((off**2).sum(axis=1))])
+        nearest = int(window[(off**2).sum(axis=1).argmin()])
         first = int(np.clip(nearest - 1, 0, n - 3))
         nodes = slice(first, first + 4)
         off = position[nodes] - self.target

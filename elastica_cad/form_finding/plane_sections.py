@@ -58,7 +58,7 @@ class Mesh:
         points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
         rows = _with_merged_cracks(points, index.reshape(-1)[rows])
         a, b, c = points[rows].swapaxes(0, 1)
-        keep = np.cross(b - a, c - a).any(axis=1) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
+        keep = np.cross(b - a, c - a).any(axis=1) & (rows != np.roll(rows, 1, axis=1)).all(axis=1)
         reports = _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
         remaining = rows[keep]
         _, first = np.unique(np.sort(remaining, axis=1), axis=0, return_index=True)
@@ -104,7 +104,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
             "the triangles of the mesh are not rows of whole numbers: give the indices of three vertices, "
             "from 0, in each row"
         )
-    if not np.all(np.isfinite(points)):
+    if not np.isfinite(points).all():
         bad = int(np.isfinite(points).all(axis=1).argmin())
         raise InputError(f"vertex {bad} of the mesh is {points[bad].tolist()}: give finite coordinates")
     largest = float(np.abs(points).max())
@@ -303,7 +303,7 @@ def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray
     if not len(faces):
         return []
     corner = above[faces]
-    alone = np.argmax(corner == (corner.sum(axis=1) == 1)[:, None], axis=1)
+    alone = (corner == (corner.sum(axis=1) == 1)[:, None]).argmax(axis=1)
     rows = np.arange(len(faces))
     tip = faces[rows, alone]
     edges = np.stack([np.sort([tip, faces[rows, (alone + k) % 3]], axis=0).T for k in (1, 2)], axis=1)

@@ -61,7 +61,7 @@ class SectionLine:
     @property
     def is_closed(self) -> bool:
         """True if the line is closed."""
-        return bool(np.all(self.points[0] == self.points[-1]))
+        return bool((self.points[0] == self.points[-1]).all())
 
     @property
     def length(self) -> float:
@@ -83,7 +83,7 @@ class SectionLine:
         There are k + 1 pieces of an open line, and k of a closed line.
         """
         places = np.atleast_2d(np.asarray(points, dtype=float))
-        if places.shape[1] != 2 or not np.all(np.isfinite(places)):
+        if places.shape[1] != 2 or not np.isfinite(places).all():
             raise InputError(
                 f"the points to split {self.name} cannot be read: give an array (k, 2) of finite numbers, "
                 "in mm, in the plane of the section"
@@ -139,7 +139,7 @@ class SectionLine:
         ]
         if self.is_closed:
             points = [np.concatenate([points[-1][:-1], points[0]]), *points[1:-1]]
-        points = [p[np.append(True, np.any(np.diff(p, axis=0) != 0, axis=1))] for p in points]
+        points = [p[np.append(True, (np.diff(p, axis=0) != 0).any(axis=1))] for p in points]
         return tuple(
             replace(self, points=p, name=f"{self.name}, piece {k + 1}")
             for k, p in enumerate(points)
@@ -242,7 +242,7 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
 
     `small` is the distance below which points are equal.
     """
-    closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
+    closed = bool((points[0] == points[-1]).all()) and len(points) > 2
     points = points[np.append(True, norm(np.diff(points, axis=0)) > small)]
     if closed and len(points) > 1:
         if norm(points[-1] - points[0]) <= small:
@@ -250,7 +250,7 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
         if len(points) < 3:
             return points[:1]
         x, y = points.T
-        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:
+        if (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() < 0:
             points = points[::-1]
         points = np.roll(points, -int(np.lexsort(points.T)[0]), axis=0)
         return np.concatenate([points, points[:1]])
@@ -266,7 +266,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
     x = points[:, 0]
     if (x >= 0).all():
         return [points]
-    if np.all(points[0] == points[-1]):
+    if (points[0] == points[-1]).all():
         # start the closed line at x < 0, so that its start does not divide a part with x >= 0
         points = begun_at(points, int(x[:-1].argmin()))
         x = points[:, 0]

@@ -92,7 +92,7 @@ def planes_along(
             f"count is {quoted(count)}: give a whole number of planes from 1 (with ends=True from 2) to "
             f"{MOST_PLANES}"
         )
-    points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
+    points = points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))]
     if len(points) < 2:
         raise InputError("all points of the path are equal: give two different points or more")
     s = lengths_along(points)

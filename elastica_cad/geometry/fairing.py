@@ -76,7 +76,7 @@ def smooth_through(points: FloatArray, tolerance: float, noise: float = 0.0) -> 
     chord = points[-1] - points[0]
     x, y = chord / max(float(norm(chord)), 1e-300)
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
-    if np.abs(across).max() <= 1e-9 * np.abs(along).max() and np.all(np.diff(along) > 0):
+    if np.abs(across).max() <= 1e-9 * np.abs(along).max() and (np.diff(along) > 0).all():
         return PlaneCurve.line(points[0], points[-1])
     return PlaneCurve(*fit_spline(points, POLYLINE_DEGREE, tolerance), POLYLINE_DEGREE)
 

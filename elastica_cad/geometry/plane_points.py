@@ -254,7 +254,7 @@ def lengths_along(points: FloatArray) -> FloatArray:
     >>> lengths_along(np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 5.0]])).tolist()
     [0.0, 5.0, 6.0]
     """
-    return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    return np.append(0.0, np.linalg.norm(np.diff(points, axis=0), axis=1).cumsum())
 
 
 def points_at(places: FloatArray, s: FloatArray, points: FloatArray) -> FloatArray:

@@ -147,7 +147,7 @@ def _positive_pieces(
     done: list[tuple[float, FloatArray]] = []
     while todo:
         a, b, piece, depth = todo.pop()
-        if np.all(piece[:, 2] > 0):
+        if (piece[:, 2] > 0).all():
             done.append((a, piece))
             continue
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:

@@ -751,7 +751,7 @@ class _Problem:
         """Return weights (n,), larger in the first and last knot span, where least squares would be inaccurate."""
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
-        return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
+        return np.asarray(1 / np.sqrt(from_ends.clip(1e-3, 1.0)))
 
     def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
         """Return the parameters of the curve points nearest to the data, by a single Gauss-Newton step from t."""
@@ -761,7 +761,7 @@ class _Problem:
         speed2 = dot(velocity, velocity)
         step = dot(gap, velocity) / np.maximum(speed2, 1e-12 * speed2.max())
         moved = t + step
-        if np.all(np.diff(moved) > 0) and moved[0] >= 0 and moved[-1] <= 1:
+        if (np.diff(moved) > 0).all() and moved[0] >= 0 and moved[-1] <= 1:
             return np.asarray(moved)
         reach = _STRIDE_SHARE * np.diff(t, prepend=0.0, append=1.0)
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))

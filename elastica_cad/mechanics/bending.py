@@ -580,7 +580,7 @@ class Movement:
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
         travel = np.append(0.0, norm(steps).cumsum())
-        turn = np.append(0.0, np.cumsum(turns[:, int(turns.sum(axis=0).argmax())]))
+        turn = np.append(0.0, turns[:, int(turns.sum(axis=0).argmax())].cumsum())
         still = travel[-1] <= STILL_SHARE * rods[0].length
         return cls(np.zeros_like(travel) if still else travel.round(9), turn)
 
@@ -783,8 +783,9 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     if force is not None:
         components = pair(force, "force")
         components = np.where(np.abs(components) <= ROUNDED_SHARE * norm(components), 0.0, components)
-        if np.any(both & (components != 0)):
-            axis = "xy"[np.argmax(both & (components != 0))]
+        useless = both & (components != 0)
+        if useless.any():
+            axis = "xy"[useless.argmax()]
             raise InputError(
                 "a force along {axis} has no effect, because both ends are held along {axis}: free one end "
                 "along {axis}",

@@ -239,7 +239,7 @@ def _plane_point(point: object) -> FloatArray | None:
         return None
     if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
         place = place[:2]
-    return place if place.shape == (2,) and np.all(np.isfinite(place)) else None
+    return place if place.shape == (2,) and np.isfinite(place).all() else None
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:

@@ -307,7 +307,7 @@ def lowest_weighted(
         diagonal / lengths, off / (root[:-1] * root[1:]), rows / root, terms=scaled
     )
     v = vectors[0] / root
-    v = v if v[np.argmax(np.abs(v))] > 0 else -v
+    v = v if v[np.abs(v).argmax()] > 0 else -v
     if not len(rows):
         return ConstrainedMode(float(values[0]), v, np.zeros(0))
     residual = diagonal * v - values[0] * lengths * v

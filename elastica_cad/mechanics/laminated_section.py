@@ -311,9 +311,9 @@ def laminate_factor(
         curl = np.insert(curl, 4, 0.0, axis=1)
         w_by, curl_by = w * weight[:, None], curl * weight[:, None]
         mixed = form[0, 2] * w_by @ curl.swapaxes(1, 2)
-        quadratic = form[0, 0] * w_by @ np.swapaxes(w, 1, 2) + form[2, 2] * curl_by @ np.swapaxes(curl, 1, 2)
-        quadratic += mixed + np.swapaxes(mixed, 1, 2)
-        linear = np.sum(form[0, 1] * w_by + form[1, 2] * curl_by, axis=2)
+        quadratic = form[0, 0] * w_by @ w.swapaxes(1, 2) + form[2, 2] * curl_by @ curl.swapaxes(1, 2)
+        quadratic += mixed + mixed.swapaxes(1, 2)
+        linear = (form[0, 1] * w_by + form[1, 2] * curl_by).sum(axis=2)
         for piece in places:
             H[:, piece[:, None], piece] += quadratic
             f[:, piece] += linear
@@ -325,7 +325,7 @@ def laminate_factor(
     for form, w, lever, curl, weight, places in parts:
         u, v, c = (deflection[:, places] @ shape for shape in (w, lever, curl))
         along = form[0, 0] * u * v + form[0, 1] * (u + v) + form[1, 1] + (form[0, 2] * v + form[1, 2]) * c
-        moment += 2 * np.sum(along * weight[:, None], axis=(1, 2))
+        moment += 2 * (along * weight[:, None]).sum(axis=(1, 2))
     return moment / section.on(b1).bending_stiffness(b2)
 
 

@@ -532,7 +532,7 @@ class RestCurvature(EqualByValue):
         """
         s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
         rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and (np.diff(s) >= 0).all()
-        if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
+        if s.shape != kappa_0.shape or not rising or (s[2:] == s[:-2]).any() or s[1] == 0 or s[-1] == s[-2]:
             raise InputError(
                 "the curvature before bending needs two or more stations, each with a curvature. Begin at 0 "
                 "mm and end at the length of the strip. Give a station twice only where the curvature jumps"

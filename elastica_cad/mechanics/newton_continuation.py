@@ -506,7 +506,7 @@ def buckling_mode(state: RodState, side: int, mode: int) -> tuple[float, FloatAr
     values, vectors = state.discrete.lowest_modes(mode)
     shape = vectors[mode - 1]
     bulge = np.cumsum(shape)
-    first = np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max())
+    first = (np.abs(bulge) > 0.3 * np.abs(bulge).max()).argmax()
     return float(values[mode - 1]) / state.system.edge_length, shape if side * bulge[first] > 0 else -shape
 
 

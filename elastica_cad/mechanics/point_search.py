@@ -168,7 +168,7 @@ def move_while_possible(
     [6.0, 8.0]
     """
     displacement = end - start
-    axes = np.eye(2)[np.argsort(-np.abs(displacement).reshape(-1, 2).max(axis=0))]
+    axes = np.eye(2)[(-np.abs(displacement).reshape(-1, 2).max(axis=0)).argsort()]
     for along in (displacement, *(displacement * axis for axis in axes))[directions]:
         size = float(norm(along).max())
         if size <= step:

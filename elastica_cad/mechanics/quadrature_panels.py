@@ -425,7 +425,7 @@ class CutCurve:
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
-        parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, _MOST_PARTS).astype(int)
+        parts = np.ceil(np.diff(panels.edge_s) * steep / 2).clip(1, _MOST_PARTS).astype(int)
         edges = panels.edges
         inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
         return self._also_at(np.concatenate(inner))

@@ -138,7 +138,7 @@ def _stiffness_profile_of(
         return stiffness, samples or DEFAULT_SAMPLES
     array = as_floats(stiffness)
     values = np.array([]) if array is None else np.atleast_1d(array)
-    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
+    if not values.size or values.ndim != 1 or not np.isfinite(values).all() or (values <= 0).any():
         raise InputError(
             "stiffness cannot be used: give a positive finite number, or such a number for each node"
         )

@@ -511,7 +511,7 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
             if values.size > 1
             else np.full(s.size, values[0])
         )
-    if not (np.all(np.isfinite(sizes)) and np.all(sizes > 0)):
+    if not (np.isfinite(sizes).all() and (sizes > 0).all()):
         raise InputError(f"{name} is not positive everywhere: give numbers above 0, in mm")
     return sizes
 

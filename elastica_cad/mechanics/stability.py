@@ -207,7 +207,7 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
     band[1, :-1] = rod.edge_length * rod.pull - spring[:-1] - spring[1:]
     band[2, :-2] = spring[1:-1]
     solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
-    if info != 0 or not np.all(np.isfinite(solution)):
+    if info != 0 or not np.isfinite(solution).all():
         raise InputError(
             "the conjugate point (the length at which the rod becomes unstable) cannot be computed, because the "
             "tension in the rod is too large. Reduce the load"

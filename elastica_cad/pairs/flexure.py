@@ -1115,7 +1115,7 @@ def _free_place(
     apart = np.maximum(np.abs(centres[:, None] - holes) - half, 0.0)
     clear = (norm(apart) > radius).all(axis=1)
     for low, high in boxes:
-        clear &= np.any((centres + half < low) | (centres - half > high), axis=1)
+        clear &= ((centres + half < low) | (centres - half > high)).any(axis=1)
     return np.asarray(centres[clear][0])
 
 

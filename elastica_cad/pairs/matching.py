@@ -231,7 +231,7 @@ class _Drawn:
         functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
         functions = functions.reshape(*u.shape, 3)
         inside = in_panels(LEFT, functions * half[..., None])
-        reached = np.cumsum(np.einsum("np,npk->nk", WEIGHTS * half, functions), axis=0)
+        reached = np.einsum("np,npk->nk", WEIGHTS * half, functions).cumsum(axis=0)
         before = np.concatenate([np.zeros((1, 3)), reached[:-1]])
         turns = np.concatenate([(before[:, None] + inside).reshape(-1, 3), reached[-1:]])
         return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns

@@ -733,7 +733,7 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
 def _plate_label(name: str, loop: FloatArray) -> Label:
     across, up = (loop @ SCREEN).T
     sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
-    return Label(name, loop[[np.argmax(across), np.argmin(across), np.argmax(up), np.argmin(up)]], sides)
+    return Label(name, loop[[across.argmax(), across.argmin(), up.argmax(), up.argmin()]], sides)
 
 
 def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:

@@ -73,7 +73,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     polygons = [_polygon_of(loop, step) for loop in loops]
     ends = np.concatenate([np.stack([p, np.roll(p, -1, axis=0)], axis=1) for p in polygons])
     ends = ends[np.abs(ends[:, 1, 0] - ends[:, 0, 0]) > APART_MM]
-    order = np.argsort(ends[..., 0], axis=1)
+    order = ends[..., 0].argsort(axis=1)
     left, right = np.moveaxis(np.take_along_axis(ends, order[..., None], axis=1), 1, 0)
     slope = (right[:, 1] - left[:, 1]) / (right[:, 0] - left[:, 0])
     low, high = left[:, 0].min(), right[:, 0].max()
@@ -83,16 +83,16 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     cuts = cuts[np.append(True, np.diff(cuts) > APART_MM)]
     middles = midpoints(cuts)
     # a slab is the area between neighbouring values of x, and a line crosses consecutive slabs
-    first = np.searchsorted(middles, left[:, 0], side="right")
-    count = np.searchsorted(middles, right[:, 0]) - first
+    first = middles.searchsorted(left[:, 0], side="right")
+    count = middles.searchsorted(right[:, 0]) - first
     line = np.arange(len(left)).repeat(count)
-    slab = numbers_in_groups(count) + np.repeat(first, count)
+    slab = numbers_in_groups(count) + first.repeat(count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
     # in each slab, consecutive lines bound a part of the area from below and from above
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
     # consecutive slabs between the same two lines are joined to a trapezoid, but not across stations
     ends_here = np.zeros(len(cuts), dtype=bool)
-    ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
+    ends_here[cuts.searchsorted(stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
     below, above, slab = below[along], above[along], slab[along]
     continues = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
@@ -386,7 +386,7 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
         large = edges.max(axis=1) > longest
         if not large.any():
             return triangles, colors
-        turn = (np.argmax(edges[large], axis=1)[:, None] + np.arange(3)) % 3
+        turn = (edges[large].argmax(axis=1)[:, None] + np.arange(3)) % 3
         a, b, c = np.moveaxis(np.take_along_axis(triangles[large], turn[..., None], axis=1), 1, 0)
         middle = (a + b) / 2
         halves = [np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)]

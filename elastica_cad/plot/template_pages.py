@@ -103,7 +103,7 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
     for row in range(counts[1]):
         for column in range(counts[0]):
             corner = start + (column, row) * step
-            if np.any(np.all((lows < corner + size) & (highs > corner), axis=1)):
+            if ((lows < corner + size) & (highs > corner)).all(axis=1).any():
                 origins.append(corner)
                 names.append(f"{_letters(column)}{row + 1}")
     return Tiling(page, np.array(origins), tuple(names), (float(size[0]), float(size[1])))
