@@ -18,7 +18,7 @@ from elastica_cad.errors import (
 )
 from elastica_cad.formats.chains import JOIN_TOLERANCE
 from elastica_cad.formats.drawn_file import CurveList, DrawnFile
-from elastica_cad.formats.source_file import name_source, require_file
+from elastica_cad.formats.source_file import KERNEL_SUFFIXES, MESH_SUFFIXES, name_source, require_file
 from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from elastica_cad.pairs.flexure import Flexure
     from elastica_cad.strip.drawing import Drawing
     from elastica_cad.strip.strip import Strip
-
-KERNEL_SUFFIXES = (".step", ".stp", ".brep")
 
 
 class CurveFormat(NamedTuple):
@@ -40,7 +38,7 @@ class CurveFormat(NamedTuple):
         Name in messages and help.
     suffixes : tuple of str
     read : callable
-        Function that returns the `DrawnFile` of a path. Its other arguments are those of `read_drawing`.
+        Function that returns the `DrawnFile` of a path. It gets all other arguments of `read_drawing`.
     remark : str
         What such a file contains, or needs, if its name does not tell.
     begins : bytes
@@ -71,30 +69,30 @@ def _read_svg(path: Path, **settings: Any) -> DrawnFile:
     return read_svg_drawing(path, **settings)
 
 
-def _read_csv(path: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
+def _read_csv(path: Path, **settings: Any) -> DrawnFile:
     from elastica_cad.formats.point_files import read_csv_drawing
 
-    return read_csv_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
+    return read_csv_drawing(path, **settings)
 
 
-def _read_text(path: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
+def _read_text(path: Path, **settings: Any) -> DrawnFile:
     from elastica_cad.formats.point_files import read_text_drawing
 
-    return read_text_drawing(path, fit_tolerance=fit_tolerance, unit=unit)
+    return read_text_drawing(path, **settings)
 
 
-def _read_json(path: Path, *, unit: str | None, **_: Any) -> DrawnFile:
+def _read_json(path: Path, **settings: Any) -> DrawnFile:
     from elastica_cad.formats.json_curves import read_json_drawing
 
-    return read_json_drawing(path, unit=unit)
+    return read_json_drawing(path, **settings)
 
 
-def _read_step(path: Path, *, unit: str | None, **_: Any) -> DrawnFile:
+def _read_step(path: Path, **settings: Any) -> DrawnFile:
     try:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
         raise _no_kernel(path) from error
-    return read_step_drawing(path, unit=unit)
+    return read_step_drawing(path, **settings)
 
 
 CURVE_FORMATS = (
@@ -117,7 +115,7 @@ CURVE_FORMATS = (
 
 def listed_formats() -> str:
     """Return the names of all `CURVE_FORMATS`, with their remarks, as a list in a sentence."""
-    return ", ".join(f"{kind.name} ({kind.remark})" if kind.remark else kind.name for kind in CURVE_FORMATS)
+    return ", ".join(f"{kind.name}{kind.remark and f' ({kind.remark})'}" for kind in CURVE_FORMATS)
 
 
 def read_curves(
@@ -136,7 +134,7 @@ def read_curves(
 
     A file may have at most 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and
     5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. A file may have at
-    most 256 MB.
+    most 64 MB, and a STEP file 256 MB.
 
     Parameters
     ----------
@@ -249,16 +247,15 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     path = require_file(path)
     suffix = path.suffix.lower()
     if suffix not in KERNEL_SUFFIXES:
-        from elastica_cad.formats.mesh_files import MESH_SUFFIXES, mesh_surface
+        from elastica_cad.formats.mesh_files import mesh_surface
 
         if suffix not in MESH_SUFFIXES:
-            suffixes = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
             raise InputError(
                 "{path} ends in {suffix!r}, but files of meshes and CAD bodies end in {known}. Export the "
                 "body to such a file.",
                 path=path,
                 suffix=suffix,
-                known=suffixes,
+                known=", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES)),
             )
         return mesh_surface(path, unit=unit, scale=scale)
     try:

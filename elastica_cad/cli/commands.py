@@ -122,8 +122,7 @@ class _Sentences(click.Group):
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         from elastica_cad.files import listed_formats
 
-        assert self.help is not None
-        self.help = self.help.replace("FORMATS", listed_formats())
+        self.help = (self.help or "").replace("FORMATS", listed_formats())
         super().format_help_text(ctx, formatter)
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:

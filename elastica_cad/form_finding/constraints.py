@@ -2,22 +2,19 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.form_finding.limits import STRAIN_TITLE, ActiveLimit, LimitUnit, Places, Room
+from elastica_cad.form_finding.limits import STRAIN, ActiveLimit, Places, Room
 from elastica_cad.form_finding.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import note
-
-MARGIN_TITLE = "the stability margin"
 
 # largest number of rows of a constraint in a quadratic program, because the linear algebra library starts
 # threads at 64 rows
@@ -32,34 +29,24 @@ class Constraint(ABC):
 
     Attributes
     ----------
-    name : str
-        Name in messages.
-    title : str or None
-        Name in suggestions to relax the constraint; "" if it cannot be relaxed. By default, `name`.
-    unit : "number", "length", "angle" or ""
-        Unit of the limit; see `ActiveLimit`.
+    active : ActiveLimit
+        Name, limit, title, unit and sentence of the limit or kept property.
     one_sided : bool
         True if the values must be at least 0; False if they must be 0.
     penalty : float
         Upper bound of the penalty for a violation of 1.
     near_balance_only : bool
         True if the constraint is only meaningful for rods nearly in equilibrium.
-    limit, sentence
-        See `ActiveLimit`.
     """
 
-    name: str = ""
-    title: str | None = None
-    unit: LimitUnit = ""
+    active: ActiveLimit
     one_sided: bool = False
     penalty: float = 100.0
     near_balance_only: bool = False
-    limit: float | None = None
-    sentence: Callable[[Any, Rod], str] | None = None
 
     def slope(self, size: float) -> float:
         """Return the change of the values if the limit is relaxed by 1 in its unit."""
-        return 1 / size if self.unit == "length" else 1 / (self.limit or 1.0)
+        return 1 / size if self.active.unit == "length" else 1 / (self.active.limit or 1.0)
 
     def binding(self, values: FloatArray, multipliers: FloatArray, size: float, per: float) -> ActiveLimit:
         """Return the effect of the constraint on the distance.
@@ -71,10 +58,9 @@ class Constraint(ABC):
             broken, total = np.maximum(-values, 0), float(np.abs(multipliers).sum())
         else:
             broken, total = np.abs(values), float(np.linalg.norm(multipliers))
-        title = note(self.name if self.title is None else self.title)
-        return ActiveLimit(
-            self.name, self.limit, per * total * self.slope(size), float(broken.max(initial=0.0)),
-            title, self.unit, self.sentence,
+        return replace(
+            self.active, cost=per * total * self.slope(size), broken=float(broken.max(initial=0.0)),
+            title=note(self.active.title),
         )  # fmt: skip
 
     @abstractmethod
@@ -114,9 +100,7 @@ def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
 class EndPosition(Constraint):
     """Condition that the last node of the rod is at `target`."""
 
-    name: str = "end position"
-    title: str | None = ""
-    unit: LimitUnit = "length"
+    active: ActiveLimit = ActiveLimit("end position", unit="length")
     target: tuple[float, float] = (0.0, 0.0)
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -132,8 +116,7 @@ class EndPosition(Constraint):
 class EndAngle(Constraint):
     """Condition that the angle at the end of the rod is `target`, rad."""
 
-    name: str = "end tangent"
-    unit: LimitUnit = "angle"
+    active: ActiveLimit = ActiveLimit("end tangent", unit="angle")
     target: float = 0.0
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -149,8 +132,7 @@ class EndAngle(Constraint):
 class EndMoment(Constraint):
     """Condition that the moment is 0 at an end that is free to turn."""
 
-    name: str = "free end angle"
-    title: str | None = ""
+    active: ActiveLimit = ActiveLimit("free end angle")
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -166,8 +148,7 @@ class EndMoment(Constraint):
 class EndForce(Constraint):
     """Condition that the force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
 
-    name: str = "free end position"
-    title: str | None = ""
+    active: ActiveLimit = ActiveLimit("free end position")
     axis: int = 0
     scale: float = 1.0
 
@@ -177,7 +158,7 @@ class EndForce(Constraint):
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the index and the derivatives of the scaled force: see `Constraint.rows`."""
-        weights = np.zeros((len(sensitivities.rod.tangents), 2))
+        weights = np.zeros_like(sensitivities.rod.tangents)
         weights[-1, self.axis] = 1
         row = sensitivities.along_forces(weights)
         row += sensitivities.last_load_row(self.axis)
@@ -188,9 +169,7 @@ class EndForce(Constraint):
 class Through(Constraint):
     """Condition that the rod passes through `target`, near the fraction `place` (0..1) of the rod's length."""
 
-    name: str = "points"
-    title: str | None = "the kept points"
-    unit: LimitUnit = "length"
+    active: ActiveLimit = ActiveLimit("points", title="the kept points", unit="length")
     target: tuple[float, float] = (0.0, 0.0)
     place: float = 0.5
 
@@ -237,8 +216,7 @@ class InflectionLine(Constraint):
     Without weight, the moment is an affine function of the position in the whole plane.
     """
 
-    name: str = "inflection line"
-    title: str | None = "the inflection line"
+    active: ActiveLimit = ActiveLimit("inflection line", title="the inflection line")
     point: tuple[float, float] = (0.0, 0.0)
     direction: tuple[float, float] = (1.0, 0.0)
     scale: float = 1.0
@@ -269,8 +247,7 @@ class MiddleOfMirror(Constraint):
     The middle of the rod then crosses the axis at a right angle, and the force there is normal to the axis.
     """
 
-    name: str = "symmetry"
-    title: str | None = "the symmetry"
+    active: ActiveLimit = ActiveLimit("symmetry", title="the symmetry")
     centre: tuple[float, float] = (0.0, 0.0)
     axis: tuple[float, float] = (0.0, 1.0)
     angle: float = 0.0
@@ -309,8 +286,7 @@ class MiddleOfTurn(Constraint):
     The middle of the rod is then at the centre, and the moment there is 0.
     """
 
-    name: str = "symmetry"
-    title: str | None = "the symmetry"
+    active: ActiveLimit = ActiveLimit("symmetry", title="the symmetry")
     centre: tuple[float, float] = (0.0, 0.0)
     scale: float = 1.0
 
@@ -349,8 +325,14 @@ _SAFETY_SHARE = 0.01
 _TANGENT_STEP = 1e-3
 
 
-def margin_sentence(limit: float, rod: Rod) -> str:
-    """Return the message on a rod whose stability margin is below its limit."""
+def margin_limit(least: float) -> ActiveLimit:
+    """Return the words and the value of a limit of the stability margin."""
+    return ActiveLimit(
+        "margin", least, title="the stability margin", unit="number", sentence=_margin_sentence
+    )
+
+
+def _margin_sentence(limit: float, rod: Rod) -> str:
     rating = stability(rod)
     return note(
         "The stability margin is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
@@ -362,14 +344,14 @@ def margin_sentence(limit: float, rod: Rod) -> str:
 class MarginLimit(Constraint):
     """Condition that the stability margin, divided by the least stiffness, is at least `limit`."""
 
-    limit: float
-    name: str = "margin"
-    title: str | None = MARGIN_TITLE
-    unit: LimitUnit = "number"
     one_sided: bool = True
     penalty: float = 1.0
     near_balance_only: bool = True
-    sentence: Callable[[Any, Rod], str] | None = margin_sentence
+
+    @property
+    def limit(self) -> float:
+        """Least stability margin."""
+        return self.active.limit or 0.0
 
     @property
     def scale(self) -> float:
@@ -468,8 +450,7 @@ class LargestSection(Constraint):
     section: SectionScale
     rest: float | FloatArray
     size: float
-    name: str = "largest section"
-    title: str | None = ""
+    active: ActiveLimit = ActiveLimit("largest section")
     one_sided: bool = True
     penalty: float = 1.0
 
@@ -510,9 +491,7 @@ class StrainLimit(Constraint):
     section: SectionScale
     strain: float | None
     size: float
-    name: str = "strain"
-    title: str | None = STRAIN_TITLE
-    unit: LimitUnit = "number"
+    active: ActiveLimit = STRAIN
     one_sided: bool = True
     penalty: float = 1.0
 
@@ -560,7 +539,9 @@ class AtNodes(Constraint):
         """Return the indices and derivatives of the values at nodes near the limit: see `Constraint.rows`."""
         rod = sensitivities.rod
         values, by_position, by_bend = self._at_nodes(rod)
-        near = thin_rows(np.flatnonzero(values < (0.1 if self.unit == "length" else 1 - _NEAR)), -values)
+        near = thin_rows(
+            np.flatnonzero(values < (0.1 if self.active.unit == "length" else 1 - _NEAR)), -values
+        )
         by_moment = by_bend / self.size / rod.stiffness
         rows = _nodal_rows(sensitivities, near, by_moment, -by_moment * rod.moments / rod.stiffness)
         return near, rows + np.einsum("ik,ikp->ip", by_position[near], sensitivities.position[near])
@@ -574,8 +555,7 @@ class AtNodes(Constraint):
 class LeastStiffness(Constraint):
     """Condition that the least stiffness of the rod is 1, so that bounds are multiples of the least stiffness."""
 
-    name: str = "stiffness bounds"
-    title: str | None = "the stiffness bounds"
+    active: ActiveLimit = ActiveLimit("stiffness bounds", title="the stiffness bounds")
     one_sided: bool = True
     penalty: float = 1.0
 

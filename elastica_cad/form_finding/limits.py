@@ -55,7 +55,7 @@ class ActiveLimit:
     """
 
     name: str
-    limit: float | None
+    limit: float | None = None
     cost: float = 0.0
     broken: float = 0.0
     title: str = ""
@@ -133,7 +133,7 @@ def _radius_sentence(limit: float, rod: "Rod") -> str:
     )
 
 
-STRAIN_TITLE = "the strain limit of the sheet (use a thinner sheet)"
+STRAIN = ActiveLimit("strain", title="the strain limit of the sheet (use a thinner sheet)", unit="number")
 
 
 @dataclass(frozen=True)
@@ -209,16 +209,11 @@ class Box:
         """
         below, above = self.lower - points, points - self.upper
         off = np.maximum(below, above)
-        sign = np.where(above > below, 1.0, -1.0)
-        beyond = np.maximum(off, 0)
-        outside = norm(beyond)
-        axis = np.argmax(off, axis=1)
-        rows = np.arange(points.shape[0])
-        gradient = np.zeros_like(points)
-        gradient[rows, axis] = sign[rows, axis]
-        corner = outside > 0
-        gradient[corner] = (beyond * sign)[corner] / outside[corner, None]
-        return np.where(corner, outside, off[rows, axis]), gradient
+        deepest = off.max(axis=1, keepdims=True)
+        outward = np.where(deepest > 0, np.maximum(off, 0), off == deepest)
+        size = norm(outward)
+        gradient = np.where(above > below, 1.0, -1.0) * outward / size[:, None]
+        return np.where(deepest[:, 0] > 0, size, deepest[:, 0]), gradient
 
 
 Row: TypeAlias = tuple[float, ...]
@@ -363,16 +358,16 @@ class Limits:
         """
         curvature = self.largest_curvature if strain else self.curvature
         if curvature is not None:
-            title = "the curvature limit" if curvature == self.curvature else STRAIN_TITLE
+            title = "the curvature limit" if curvature == self.curvature else STRAIN.title
             yield PlaceLimit(
                 "curvature",
                 ActiveLimit("curvature", curvature, title=title, unit="number", sentence=_radius_sentence),
                 partial(_room_to_bend, curvature),
                 lambda limits, by: limits.tightened(curvature=1 + by),
             )
-        kept_out = ActiveLimit("keep-out", None, title="the keep-out regions", unit="length")
+        active = ActiveLimit("keep-out", title="the keep-out regions", unit="length")
         for region in self.keep_out:
-            yield PlaceLimit("keep_out", kept_out, partial(_room_in_region, region))
+            yield PlaceLimit("keep_out", active, partial(_room_in_region, region))
 
     @property
     def largest_curvature(self) -> float | None:

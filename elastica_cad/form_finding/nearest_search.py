@@ -10,12 +10,12 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_one_of, require_record
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
-from elastica_cad.form_finding.constraints import MARGIN_TITLE, margin_sentence
+from elastica_cad.form_finding.constraints import MarginLimit, margin_limit
 from elastica_cad.form_finding.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves, leaf_bends
 from elastica_cad.form_finding.limits import (
     MET,
-    STRAIN_TITLE,
+    STRAIN,
     ActiveLimit,
     Keep,
     Limits,
@@ -385,26 +385,21 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     ]
     if unmet:
         raise InputError(f"a stack of plies cannot meet {' or '.join(unmet)}. Leave out these limits")
-    again = partial(_again, request)
     # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
     fewest = int(np.ceil(section.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
-    laid, steps = None, 0
-    taper = _taper_on_curve(request, section, limits.length)
-    if taper is not None:
-        laid = lay_leaves(taper, section, tangents=keep.both_tangents)
-    strict = limits
+    strict, steps, taper = limits, 0, _taper_on_curve(request, section, limits.length)
+    found = None if taper is None else _laid_leaves(taper, section, request, limits)
     for _ in range(_STRICTER):
-        if laid is not None and not _violated_limits(laid, curve.length, limits, keep):
+        if found is not None and not found[1]:
             break
         task = NearestTask.of(replace(request, limits=strict, section=section.relaxed))
         near = _find_rod(replace(task, grows=False))
         steps += near.iterations
-        laid = lay_leaves(near.rod, section, tangents=keep.both_tangents)
-        for limit, stricter in _violated_limits(laid, curve.length, limits, keep):
-            strict = stricter(strict, _BEYOND * limit.broken)
-    assert laid is not None
-    broken = tuple(limit for limit, _ in _violated_limits(laid, curve.length, limits, keep))
+        found = _laid_leaves(near.rod, section, request, strict)
+        strict = found[2]
+    assert found is not None
+    laid, broken, _ = found
     missed = max((binding.broken for binding in broken), default=0.0)
     target = TargetCurve.of(curve)
     deviation = measure_deviation(target, (laid.rod.position - target.origin) / target.size) * target.size
@@ -414,7 +409,7 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
         status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
         binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
-        measure=request.measure, distance=mean, again=again,
+        measure=request.measure, distance=mean, again=partial(_again, request),
     )  # fmt: skip
 
 
@@ -427,13 +422,15 @@ def _taper_on_curve(request: RodSpec, section: LeavesLaw, length: tuple[float, f
         return None
 
 
-def _violated_limits(
-    laid: LeafedRod, length: float, limits: Limits, keep: Keep
-) -> list[tuple[ActiveLimit, Callable[[Limits, float], Limits]]]:
-    """Return the limits that a stack violates, each with the function that makes it stricter.
+def _laid_leaves(
+    taper: Rod, section: LeavesLaw, request: RodSpec, strict: Limits
+) -> tuple[LeafedRod, tuple[ActiveLimit, ...], Limits]:
+    """Return the stack that approximates a taper, the limits that it violates, and stricter limits.
 
-    `length` is the length of the drawn curve, mm.
+    The taper was found within the limits `strict`.
     """
+    limits, keep, length = request.limits or Limits(), request.keep or Keep(), request.curve.length
+    laid = lay_leaves(taper, section, tangents=keep.both_tangents)
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
     position = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
@@ -442,30 +439,21 @@ def _violated_limits(
         (active, -float(room(places)[0].min()), stricter)
         for _, active, room, stricter in limits.at_places(strain=False)
     ]
-    if (least := limits.margin) is not None:
-        active = ActiveLimit("margin", least, title=MARGIN_TITLE, unit="number", sentence=margin_sentence)
-        scale = max(10.0, abs(least))
-        found.append(
-            (
-                active,
-                (least - stability(rod).margin) / scale,
-                lambda limits, by: replace(limits, margin=(limits.margin or 0.0) + by * scale),
-            )
-        )
+    if limits.margin is not None:
+        margin = MarginLimit(active=margin_limit(limits.margin))
+        over = (margin.limit - stability(rod).margin) / margin.scale
+        found.append((margin.active, over, lambda limits, by: replace(
+            limits, margin=(limits.margin or 0.0) + by * margin.scale
+        )))  # fmt: skip
     if limits.sheet is not None:
         (strain,) = laid.section.strains(bend, laid.section.sheet.thickness * laid.section.counts(s))
-        found.append(
-            (
-                ActiveLimit("strain", None, title=STRAIN_TITLE, unit="number"),
-                strain.largest / (limits.strain or strain.limit) - 1,
-                lambda limits, by: limits.tightened(strain=1 + by),
-            )
-        )
-    return [
-        (replace(active, broken=over, title=note(active.title)), stricter)
-        for active, over, stricter in found
-        if over > MET
-    ]
+        over = strain.largest / (limits.strain or strain.limit) - 1
+        found.append((STRAIN, over, lambda limits, by: limits.tightened(strain=1 + by)))
+    broken = [(replace(active, broken=over, title=note(active.title)), stricter)
+              for active, over, stricter in found if over > MET]  # fmt: skip
+    for limit, stricter in broken:
+        strict = stricter(strict, _BEYOND * limit.broken)
+    return laid, tuple(limit for limit, _ in broken), strict
 
 
 _MOST_NODES = 5000  # more nodes hardly change the shape

@@ -26,6 +26,7 @@ from elastica_cad.form_finding.constraints import (
     MiddleOfTurn,
     StrainLimit,
     Through,
+    margin_limit,
 )
 from elastica_cad.form_finding.curve_distance import Distance, even_steps, symmetry_frame
 from elastica_cad.form_finding.limits import MET, ActiveLimit, Limits, Symmetry
@@ -282,7 +283,12 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         if keep.both_ends[1]:
             constraints.append(EndPosition(target=_pair(target.position[-1])))
         if keep.both_tangents[1]:
-            constraints.append(EndAngle(target=float(target.angle[-1]), title=_end_title(task, 1)))
+            constraints.append(
+                EndAngle(
+                    active=ActiveLimit("end tangent", title=_end_title(task, 1), unit="angle"),
+                    target=float(target.angle[-1]),
+                )
+            )
         if not end.angle:
             constraints.append(EndMoment(scale=_moment_scale(task)))
         constraints += [
@@ -313,8 +319,7 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         constraints.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
     constraints += [
         AtNodes(
-            room=room, size=target.size, origin=_pair(target.origin), kept=keep.both_ends, name=active.name,
-            title=active.title, unit=active.unit, limit=active.limit, sentence=active.sentence,
+            active=active, room=room, size=target.size, origin=_pair(target.origin), kept=keep.both_ends,
             penalty=100.0 if active.unit == "length" else 1.0,
         )
         for _, active, room, _ in limits.at_places(strain=task.section is None)
@@ -327,11 +332,11 @@ def _constraints(task: NearestTask) -> list[Constraint]:
 
 
 def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
-    section, size = task.section, task.target.size
+    section, size, words = task.section, task.target.size, margin_limit(margin)
     if section is None or not task.is_scaled_freely:
-        return [MarginLimit(limit=margin)]
+        return [MarginLimit(active=words)]
     constraints: list[Constraint] = [
-        FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)
+        FollowedMarginLimit(active=words, section=section, rest=task.rest, size=size)
     ]
     if task.keeps_scale and np.isfinite(section.family.limits[1]):
         constraints.append(LargestSection(section=section, rest=task.rest, size=size))

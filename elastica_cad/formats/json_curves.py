@@ -39,7 +39,7 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
     return json.dumps(data, indent=1) + "\n"
 
 
-def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
+def read_json_drawing(file: Path, *, unit: str | None = None, **_: Any) -> DrawnFile:
     """Read the curves of a JSON file: a file written by `curves_json`, or the report of a strip."""
     try:
         data = json.loads(file.read_bytes())

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import isfinite
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -463,7 +463,7 @@ RULER_MM = 0.25
 _DIGITS = 20_000
 
 
-def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
+def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
     """Fit curves to measured points, one "x, y" in each row. Blank rows separate curves.
 
     Columns are separated by commas, semicolons, tabs or blanks, or by the sign defined in a row such as
@@ -553,7 +553,7 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: flo
     return curve_from_points(points, tolerance=tolerance, drawn=digits, noise=noise)
 
 
-def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
+def read_text_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
     """Read a file of control points, or of measured points like a .csv file: see `read_csv_drawing`.
 
     Control points follow a line "degree count", as `count` lines "x y". The knots are the integers from -degree to

@@ -29,9 +29,10 @@ UNIT = FieldName("unit")
 LARGEST_FILE = 64 * 10**6
 """Largest size of a file of curves, bytes."""
 
-LARGEST_OF_KIND = {".toml": 2 * 10**6} | dict.fromkeys(
-    (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 10**6
-)
+MESH_SUFFIXES = (".obj", ".stl", ".ply")
+KERNEL_SUFFIXES = (".step", ".stp", ".brep")
+
+LARGEST_OF_KIND = {".toml": 2 * 10**6} | dict.fromkeys((*MESH_SUFFIXES, *KERNEL_SUFFIXES), 256 * 10**6)
 """Largest sizes, bytes, of other kinds of files: designs are parsed slowly, and meshes and bodies are large."""
 
 

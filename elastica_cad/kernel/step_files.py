@@ -366,7 +366,7 @@ def write_flexure_step(
     write_step([shape], path, name=name, force=force)
 
 
-def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
+def read_step_drawing(file: Path, *, unit: str | None = None, **_: Any) -> DrawnFile:
     """Return the curves of a STEP or BREP file, and the numbers of other items.
 
     Edges that belong to a face are ignored.

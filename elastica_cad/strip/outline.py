@@ -258,7 +258,6 @@ class Tab:
 
     def hole_paths(self, width: float) -> tuple[Path, ...]:
         """Return the holes as circles in the coordinates of the tab. `width` is the width of the strip, mm."""
-        require_positive(width, "width")
         for hole in self.holes:
             if self.depth_at(hole.at, hole.across, width) <= hole.diameter / 2:
                 raise InputError(

@@ -424,7 +424,7 @@ def test_a_straight_wish():
         (lambda: Keep(line=((0, 0), (0, 0))), "line"),
         (lambda: Keep(points=(np.nan,)), "arc lengths"),
         (lambda: Limits(ratio="two"), "give a number"),
-        (lambda: Limits(sheet="card-200gsm"), "Sheet record"),
+        (lambda: Limits(sheet="card-200gsm"), "Pass a Sheet, such as"),
         (lambda: Limits(keep_out=5), "keep_out"),
         (lambda: Limits(width=("a", 3)), "numbers"),
         (lambda: Limits(stiffness_bounds=3), "pair"),

@@ -49,19 +49,20 @@ def derivative(function, z, j, h=1e-5):  # rounding and curvature weigh alike
 
 def at_nodes(request):
     return [
-        limits.AtNodes(room=limit.room, unit=limit.active.unit, size=100.0, origin=(1.0, 2.0))
+        limits.AtNodes(active=limit.active, room=limit.room, size=100.0, origin=(1.0, 2.0))
         for limit in request.at_places(strain=False)
     ]
 
 
+MARGIN = limits.margin_limit(5.0)
 CONSTRAINTS = [
     kept.EndPosition(target=(0.5, 0.2)),
     kept.EndAngle(target=0.3),
     kept.EndMoment(scale=2.0),
     kept.EndForce(axis=0, scale=3.0),
     kept.EndForce(axis=1, scale=3.0),
-    limits.MarginLimit(limit=5.0),
-    limits.MarginLimit(limit=-2.0, name="margin of a rod with a pinned end"),
+    limits.MarginLimit(active=MARGIN),
+    limits.MarginLimit(active=replace(limits.margin_limit(-2.0), name="margin of a rod with a pinned end")),
     *at_nodes(Limits(curvature=0.04, keep_out=[HalfPlane((0, 10), (0.3, 1)), Box((-500, -20), (40, 2))])),
     limits.StrainLimit(section=SectionScale(GLUED, 25e3, 8.0), strain=0.02, size=200.0),
     limits.LeastStiffness(),
@@ -73,7 +74,7 @@ CONSTRAINTS = [
 
 @pytest.mark.parametrize("constraint", CONSTRAINTS, ids=lambda c: type(c).__name__)
 def test_rows_are_derivatives(constraint, grid, z):
-    if "pinned" in constraint.name:
+    if "pinned" in constraint.active.name:
         grid = replace(grid, supports=Supports("clamped", "pinned"))
     index, rows = constraint.rows(grid.sensitivities(grid.shoot(z)))
     assert index.size > 0
@@ -88,12 +89,12 @@ def test_rows_of_strips_that_follow_their_bend(kind, rest, grid, z):
     """By differences, which round off the kinks that a blank has where its bend changes sides."""
     section = SectionScale(PlainSection(CAST, 0.0, 60.0), CAST.bending_stiffness(40.0), 3.0)
     grid, of = replace(grid, natural_curvature=rest), {"section": section, "rest": rest, "size": 200.0}
-    constraint = limits.FollowedMarginLimit(limit=5.0, **of)
+    constraint = limits.FollowedMarginLimit(active=MARGIN, **of)
     if kind != "margin":
         constraint = limits.LargestSection(**of)
     index, rows = constraint.rows(grid.sensitivities(grid.shoot(z)))
     if kind == "margin":
-        assert constraint.values(grid.shoot(z)) != limits.MarginLimit(limit=5.0).values(grid.shoot(z))
+        assert constraint.values(grid.shoot(z)) != limits.MarginLimit(active=MARGIN).values(grid.shoot(z))
     assert index.size > 0
     for j in range(z.size):
         numeric = derivative(lambda q: constraint.values(grid.shoot(q))[index], z, j)
