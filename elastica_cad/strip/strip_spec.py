@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from dataclasses import fields as fields_of
-from typing import Annotated, Any, TypeAlias, cast
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
@@ -781,7 +781,7 @@ class StripSpec(EqualByValue):
         sheet = getattr(section, "sheet", None)
         if abs(share - 1.0) < SAME_LENGTH or not isinstance(sheet, Sheet):
             return section
-        return cast(Section, replace(cast(Any, section), sheet=sheet.with_weight_share(share)))
+        return section.with_sheet(sheet.with_weight_share(share))
 
     @property
     def _makeable_limits(self) -> Limits:
