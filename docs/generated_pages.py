@@ -29,8 +29,8 @@ NAMES = {
     "Rods": (
         "optimal_rod", "mechanics.optimal_rods", "Rod", "bend", "stability", "Stability", "stability_limit",
         "Supports", "End", "Gravity", "Weight", "PointMass", "PointForce", "Rail", "Pin", "Tie",
-        "mechanics.RestCurvature", "mechanics.LeavesLaw", "mechanics.RoundLaw", "mechanics.suggest_support",
-        "mechanics.tolerance_study",
+        "mechanics.RestCurvature", "mechanics.LeavesLaw", "mechanics.RoundLaw", "mechanics.MaterialLaw",
+        "mechanics.suggest_support", "mechanics.tolerance_study",
     ),
     "The nearest rod": (
         "nearest_rod", "nearest_rods", "form_finding.stream_nearest_rods", "NearestRod", "Status",
