@@ -99,10 +99,8 @@ def transform_points(m: FloatArray, points: ArrayLike) -> FloatArray:
 def require_affine(matrix: ArrayLike) -> FloatArray:
     """Return the matrix, and refuse it unless it is affine and invertible."""
     m = numbers(matrix, "the matrix that a path is moved by")
-    if m.shape != (3, 3):
-        raise InputError("the matrix cannot move a path: use a finite 3x3 matrix with the last row 0, 0, 1")
     # plain numbers are faster than arrays in this often called function
-    (a, b, x), (c, d, y), last = m.tolist()
+    (a, b, x), (c, d, y), last = m.tolist() if m.shape == (3, 3) else 3 * [3 * [inf]]
     if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
         raise InputError("the matrix cannot move a path: use a finite 3x3 matrix with the last row 0, 0, 1")
     if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:

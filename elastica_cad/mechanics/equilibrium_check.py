@@ -303,8 +303,9 @@ def _with_line(
     tolerance: float,
 ) -> EquilibriumCheck:
     """Check the line of zero moment through the inflections; `normal` fixes its direction if not None."""
-    line = fit_inflection_line(_positions(check), normal)
-    distance = line.distance(_positions(check))
+    positions = check.curve.evaluate([z.t for z in check.zeros])
+    line = fit_inflection_line(positions, normal)
+    distance = line.distance(positions)
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
     check = replace(check, line=line, off_line=off_line)
     largest, allowed = float(np.abs(distance).max()), tolerance * check.length
@@ -493,10 +494,6 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     return SeparatingLine(line, spread, (low, high))
 
 
-def _positions(check: EquilibriumCheck) -> FloatArray:
-    return check.curve.evaluate(np.array([z.t for z in check.zeros]))
-
-
 def _kind_of(normal: FloatArray | None) -> str:
     if normal is None:
         return ""
@@ -547,9 +544,9 @@ def project_inflections(
 
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
-    needed: list[Constraint] = []
-    if inner.size:
-        needed.append(InflectionsOnLine(line.a, line.b, inner, natural_curvature))
+    needed: list[Constraint] = (
+        [InflectionsOnLine(line.a, line.b, inner, natural_curvature)] if inner.size else []
+    )
     if ends.size:
         needed += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, natural_curvature, curve.length)]
     needed.append(SmoothJoints.of(curve))
@@ -558,11 +555,10 @@ def project_inflections(
     start, end = (t not in ends for t in curve.domain)
     places = EndPositions(place.start if start else None, place.end if end else None)
     turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
-    held: tuple[list[Constraint], ...] = ([places, turns], [places], [])
-    for loosened in held:
+    for held in ((places, turns), (places,), ()):
         try:
             moved, _ = least_norm_newton(
-                curve, [*needed, *loosened], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
+                curve, [*needed, *held], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
             )
         except NotConvergedError:
             continue

@@ -15,7 +15,6 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
 from elastica_cad.geometry.plane_points import dot, left_of, near_pairs, norm, turns_along, unit_vectors
-from elastica_cad.geometry.profile import Profile
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.model.interlocking import (
     SHALLOW_RAD,
@@ -285,8 +284,11 @@ def missing_slots(
 
 def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overlap]:
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
-    narrower = [replace(body.ruled, width=_without_touching_edges(member.strip.width))
-                for body, member in zip(bodies, placed, strict=True)]  # fmt: skip
+    widths = [member.strip.width for member in placed]
+    narrower = [
+        replace(body.ruled, width=replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM))
+        for body, width in zip(bodies, widths, strict=True)
+    ]
     meeting = strips_may_meet(narrower, np.array([strip_thickness(member.strip) / 2 for member in placed]))
     slotted = _clearances_of_slots(placed, joints)
     meetings = []
@@ -339,10 +341,6 @@ def _crossing_without_slot(
         if not _has_slot_at(strips, points.first[:, 0], points.second[:, 0]):
             return float(points.first[:, 0].mean()), float(points.second[:, 0].mean())
     return None
-
-
-def _without_touching_edges(width: Profile) -> Profile:
-    return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 
 def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:

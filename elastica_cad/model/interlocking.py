@@ -359,7 +359,7 @@ class _Cutter:
         If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
         default, along its rulings, unless both slots together are much shorter otherwise (`OTHER_SIDE_FRACTION`).
         """
-        ways, costs = list[list[float]](), list[float]()
+        ways, costs = [], []
         for ends in ((0, 1), (1, 0)):
             exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
             ways.append([np.inf if x is None else x for x in exits])
