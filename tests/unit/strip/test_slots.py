@@ -190,6 +190,12 @@ def test_the_label_keeps_off_the_slots(at):
     assert abs(label.position[0] - plain.texts[0].position[0]) < 8.0  # as near to the middle as it can lie
 
 
+def test_a_strip_is_drawn_once_for_all_files_and_notes():
+    strip = straight(Slot(at=50.0, width=1.5, depth=14.0))
+    assert not any("is not engraved" in text for text in strip.warnings)
+    assert strip.drawing().strokes is strip.drawings()[0].strokes
+
+
 def test_the_label_of_a_perforated_strip_keeps_off_the_holes_of_its_tabs():
     held = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))
     strip = Strip(optimal_rod(ARCH), CARD, style=Perforated(width=30, columns=2), ends=held, label="ARCH 1")
