@@ -57,6 +57,10 @@ class Option:
     written : type or str, optional
         Type of the value in files and options, if the field accepts more. "module:name" names a record that
         is imported on use.
+    needs : str
+        Field without which this field has no effect, or "".
+    replaces : tuple of str
+        Fields that have no effect beside this field.
     """
 
     help: str
@@ -68,6 +72,8 @@ class Option:
     group: str = ""
     common: bool = False
     written: Any = None
+    needs: str = ""
+    replaces: tuple[str, ...] = ()
 
     @property
     def bounds(self) -> str:

@@ -19,6 +19,7 @@ from elastica_cad.cli.options import (
     POINT,
     join_options,
     output_options,
+    refuse_idle,
     requested_sheet,
     sheet_options,
 )
@@ -204,6 +205,10 @@ def _print_files(written: tuple[Path, ...]) -> None:
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
+    refuse_idle(
+        {"bore": ("rod",), "leaves": ("stock",)},
+        {"leaves": ("stations", "every", "weight"), "every": ("stations",)},
+    )
     sheet, strip, rod = requested_sheet(chosen), chosen["stock"], chosen["rod"]
     if (strip is None) == (rod is None):
         raise InputError(
@@ -212,15 +217,8 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
     largest = rod if strip is None else strip[1]
     least = LEAST_FRACTION * largest if chosen["least"] is None else chosen["least"]
     if chosen["leaves"] is not None:
-        if strip is None:
-            raise InputError("--leaves applies to strips only. Use --stock WIDTH THICKNESS instead of --rod.")
         least = max(least, largest / chosen["leaves"])
     if strip is not None:
-        if chosen["bore"]:
-            raise InputError(
-                "--bore is the inner diameter of a tube. Add the outer diameter (--rod DIAMETER), or leave out "
-                "--bore."
-            )
         return ThicknessLaw(sheet, least, largest, width=strip[0])
     return RoundLaw(sheet, least, largest, bore=chosen["bore"])
 

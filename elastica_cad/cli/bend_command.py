@@ -12,13 +12,12 @@ import numpy as np
 from elastica_cad._text import file_word
 from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
-    IDLE_DOWN,
     LENGTH,
     POINT,
     Length,
     given_of,
-    option_name,
     output_options,
+    refuse_idle,
     requested_sheet,
     sheet_options,
     smooth_option,
@@ -67,11 +66,6 @@ from elastica_cad.strip.holding_template import bar_direction
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
 from elastica_cad.strip.travel import Travel, bend_strip
-
-OF_A_CURVE = {
-    "--curve": "number", "--layer": "layer", "--unit": "unit", "--smooth": "smooth", "--nearest": "nearest",
-}  # fmt: skip
-"""Options that apply to a drawn curve only."""
 
 ROUNDED_MM = 1.0
 """Distance from an end of the strip within which a cord counts as tied to this end. Users type whole mm."""
@@ -171,19 +165,16 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         raise InputError(
             "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
         )
-    if chosen["straight"] is not None:
-        idle = {o for o, name in OF_A_CURVE.items() if not (chosen[name] is None or chosen[name] is False)}
-        _refuse_curve_options(idle, "--straight")
+    refuse_idle({}, {"straight": ("number", "layer", "unit", "smooth", "nearest")})
     if curve is not None and not curve.is_file():
         requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])  # refuses the missing file
     finished = None if curve is None else _strip_of_report(curve, chosen)
     has_material = chosen["sheet"] is not None or finished is not None
-    for option in ("gravity", "thickness", "max_width"):
-        if not has_material and chosen[option] is not None and chosen[option] is not False:
-            raise InputError("{option} needs a material. Add --sheet NAME.", option=option_name(option))
+    if not has_material:
+        refuse_idle(dict.fromkeys(("gravity", "thickness", "max_width"), ("sheet",)))
     has_weight = finished is not None and finished.spec.gravity
-    if chosen["down"] is not None and not (chosen["gravity"] or has_weight or chosen["point_mass"]):
-        raise InputError(IDLE_DOWN)
+    if not has_weight:
+        refuse_idle({"down": ("gravity", "point_mass")})
     settings = parsed_settings(chosen["settings"], BentKeys)
     if settings and (curve is None or not has_material):
         raise InputError("--set needs a strip. Name its report, or a CURVE and --sheet NAME.")
@@ -249,10 +240,11 @@ def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None
     return FinishedStrip.read(record, requested.curve)
 
 
-def _refuse_curve_options(idle: set[str], strip: str = "the finished strip of a report") -> None:
+def _refuse_curve_options(idle: set[str]) -> None:
     for name in sorted(idle):
         raise InputError(
-            "{name} applies to a drawn CURVE only, not to {strip}. Leave out {name}.", name=name, strip=strip
+            "{name} applies to a drawn CURVE only, not to the finished strip of a report. Leave out {name}.",
+            name=name,
         )
 
 

@@ -15,6 +15,7 @@ from elastica_cad.cli.options import (
     given_of,
     join_options,
     output_options,
+    refuse_idle,
     requested_sheet,
     sheet_options,
     smooth_option,
@@ -151,6 +152,8 @@ def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     """Return the material and its options. Without --sheet, the modulus is 1 GPa, for forces in N per GPa."""
+    strip = ("max_width",)
+    refuse_idle({"thickness": ("sheet",), "hole": strip, "min_width": strip, "max_width": ("sheet",)})
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(
@@ -162,8 +165,6 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     if fields and (widest == least if rod is None else rod[0] == rod[1]):
         raise InputError("--nearest and --smooth apply to a varying section only. Leave out these options.")
     if rod is None:
-        if chosen["sheet"] is None:
-            raise InputError("--max-width needs a sheet, which sets the thickness. Add --sheet NAME.")
         sheet = requested_sheet(chosen)
         if sheet.kind == ROD_KIND:
             raise InputError(
@@ -171,10 +172,6 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
                 sheet=sheet.name,
             )
         return sheet, fields | {"max_width": widest, "min_width": least}
-    if chosen["hole"]:
-        raise InputError("--hole applies to strips only. Leave out --hole.")
-    if least is not None:
-        raise InputError("--min-width applies to strips only. Use --rod LEAST:LARGEST instead.")
     sheet = (
         Sheet("a rod", rod[1], MPA_PER_GPA, density=1000.0, max_strain=0.4)
         if chosen["sheet"] is None

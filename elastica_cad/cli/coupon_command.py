@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from elastica_cad._text import file_word, quote_words
-from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
+from elastica_cad.cli.options import LENGTH, POINT, given_of, output_options, refuse_idle
 from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.errors import InputError
@@ -82,16 +82,14 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
     if name_or_file is not None and chosen["sheet"] is not None:
         refuse_extra_words([name_or_file])
     chosen["sheet"] = name_or_file or chosen["sheet"]
+    refuse_idle(
+        dict.fromkeys(("least_radius", "kerf", "grain", "kind", "keep", "reading_error"), ("measured",)),
+        {"measured": ("overhang", "width", "clamp")},
+    )
     sheet = require_flat(_sheet_of_coupon(chosen))
     if chosen["measured"]:
         _calibrate(sheet, chosen)
         return
-    for option in ("least_radius", "kerf", "grain", "kind", "keep"):
-        if chosen[option] is not None and chosen[option] is not False:
-            raise InputError(
-                "{option} belongs to a measurement. Add --measured OVERHANG DROOP.",
-                option=option_name(option),
-            )
     overhang = chosen["overhang"]
     drawing = coupon_drawing(sheet, overhang=overhang, width=chosen["width"], clamp=chosen["clamp"])
     files = [File(f"{file_word(drawing.name)}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]

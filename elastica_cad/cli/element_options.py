@@ -9,7 +9,6 @@ import click
 
 from elastica_cad.cli.options import Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
-from elastica_cad.errors import InputError
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
 
@@ -104,10 +103,6 @@ def cut_options() -> Callable[[Any], Any]:
 def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keys `between` and `loads` of a design file for the given options."""
     cuts = {name: chosen[name] for name in CUTS if chosen.get(name) is not None}
-    if cuts and not (chosen.get("pin") or chosen.get("tie")):
-        raise InputError(
-            "{option} needs a pin or a tie. Add --pin or --tie.", option=option_name(next(iter(cuts)))
-        )
     table: dict[str, Any] = {}
     for key, names in (("between", ELEMENTS), ("loads", LOADS)):
         rows = [

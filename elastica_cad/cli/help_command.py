@@ -8,7 +8,7 @@ from elastica_cad.cli.settings import DEEPEST, GROUPS, CommandKeys
 from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.cli.voice import answer, say
 from elastica_cad.declared import REQUIRED, Kind, Record
-from elastica_cad.design.model_tables import DesignKeys
+from elastica_cad.design.model_tables import DesignKeys, makers_using
 from elastica_cad.design.records import (
     current_path,
     help_with_unit,
@@ -18,7 +18,7 @@ from elastica_cad.design.records import (
     written,
 )
 from elastica_cad.errors import InputError, near_names, quoted
-from elastica_cad.refusals import Either
+from elastica_cad.refusals import Either, Listed
 
 
 def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
@@ -105,6 +105,8 @@ def _explanation(path: str, option: str) -> str:
     inner = [name for table, _, name in split if table == key]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
+    if makers := makers_using(path.partition(".")[0]):
+        lines.append(f"At the top of a design file, it applies to {Listed(makers)}.")
     typed = f"{option}=VALUE" if option.startswith("--set") else option
     setting = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
     return "\n".join([path, *(f"  {line}" for line in [*lines, setting])])

@@ -1,14 +1,17 @@
 """Options that several commands share, and the parameter type of lengths."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from elastica_cad._units import MM_PER_INCH, read_length, read_number
 from elastica_cad.declared import Field
+from elastica_cad.errors import InputError
 
 if TYPE_CHECKING:
     from elastica_cad.mechanics.sheets import Sheet
@@ -57,7 +60,6 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
 
 
 LENGTH = Length()
-IDLE_DOWN = "--down sets the direction of the weight, but the weight is not included. Add --gravity."
 POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
 
 
@@ -111,6 +113,34 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
     """Return the named parameters that the user has given."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
+
+
+def refuse_idle(
+    needs: Mapping[str, Sequence[str]], replaces: Mapping[str, Sequence[str]] = MappingProxyType({})
+) -> None:
+    """Raise InputError for typed options that have no effect.
+
+    An option of `needs` has no effect without one of the others. An option of `replaces` leaves the others without
+    effect. All are given by the names of their parameters.
+    """
+    context = click.get_current_context()
+    typed = {
+        str(option.name): option.opts[0]
+        for option in context.command.params
+        if context.get_parameter_source(str(option.name)) is ParameterSource.COMMANDLINE
+    }
+    for name, option in typed.items():
+        others = needs.get(name, ())
+        if others and typed.keys().isdisjoint(others):
+            raise InputError(
+                "{option} has no effect without {others}. Add {others}, or leave out {option}.",
+                option=option, others=" or ".join(map(option_name, others)),
+            )  # fmt: skip
+        if idle := [typed[other] for other in replaces.get(name, ()) if other in typed]:
+            raise InputError(
+                "{option} has no effect beside {other}. Leave out one of these options.",
+                option=idle[0], other=option,
+            )  # fmt: skip
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:

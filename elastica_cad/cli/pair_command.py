@@ -82,17 +82,19 @@ def pair(**chosen: Any) -> None:
     file with a table [pair], which names the curves, the sheet and all options.
     """
     path: Path = chosen["first"]
-    settings = parsed_settings(chosen["settings"], PairKeys)
+    table = given_of(chosen, (entry.name for entry in _COMMON_OPTIONS))
+    table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
+    settings = with_settings(table, parsed_settings(chosen["settings"], PairKeys))
     cut = settings.pop("cut", {}) | given_of(chosen, ["kerf"])
     if path.suffix == ".toml":
-        if chosen["second"] is not None or chosen["sheet"] is not None:
+        if given_of(chosen, ("second", "first_curve", "second_curve", "unit", "sheet", "thickness")):
             raise InputError(
                 "A design file names both curves and the sheet. Leave out the other arguments and options."
             )
-        spec, cutting = read_pair(path, read_curves, settings), read_cutting(path, cut)
+        spec, (name, cutting) = read_pair(path, read_curves, settings), read_cutting(path, cut)
     else:
-        spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
-    name = file_word(chosen["name"] or path.stem)
+        spec, name, cutting = _spec_of(chosen, settings), path.stem, cutting_of({"cut": cut})
+    name = file_word(chosen["name"] or name)
     # raise the error for an unknown kerf before the long computation
     sheet = Sheet.of(spec.sheet)
     cut_as = cut_text(cutting.options(sheet)["kerf"])
@@ -103,9 +105,7 @@ def pair(**chosen: Any) -> None:
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
-    result = MadePair(
-        spec, _made(spec, "--set scale=" if path.suffix == ".toml" else "--scale "), name, cutting
-    )
+    result = MadePair(spec, _made(spec), name, cutting)
     process = click.get_current_context().find_object(DrawingProcess)
     written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
     _report(result)
@@ -118,28 +118,24 @@ def pair(**chosen: Any) -> None:
     say(*left_out(blocks=(name, f"{name}-holder")))
 
 
-def _made(spec: FlexureSpec, option: str) -> Flexure:
+def _made(spec: FlexureSpec) -> Flexure:
     try:
         return spec.make()
     except InputError as problem:
         if (share := problem.refusal.values.get("share")) is None:
             raise
-        text = "{problem}. Add {option} to enlarge the curves."
-        raise InputError(
-            text, problem=problem.refusal, option=f"{option}{rounded_up(spec.scale * share)}"
-        ) from problem
+        text = "{problem}. Add --scale {scale} to enlarge the curves."
+        raise InputError(text, problem=problem.refusal, scale=rounded_up(spec.scale * share)) from problem
 
 
 def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     if chosen["sheet"] is None:
         raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
-    table = given_of(chosen, (entry.name for entry in _COMMON_OPTIONS))
-    table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
     first, second = _curves(chosen)
     names = (first.drawn.chosen_name, second.drawn.chosen_name)
     if names[0] != names[1]:
-        table |= dict(zip(("first_state", "second_state"), names, strict=True))
-    fields = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
+        settings = dict(zip(("first_state", "second_state"), names, strict=True)) | settings
+    fields = Reader().given(PairKeys, Table(settings, "", {}))
     return FlexureSpec(first.bendable(None), second.bendable(None), requested_sheet(chosen), **fields)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._text import file_word
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
+from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options, refuse_idle
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
@@ -80,6 +80,7 @@ def reshape(
     weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 if no strip can take a curve, which no
     such map changes.
     """
+    refuse_idle({}, {"handles": CORNERS})
     drawing = drawn_curves(curve, unit, number, layer)
     chosen = drawing.chosen(number, layer)
     for drawn_curve in chosen if len(chosen) > 1 else ():
@@ -127,10 +128,6 @@ def _map_of_options(
     handles: tuple[tuple[float, float, float, float], ...],
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
-    if handles and corners:
-        raise InputError(
-            "--handle cannot be combined with corners of the bounding box. Leave out one of the two."
-        )
     if corners:
         return map_corners(curves, corners)
     if not handles:

@@ -16,6 +16,7 @@ from elastica_cad.cli.options import (
     Length,
     given_of,
     output_options,
+    refuse_idle,
     requested_sheet,
     sheet_options,
 )
@@ -59,10 +60,10 @@ UPRIGHT = 1e-9
 """Largest x and y, relative to z, of a direction that is parallel to z apart from rounding errors."""
 
 _IDLE = {
-    "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
-    "--along": ("point", "axis", "zero"),
+    "radial": ("up",), "angles": ("up",), "parallel": ("zero",), "offsets": ("zero",),
+    "along": ("point", "axis", "zero"),
 }  # fmt: skip
-"""Options without effect, by the option that defines the planes."""
+"""Parameters without effect, by the parameter that defines the planes."""
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
@@ -221,25 +222,8 @@ def _family_option(chosen: dict[str, Any]) -> str:
             f"Exactly one option for the cutting planes is needed{selected}. Use one of "
             f"{', '.join(families)}."
         )
-    if chosen["count"] is not None and chosen["along"] is None:
-        raise InputError(
-            "--count applies to planes along a path only, not to {given}. Leave out --count.",
-            given=options[0],
-        )
-    for option in _IDLE[options[0]]:
-        if chosen[option] is not None:
-            raise InputError(
-                "--{option} does not apply to the planes of {given}. Leave out --{option}.",
-                option=option,
-                given=options[0],
-            )
-    if chosen["sheet"] is None:
-        lost = [option for option in ("margin", "gravity") if chosen[option]]
-        if lost:
-            raise InputError(
-                "--{lost} is written to a design file, and a design file needs a sheet. Add --sheet NAME.",
-                lost=lost[0],
-            )
+    of_design = ("margin", "gravity", "thickness", "max_width", "ratio", "stand")
+    refuse_idle(dict.fromkeys(of_design, ("sheet",)) | {"count": ("along",)}, _IDLE)
     return options[0]
 
 

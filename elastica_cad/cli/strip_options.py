@@ -7,15 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from elastica_cad.cli.element_options import ELEMENTS, LOADS, cut_options, element_options, element_table
+from elastica_cad.cli.element_options import (
+    CUTS,
+    ELEMENTS,
+    LOADS,
+    cut_options,
+    element_options,
+    element_table,
+)
 from elastica_cad.cli.options import (
-    IDLE_DOWN,
     POINT,
     given_of,
     join_options,
     option_name,
     option_of,
     output_options,
+    refuse_idle,
 )
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
@@ -221,11 +228,10 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
     if chosen["keep_ends"] is not None:
         ends = BOTH_ENDS[chosen["keep_ends"]]
         put(table, "keep.ends", ends if isinstance(ends, bool) else list(ends))
+    refuse_idle({"down": ("gravity", "point_mass")} | dict.fromkeys(CUTS, ("pin", "tie")))
     gravity = True if chosen["down"] is None else list(chosen["down"])
     if chosen["gravity"]:
         table["gravity"] = gravity
-    elif chosen["down"] is not None and not chosen["point_mass"]:
-        raise InputError(IDLE_DOWN)
     if chosen["start"] or chosen["end"]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
     table |= given_of(chosen, ["natural_curvature"]) | element_table(chosen)

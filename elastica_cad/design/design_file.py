@@ -18,11 +18,11 @@ import numpy as np
 from elastica_cad._text import quote_words
 from elastica_cad._toml import parse_toml
 from elastica_cad._values import several, value_key
-from elastica_cad.declared import require_bounds
+from elastica_cad.declared import Record, require_bounds
 from elastica_cad.design.kit_spec import KitSpec
-from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit
-from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of
-from elastica_cad.design.strip_table import SHARED, StripEntry, StripKeys, read_strip
+from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit, share_keys
+from elastica_cad.design.records import CurveReader, Reader, fields_of, names_of, require_keys
+from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
 from elastica_cad.design.tables import Slips, Table, merged, with_present_keys
 from elastica_cad.errors import (
     ElasticaError,
@@ -38,7 +38,7 @@ from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
-from elastica_cad.refusals import Listed, ended, note
+from elastica_cad.refusals import ended, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
 
@@ -204,25 +204,30 @@ def design_of(
     read_surface: "SurfaceReader | None" = None,
 ) -> Design:
     """Make a design from the parsed tables of the file `path`; see `read_design`."""
-    top, slips = Table(data, str(path), {}), Slips()
-    with slips.gathering():
-        top.only(*names_of(DesignKeys))
-    if data.get("schema", DESIGN_SCHEMA) != DESIGN_SCHEMA:
-        slips.add(note(
-            "{file}: schema is {schema}, but this version reads only schema {known}. Write schema = {known}",
-            file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
-        ))  # fmt: skip
-    top.scope = top.within(data.get("let", {}))
+    slips = Slips()
+    top = top_table(data, path, slips)
     # read each file once, because many strips may name the same file
     read_surface = None if read_surface is None else cache(read_surface)
     reader = Reader(own_sheets(top, path), path.parent, cache(read_curves), read_surface)
     revolution: RevolutionTable | None = None
     notes: tuple[str, ...] = ()
+    strips = top.tables("strips")
+    makers: dict[str, tuple[Record, Table]] = {
+        f"strips[{i}]": (StripKeys, table) for i, table in enumerate(strips, start=1)
+    }
+    if top.has("revolution"):
+        from elastica_cad.design import revolution_table
+
+        makers["a surface of revolution"] = revolution_table.RevolutionTable, top.table("revolution")
     with slips.gathering():
-        revolution, notes = _read_revolution(top, reader)
-    entries, reports = _read_strips(top, reader, slips)
-    for sheet in [*(entry.sheet for entry in entries[:1]), *([revolution.sheet] if revolution else [])][:1]:
-        _check_overridden(top, replace(reader, sheet=sheet), slips)
+        notes = share_keys(top, makers, reader)
+        if top.has("revolution"):
+            _, table = makers["a surface of revolution"]
+            revolution = revolution_table.read_revolution(table, reader)
+            # without holders, the tabs have the length 0 by default
+            if revolution.ends is None and revolution.rings is None and not any(map(top.has, HOLDERS)):
+                revolution = replace(revolution, ends=(Tab(0.0), Tab(0.0)))
+    entries, reports = _read_strips(strips, top, reader, slips)
     patterns: list[tuple[str, dict[str, Any]]] = []
     for table in top.tables("patterns"):
         with slips.gathering():
@@ -243,12 +248,12 @@ def design_of(
     if not entries and revolution is None:
         raise InputError("{place} has no strips. Write at least one table [[strips]].", place=top.where)
     return Design(
-        name=top.text("name", path.stem),
+        name=name_of_files(top, path),
         entries=tuple(entries),
         patterns=tuple(patterns),
         interlock=interlocked,
         kit=kit,
-        reports=reports if revolution is None else (*notes, *revolution.reports, *reports),
+        reports=(*notes, *(() if revolution is None else revolution.reports), *reports),
         revolution=revolution,
     )
 
@@ -274,44 +279,27 @@ def parse_design(path: Path) -> dict[str, Any]:
         ) from error
 
 
-def _read_revolution(top: Table, reader: Reader) -> "tuple[RevolutionTable | None, tuple[str, ...]]":
-    """Return the surface of revolution of a design, or None, and notes. Keys at the top of the design are defaults.
-
-    Without holders, `ends` is two tabs of length 0 by default.
-    """
-    if not top.has("revolution"):
-        return None, ()
-    from elastica_cad.design.revolution_table import INHERITED, read_revolution
-
-    table = top.table("revolution")
-    # points and equations are not smoothed
-    used = [key for key in INHERITED if top.has(key) and (key != "smooth" or table.has("curve"))]
-    idle = [key for key in SHARED if top.has(key) and key not in used]
-    if idle and not top.has("strips"):
-        raise InputError(
-            "{place} has no effect on a surface of revolution, whose strips follow its meridian and touch each "
-            "other. Leave out {keys}.",
-            place=top.place(idle[0]),
-            keys=Listed(idle),
-        )
-    table.defaults = Table({key: top.raw(key) for key in used}, top.where, top.scope)
-    revolution = read_revolution(table, reader)
-    if revolution.ends is None and revolution.rings is None and not any(map(top.has, HOLDERS)):
-        revolution = replace(revolution, ends=(Tab(0.0), Tab(0.0)))
-    text = "The surface of revolution does not use these keys at the top of the design: {keys}."
-    return revolution, (note(text, keys=Listed(idle)),) if idle else ()
+def top_table(data: Mapping[str, Any], path: Path, slips: Slips) -> Table:
+    """Return the top level of a design, after checking its keys and the version of its schema."""
+    top = Table(data, str(path), {})
+    with slips.gathering():
+        top.only(*names_of(DesignKeys))
+    if data.get("schema", DESIGN_SCHEMA) != DESIGN_SCHEMA:
+        slips.add(note(
+            "{file}: schema is {schema}, but this version reads only schema {known}. Write schema = {known}",
+            file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
+        ))  # fmt: skip
+    top.scope = top.within(data.get("let", {}))
+    return top
 
 
-def _check_overridden(top: Table, reader: Reader, slips: Slips) -> None:
-    """Check the shared keys at the top of a design whose values all parts override."""
-    parts, scope = top.tables("strips") or [top.table("revolution")], {**top.scope, "i": 1.0}
-    for part in parts:
-        scope |= Table(part.data, part.where, scope).within(part.raw("let", {}))
-    shared = Table(top.data, top.where, scope)
-    for entry in fields_of(DesignKeys):
-        if entry.name in SHARED and top.has(entry.name) and all(part.has(entry.name) for part in parts):
-            with slips.gathering():
-                require_bounds(entry, reader.value(entry.kind, shared, entry.name), top.place(entry.name))
+def name_of_files(top: Table, path: Path) -> str:
+    """Return the name of a model and of its files: the key `name`, or the name of the design file."""
+    name = top.text("name", path.stem)
+    if top.has("name"):
+        (entry,) = (entry for entry in fields_of(DesignKeys) if entry.name == "name")
+        require_bounds(entry, name, top.place("name"))
+    return name
 
 
 class _Sheets(dict[str, Sheet]):
@@ -338,26 +326,28 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
     return sheets
 
 
-def _read_strips(top: Table, reader: Reader, slips: Slips) -> tuple[list[StripEntry], tuple[str, ...]]:
+def _read_strips(
+    tables: Sequence[Table], top: Table, reader: Reader, slips: Slips
+) -> tuple[list[StripEntry], tuple[str, ...]]:
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
     labels: set[str] = set()
-    for table in top.tables("strips"):
+    for table in tables:
         sections: tuple[SectionCurve | None, ...] = ()
         with slips.gathering():
-            table.only(*names_of(StripKeys))
+            require_keys(StripKeys, table)
             if table.has("sections"):
                 from elastica_cad.design.sections_table import read_sections
 
-                sections, section_reports = read_sections(_only_sections(table), reader)
+                sections, section_reports = read_sections(table.table("sections"), reader)
                 reports += section_reports
             else:
                 sections = (None,) * table.count("count", 1)
         first = len(entries)
         for i, section in enumerate(sections, start=1):
             where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
-            strip_table = Table(table.data, where, {**top.scope, "i": float(i)}, top)
+            strip_table = Table(table.data, where, {**top.scope, "i": float(i)}, table.defaults)
             try:
                 strip_table.scope = strip_table.within(table.data.get("let", {}))
                 label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
@@ -413,16 +403,6 @@ def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], 
             )
 
 
-def _only_sections(table: Table) -> Table:
-    idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
-    if idle:
-        raise InputError(
-            "{place} has no effect, because the strips follow sections of a surface. Leave out this key.",
-            place=table.place(idle[0]),
-        )
-    return table.table("sections")
-
-
 def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     table.only(*_PATTERNS)
     if len(table.data) != 1:
@@ -448,7 +428,7 @@ def _comparison_key(entry: StripEntry) -> Any:
     digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
     placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     values = [getattr(spec, option.name) for option in fields(spec) if option.name not in placed]
-    return digits.tobytes(), value_key(values)
+    return digits.tobytes(), value_key([*values, spec.compensate and spec.slots])
 
 
 def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
@@ -463,9 +443,12 @@ def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
 
 
 def _make_named(entry: StripEntry, *, slotted: bool) -> Strip:
-    """Make a strip without slots. The widths of slotted strips are compensated later."""
-    compensate = entry.spec.compensate
-    spec = entry.spec.changed(slots=(), compensate=False if compensate and slotted else compensate)
+    """Make a strip, without slots unless its widths compensate them. With `slotted`, they are compensated later."""
+    spec = entry.spec
+    if slotted and spec.compensate:
+        spec = spec.changed(compensate=False)
+    if not spec.compensate:
+        spec = spec.changed(slots=())
     try:
         return spec.make()
     except (NotRealizable, InputError, NotConvergedError) as problem:

@@ -67,12 +67,14 @@ class Reshape:
     bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
     top_right: Annotated[Point | None, Option(_TO.format("upper right"), "mm")] = None
     top_left: Annotated[Point | None, Option(_TO.format("upper left"), "mm")] = None
-    handles: Annotated[Handles | None, Option("Positions of four handles, instead of corners.", "mm")] = None
-    to: Annotated[Handles | None, Option("New positions of the handles.", "mm")] = None
+    handles: Annotated[
+        Handles | None,
+        Option("Positions of four handles, instead of corners.", "mm", needs="to", replaces=CORNERS),
+    ] = None
+    to: Annotated[Handles | None, Option("New positions of the handles.", "mm", needs="handles")] = None
 
     def __post_init__(self) -> None:
-        targets = [target for target in (self.handles, self.to) if target is not None]
-        if bool(targets) == bool(self.corners) or len(targets) == 1:
+        if not (self.handles or self.corners):
             raise InputError(
                 "New positions are missing. Set corners of the curve's bounding box ({corners}), or four "
                 "handles and four points `to`.",
@@ -107,7 +109,10 @@ class CurveOfFile(_Curve):
     number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
     id: Annotated[
         str | None,
-        Option("Name of the curve in the file; may contain the number of the strip, as labels do."),
+        Option(
+            "Name of the curve in the file; may contain the number of the strip, as labels do.",
+            replaces=("number",),
+        ),
     ] = None
     layer: Annotated[str | None, Option("Layer of the curve.")] = None
     unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
@@ -177,7 +182,10 @@ class EllipseArc:
     start: Annotated[float | None, Option("Parameter at the start of the arc.", "rad")] = None
     end: Annotated[float | None, Option("Parameter at the end of the arc.", "rad")] = None
     above: Annotated[
-        float | None, Option("Height above which the arc is used, instead of start and end.", "mm")
+        float | None,
+        Option(
+            "Height above which the arc is used, instead of start and end.", "mm", replaces=("start", "end")
+        ),
     ] = None
 
     def drawn(self, where: str) -> PlaneCurve:
@@ -186,12 +194,6 @@ class EllipseArc:
         if self.above is None:
             end = 2 * np.pi if self.end is None else self.end
             return PlaneCurve.ellipse(center, axes, rotation, self.start or 0.0, end)
-        idle = [key for key in ("start", "end") if getattr(self, key) is not None]
-        if idle:
-            raise InputError(
-                "{place} and the key 'above' exclude each other. Leave out one of them.",
-                place=f"{where}: {idle[0]}",
-            )
         rise = self.above - center[1]
         # height above the centre at the parameter v, for half axes a and b:
         # a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
@@ -234,16 +236,12 @@ class CurveOfSpline(_Curve):
         tuple[float, ...] | None, Option("Full knot vector; by default evenly spaced with clamped ends.")
     ] = None
     weights: Annotated[
-        tuple[float, ...] | None, Option("Weights of the control points; by default equal.")
+        tuple[float, ...] | None, Option("Weights of the control points; by default equal.", needs="knots")
     ] = None
 
-    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+    def drawn(self, _: Reader, __: str, ___: Table) -> PlaneCurve:
         """Return the B-spline exactly as it is given."""
         if self.knots is None:
-            if self.weights is not None:
-                raise InputError(
-                    "{place} needs the key 'knots' too. Add this key.", place=f"{where}: weights"
-                )
             return PlaneCurve.spline(self.spline, degree=self.degree)
         weights = None if self.weights is None else np.array(self.weights)
         return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)

@@ -232,11 +232,6 @@ class HolderSpec:
             return chosen.holders, f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
         feet, spacers = options.pop("feet", None), options.pop("spacers", None)
-        if feet is not None and spacers is not None:
-            raise InputError(
-                "{place}: spacers and feet are in the same place. Leave out {feet} or {spacers}.",
-                place=self.where, feet=FieldName("feet"), spacers=FieldName("spacers"),
-            )  # fmt: skip
         ribs: tuple[Rib, ...] = ()
         plates: tuple[BasePlate, ...]
         if self.kind == "frame":

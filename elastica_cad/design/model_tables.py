@@ -1,14 +1,15 @@
-"""Tables of a design file for all parts of a model that are not strips, and for a two-state part."""
+"""The top of a design file, and its tables for all parts of a model that are not strips."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from elastica_cad.declared import Field, Option, Record
+from elastica_cad.declared import Field, Option, Record, require_bounds
 from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
-from elastica_cad.design.records import Reader, fields_of
-from elastica_cad.design.strip_table import CurveLength, SharedKeys, StripKeys
+from elastica_cad.design.records import Reader, fields_of, idle_keys, tables_in, written
+from elastica_cad.design.strip_table import SHARED, CurveLength, SharedKeys, StripKeys
 from elastica_cad.design.tables import Table
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet, sheet_keys
 from elastica_cad.model.fixtures import EndFixture
@@ -18,6 +19,7 @@ from elastica_cad.model.model import mirror, repeat, rotate
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
 from elastica_cad.model.spacers import Spacers
+from elastica_cad.refusals import Listed, Refusal, note
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.translations import Language
 
@@ -63,7 +65,13 @@ class NamedStand(Stand):
 @dataclass(frozen=True, kw_only=True)
 class _Plates(Stand):
     feet: Annotated[
-        float | None, Option("Size of small plates that are glued beside inclined tabs.", "mm", least=0)
+        float | None,
+        Option(
+            "Size of small plates that are glued beside inclined tabs.",
+            "mm",
+            least=0,
+            replaces=("spacers",),
+        ),
     ] = None
 
 
@@ -201,12 +209,85 @@ class DesignKeys(SharedKeys):
     language: Annotated[Language | None, Option("Language of the assembly sheet.")] = None
 
 
+MAKERS = ("strips", "revolution", "pair")
+"""Keys of a design whose tables make parts, and use the shared keys at its top."""
+
+
+def _uses(record: Record, entry: Field) -> bool:
+    """Return True if a table of parts has a shared key, which may have fewer kinds of values there."""
+    kinds = {*written(entry.kind).alternatives}
+    return any(
+        own.name == entry.name and not kinds.isdisjoint(written(own.kind).alternatives)
+        for own in fields_of(record)
+    )
+
+
+def makers_using(key: str) -> list[str]:
+    """Return the tables of a design that use a key at its top.
+
+    Examples
+    --------
+    >>> makers_using("smooth"), makers_using("max_width"), makers_using("nest")
+    (['strips', 'revolution', 'pair'], ['strips'], [])
+    """
+    known = {entry.name: entry for entry in fields_of(DesignKeys)}
+    records = {name: tables_in(written(known[name].kind))[-1] for name in MAKERS}
+    return [name for name, record in records.items() if key in SHARED and _uses(record, known[key])]
+
+
+def share_keys(
+    top: Table, makers: Mapping[str, tuple[Record, Table]], reader: Reader, others: Sequence[str] = ()
+) -> tuple[Refusal, ...]:
+    """Make the keys at the top of a design the defaults of the tables that use them.
+
+    Return notes on the tables that do not use a key. Raise InputError for keys that no table uses, for the keys
+    `others`, and for wrong values.
+
+    Parameters
+    ----------
+    makers : mapping
+        Records and tables of the parts that the design makes, by their names in messages.
+    """
+    scope, unused, ignored = {**top.scope, "i": 1.0}, list(others), dict[tuple[str, ...], list[str]]()
+    for _, table in makers.values():
+        table.defaults = top  # a key at the top may replace others
+        scope |= Table(table.data, table.where, scope).within(table.data.get("let", {}))
+    idle = {name: idle_keys(record, table) for name, (record, table) in makers.items()}
+    users = dict[str, list[str]]()
+    # strain limits need the thickness of a sheet, and here any sheet serves
+    checked, reader = Table(top.data, top.where, scope), replace(reader, sheet=Sheet.named("card-200gsm"))
+    for entry in fields_of(DesignKeys) if makers else ():
+        key = entry.name
+        if key not in SHARED or not top.has(key):
+            continue
+        known = [name for name, (record, _) in makers.items() if _uses(record, entry)]
+        # a key without effect on all of them is passed on, and refused with the reason
+        users[key] = [name for name in known if key not in idle[name]] or known
+        if users[key] and all(key in makers[name][1].data for name in users[key]):
+            require_bounds(entry, reader.value(entry.kind, checked, key), top.place(key))
+        rest = tuple(name for name in makers if name not in users[key])
+        if rest:
+            (ignored.setdefault(rest, []) if users[key] else unused).append(key)
+    if unused:
+        raise InputError(
+            "{place} has no effect on {parts}. Leave out {keys}.",
+            place=top.place(unused[0]), parts=Listed(makers), keys=Listed(unused),
+        )  # fmt: skip
+    for name, (_, table) in makers.items():
+        shared = {key: top.raw(key) for key, names in users.items() if name in names}
+        table.defaults = Table(shared, top.where, top.scope)
+    text = "These keys at the top of the design have no effect on {parts}: {keys}."
+    return tuple(note(text, parts=Listed(rest), keys=Listed(keys)) for rest, keys in ignored.items())
+
+
 def read_kit(top: Table, reader: Reader) -> KitSpec:
     """Read the request for holders, nesting, cutting files and coupons from a design."""
-    known = {entry.name: entry for entry in fields_of(DesignKeys)}
-
     keys = ("nest", "cut", "extras", "shop", "ignore_limits", "language")
-    given = {key: reader.value(known[key].kind, top, key) for key in keys if top.has(key)}
+    given = {
+        entry.name: reader.value(entry.kind, top, entry.name)
+        for entry in fields_of(DesignKeys)
+        if entry.name in keys and top.has(entry.name)
+    }
     nesting = given.pop("nest", Nesting())
     return KitSpec(
         nesting=nesting,

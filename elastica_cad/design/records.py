@@ -31,7 +31,7 @@ from elastica_cad.mechanics.cross_sections import SECTION_KINDS, Section
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Either
+from elastica_cad.refusals import Either, Refusal, note
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
@@ -120,10 +120,41 @@ def fields_of(record: Record) -> tuple[Field, ...]:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())
     declared_here, beside = declared(record), getattr(record, "BESIDE", None)
     without = {*getattr(record, "WITHOUT", ()), *(entry.name for entry in declared_here)}
-    return (
-        *(entry for entry in (fields_of(beside) if beside else ()) if entry.name not in without),
-        *declared_here,
-    )
+    inner = fields_of(beside) if beside else ()
+    return (*(entry for entry in inner if entry.name not in without), *declared_here)
+
+
+def idle_keys(record: Record, table: Table) -> dict[str, Refusal]:
+    """Return the keys that have no effect beside the other keys of a record's table, each with the reason.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import StripSpec
+    >>> print(idle_keys(StripSpec, Table({"section": {}}, "", {}))["max_width"])
+    max_width has no effect beside section. Leave out one of these keys.
+    """
+    idle = {}
+    for entry in fields_of(record):
+        needed = entry.option.needs
+        if needed and not table.has(needed):
+            idle[entry.name] = note(
+                "{key} has no effect without {other}. Set {other}, or leave out {key}.",
+                key=table.place(entry.name), other=needed,
+            )  # fmt: skip
+        for key in entry.option.replaces if table.has(entry.name) else ():
+            idle[key] = note(
+                "{key} has no effect beside {other}. Leave out one of these keys.",
+                key=table.place(key), other=entry.name,
+            )  # fmt: skip
+    return idle
+
+
+def require_keys(record: Record, table: Table) -> None:
+    """Raise InputError for a key of a table that its record does not have, or that has no effect in it."""
+    table.only(*names_of(record))
+    for key, reason in idle_keys(record, table).items():
+        if table.has(key):
+            raise InputError(reason)
 
 
 def word_of(record: Record) -> str | None:
@@ -180,7 +211,7 @@ class Reader:
 
     def given(self, record: Record, table: Table) -> dict[str, Any]:
         """Return the values in a table by field. Raise InputError for unknown and missing keys."""
-        table.only(*names_of(record))
+        require_keys(record, table)
         values = {}
         for entry in fields_of(record):
             if table.has(entry.name):

@@ -143,7 +143,6 @@ def report_strip(
     unstable = None if stability is None else instability(strip, stability)
     numbers = strip_quantities(strip) | {
         "stability": None if stability is None else _stability_report(strip, stability),
-        "creep": _creep(strip),
         "moved_by_snapping": rod.moved,
         "residual": rod.residual,
         "gravity": rod.gravity,
@@ -195,6 +194,7 @@ def strip_quantities(strip: Strip) -> dict[str, Any]:
             "overloaded": strip.sideways.overloaded, "meaning": strip.sideways.meaning,
         },
         "reactions": strip.reactions(),
+        "creep": _creep(strip),
         "blank": report_blank(strip),
     }  # fmt: skip
 

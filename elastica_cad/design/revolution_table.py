@@ -11,8 +11,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option
 from elastica_cad.defaults import BORDER
-from elastica_cad.design.records import Reader, names_of
-from elastica_cad.design.strip_table import SHARED
+from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError, NotConvergedError, StrainError
 from elastica_cad.form_finding.fairing_request import smooth_curve
@@ -25,7 +24,6 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.held_tabs import tab_seats
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
-from elastica_cad.model.plates import Border
 from elastica_cad.model.revolution_model import revolve, revolved_strip
 from elastica_cad.model.spacers import Spacers
 from elastica_cad.refusals import Either, FieldName, Length, Listed, Point, ended, note, sentences
@@ -62,18 +60,24 @@ class RevolutionTable:
     ] = None
     axis: Annotated[
         PlaneCurve | None,
-        Option("Straight line that is the axis of the profile, such as a curve of the same file by its id."),
+        Option(
+            "Straight line that is the axis of the profile, such as a curve of the same file by its id.",
+            needs="curve",
+            replaces=("axis_x",),
+        ),
     ] = None
     axis_x: Annotated[
         float | None,
-        Option("Position x of the upright axis in the drawing of the profile; 0 by default.", "mm"),
+        Option(
+            "Position x of the upright axis in the drawing of the profile; 0 by default.", "mm", needs="curve"
+        ),
     ] = None
     a: Annotated[
         float | None, Option("Moment at the origin divided by stiffness and distance, instead of points.")
     ] = None
-    b: Annotated[Pair | None, Option("Change of this value along the meridian.", "1/mm")] = None
-    start: Annotated[Pair | None, Option("Start of the meridian.", "mm")] = None
-    angle: Annotated[float | None, Option("Angle of the tangent at the start.", "rad")] = None
+    b: Annotated[Pair | None, Option("Change of this value along the meridian.", "1/mm", needs="a")] = None
+    start: Annotated[Pair | None, Option("Start of the meridian.", "mm", needs="a")] = None
+    angle: Annotated[float | None, Option("Angle of the tangent at the start.", "rad", needs="a")] = None
     length: Annotated[
         float | None,
         Option("Length of the meridian; points and profiles are scaled to it.", "mm", above=0),
@@ -81,7 +85,10 @@ class RevolutionTable:
     smooth: Annotated[
         float | None,
         Option(
-            "Largest distance by which smoothing may move the profile; 0 keeps it as drawn.", "mm", least=0
+            "Largest distance by which smoothing may move the profile; 0 keeps it as drawn.",
+            "mm",
+            least=0,
+            needs="curve",
         ),
     ] = None
     ring: Annotated[float | None, Option("Distance of its end from the axis.", "mm", least=0)] = None
@@ -90,10 +97,19 @@ class RevolutionTable:
         float | None, Option("Thickness of the sheet, if it differs from the listed one.", "mm", least=0)
     ] = None
     rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
-    gap: Annotated[float | None, Option("Distance between two rings at each end.", "mm", least=0)] = None
+    gap: Annotated[
+        float | None, Option("Distance between two rings at each end.", "mm", least=0, needs="rings")
+    ] = None
     spacers: Spacers = None
-    border: Border = BORDER
-    holes: Annotated[PlateHoles | None, Option("Holes of the rings for a lamp holder and screws.")] = None
+    border: Annotated[
+        float,
+        Option(
+            "Least distance of the slots for strips from the edge.", "mm", least=0, most=1000, needs="rings"
+        ),
+    ] = BORDER
+    holes: Annotated[
+        PlateHoles | None, Option("Holes of the rings for a lamp holder and screws.", needs="rings")
+    ] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
         Option("Tab for both ends, or one for the start and one for the end.", written=Tab | tuple[Tab, Tab]),
@@ -148,8 +164,6 @@ class RevolutionTable:
                 own_keys=", ".join(EQUATION_KEYS),
             )
         profile: PlaneCurve | FloatArray = self._profile or np.array(self.points)
-        if self.smooth is not None and self.curve is None:
-            raise InputError("The key 'smooth' applies only to a profile. Set the key 'curve'.")
         if self.smooth and isinstance(profile, PlaneCurve):
             profile = smooth_curve(profile, self.smooth).curve
         if self.length is not None and self.a is None:
@@ -164,12 +178,8 @@ class RevolutionTable:
 
     @property
     def _profile(self) -> PlaneCurve | None:
-        if self.axis is None and self.axis_x is None:
+        if self.curve is None or (self.axis is None and self.axis_x is None):
             return self.curve
-        if self.curve is None:
-            raise InputError("The keys 'axis' and 'axis_x' apply only to a profile. Set the key 'curve'.")
-        if self.axis is not None and self.axis_x is not None:
-            raise InputError("The keys 'axis' and 'axis_x' exclude each other. Leave out one of them.")
         start, end = (
             np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
         )
@@ -351,9 +361,6 @@ def _scaled(profile: PlaneCurve | FloatArray, factor: float) -> PlaneCurve | Flo
 
 EQUATION_KEYS = ("a", "b", "start", "angle", "length")
 """Keys of a meridian that is defined by its equation."""
-
-INHERITED = tuple(key for key in SHARED if key in names_of(RevolutionTable))
-"""Keys whose default values are the values at the top of the design file."""
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:

@@ -6,7 +6,6 @@ from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
-from elastica_cad._values import require_positive
 from elastica_cad.declared import Option
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
@@ -40,7 +39,7 @@ class SectionsTable:
     parallel: Annotated[ParallelCuts | None, Option("Parallel planes.")] = None
     along: Annotated[AlongPath | None, Option("Planes perpendicular to a path.")] = None
     unit: Annotated[str | None, Option("Unit of the mesh.")] = None
-    scale: Annotated[float | None, Option("Scale factor of the mesh.", least=0)] = None
+    scale: Annotated[float | None, Option("Scale factor of the mesh.", above=0)] = None
     half: Annotated[bool | None, Option("Only the part of each section at x >= 0 of its plane.")] = None
     longest: Annotated[bool, Option("Only the longest line of each section.")] = False
     split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Option("Places where sections are split.")] = ()
@@ -50,8 +49,6 @@ class SectionsTable:
     wavelength: Annotated[float, Option("Wavelength below which waves are removed.", "mm", least=0)] = 0.0
 
     def __post_init__(self) -> None:
-        if self.scale is not None:
-            require_positive(self.scale, "scale", "times")
         if len(self._cuts) != 1:
             raise InputError(
                 "Cutting planes are missing. Add one of the keys 'radial', 'parallel' and 'along'."
@@ -69,10 +66,6 @@ class SectionsTable:
         return SectionSpec(cuts, self.half, self.longest, splits, self.tolerance, self.wavelength)
 
 
-POSITION_KEYS = {"radial": "angles", "parallel": "offsets"}
-"""Keys that set the positions of planes instead of their number."""
-
-
 def read_sections(table: Table, reader: Reader) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
     """Return the section curves that a table requests, with their planes, and messages.
 
@@ -81,14 +74,6 @@ def read_sections(table: Table, reader: Reader) -> tuple[tuple[SectionCurve, ...
     MissingDependencyError
         trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
-    for name, key in POSITION_KEYS.items():
-        cuts = table.table(name)
-        if cuts.has("count") and cuts.has(key):
-            raise InputError(
-                "{place} and {key} exclude each other. Leave out one of them.",
-                place=cuts.place("count"),
-                key=key,
-            )
     sections: SectionsTable = reader.record(SectionsTable, table)
     with table.naming():
         path = file_in(reader.folder, sections.mesh)

@@ -69,6 +69,7 @@ class StripKeys(SharedKeys):
         Option(
             "Sections of a surface, each with a strip, instead of the curve.",
             written="elastica_cad.design.sections_table:SectionsTable",
+            replaces=("curve", "length", "count", "origin", "x_axis", "y_axis"),
         ),
     ] = None
     origin: Annotated[Triple, Option("Position of the drawing's origin in space.", "mm", group="weight")] = (
@@ -142,11 +143,6 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
     """
     frame = _plane(reader, table) if section is None else section.frame
     values = read_fields(table, reader) | {"label": label}
-    if section is not None and table.has("length"):
-        raise InputError(
-            "{place} cannot change the length of sections of a surface. Leave out this key.",
-            place=table.place("length"),
-        )
     drawn = read_drawn_curve(reader, table) if section is None else section.curve
     curve = _with_length(table, drawn)
     spec = _spec(table, curve, frame, values)

@@ -209,7 +209,8 @@ class RadialCuts:
     half: ClassVar[bool] = True
     count: Annotated[int, Option("Number of half planes, at equal angles around the axis.", least=1)] = 8
     angles: Annotated[
-        tuple[float, ...] | None, Option("Angles of the half planes, instead of count.", "rad")
+        tuple[float, ...] | None,
+        Option("Angles of the half planes, instead of count.", "rad", replaces=("count",)),
     ] = None
     point: Annotated[Triple, Option("Point on the axis.", "mm")] = (0.0, 0.0, 0.0)
     axis: Annotated[Triple, Option("Direction of the axis.")] = (0.0, 0.0, 1.0)
@@ -231,9 +232,10 @@ class ParallelCuts:
     half: ClassVar[bool] = False
     normal: Annotated[Triple, Option("Normal of the planes.")]
     count: Annotated[int, Option("Number of planes at equal distances, instead of offsets.", least=1)] = 8
-    offsets: Annotated[tuple[float, ...] | None, Option("Distances of the planes from the point.", "mm")] = (
-        None
-    )
+    offsets: Annotated[
+        tuple[float, ...] | None,
+        Option("Distances of the planes from the point.", "mm", replaces=("count",)),
+    ] = None
     point: Annotated[Triple, Option("Point from which offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 

@@ -46,7 +46,7 @@ class PlateHoles:
         Option("Width of a bar across the opening of a ring that carries the holes.", "mm", least=0),
     ] = None
     screws: Annotated[int, Option("Number of screw holes on a circle.", least=0, most=100)] = 0
-    screw: Annotated[float, Option("Diameter of the screw holes.", "mm", above=0)] = 4.2
+    screw: Annotated[float, Option("Diameter of the screw holes.", "mm", above=0, needs="screws")] = 4.2
     circle: Annotated[
         float | None,
         Option(
@@ -54,6 +54,7 @@ class PlateHoles:
             "hole.",
             "mm",
             least=0,
+            needs="screws",
         ),
     ] = None
     side: Annotated[

@@ -30,7 +30,7 @@ from elastica_cad.strip.lettering import centred_text
 from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.uncuttable_parts import limits_or_default
 
-_COUNT = Option("Number of spacers that keep two plates at their distance.", least=2, most=50)
+_COUNT = Option("Number of spacers that keep two plates at their distance.", least=2, most=50, needs="gap")
 
 Spacers: TypeAlias = Annotated[int | None, _COUNT]
 """Number of spacers of each pair of plates, or None."""

@@ -144,16 +144,24 @@ def _check_seam(seam_position: float, curve: PlaneCurve) -> None:
 
 
 def _check_section(
-    section: Section, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
+    section: Section,
+    sheet: Sheet,
+    style: Style,
+    ends: Sequence[Tab],
+    slots: Sequence[Slot],
+    *,
+    sized: bool,
+    compensate: bool,
 ) -> None:
-    shaped = bool(slots) or any(tab != tab.plain for tab in ends)
+    shaped = bool(slots) or compensate or any(tab != tab.plain for tab in ends)
     shaped = shaped and section.quantity != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "{section} sets the width and thickness of the whole strip. Leave out {style}, {slots}, "
+            "{section} sets the width and thickness of the whole strip. Leave out {style}, {slots}, {compensate}, "
             "{max_width} and {min_width} and give tabs only a length, or leave out {section}",
             style=FieldName("style"),
             slots=FieldName("slots"),
+            compensate=FieldName("compensate"),
             max_width=FieldName("max_width"),
             min_width=FieldName("min_width"),
             section=FieldName("section"),
@@ -525,6 +533,7 @@ class StripSpec(EqualByValue):
         Option(
             "Section: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
             group="widths",
+            replaces=("max_width", "min_width", "compensate"),
         ),
     ] = None
     ignore_limits: Annotated[
@@ -556,7 +565,10 @@ class StripSpec(EqualByValue):
         sized = bool(self.max_width or self.min_width)
         if self.section is not None:
             require_section(self.section)
-            _check_section(self.section, self.material, self.style, ends, slots, sized=sized)
+            _check_section(
+                self.section, self.material, self.style, ends, slots,
+                sized=sized, compensate=bool(self.compensate),
+            )  # fmt: skip
         elif self.material.kind == ROD_KIND:
             raise InputError(
                 "{sheet} is a rod, so no strip can be cut from it. Choose another {field}, or set the diameters "

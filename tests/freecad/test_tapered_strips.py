@@ -57,3 +57,33 @@ def test_leaves_are_a_compound_of_bodies(document, drawn):
         assert feature.Shape.Volume == pytest.approx(
             sum(solid.Volume for solid in feature.Shape.Solids), rel=1e-3
         )
+
+
+def test_properties_of_a_kind_not_chosen_are_grey_and_without_effect(document, drawn):
+    feature = strip.create(document, drawn(POINTS, 4))
+    names = {
+        "MaxWidth",
+        "Compensate",
+        "OuterWidth",
+        "Columns",
+        "Backing",
+        "RatioLimit",
+        "KeepLine",
+        "Law",
+        "Style",
+    }
+
+    def grey():
+        return {name for name in names if "ReadOnly" in feature.getEditorMode(name)}
+
+    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine"}
+    change(feature, Sheet="pom-1", Style="Perforated", Follow="Nearest", LimitMargin=False)
+    assert grey() == {"MaxWidth", "Backing"}
+    change(feature, Style="Plain", Follow="Exactly", Compensate=True, Law='kind = "rod", limits = [0.5, 3]')
+    assert grey() == {"MaxWidth", "Compensate", "OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine"}
+    assert feature.State == ["Up-to-date"], feature.getStatusString()
+    rod = feature.Shape.Volume
+    change(feature, Columns=3, RatioLimit=1.5, MaxWidth=9)
+    assert feature.Shape.Volume == pytest.approx(rod, rel=1e-12)
+    change(feature, Law="")
+    assert "MaxWidth" not in grey()

@@ -41,7 +41,7 @@ def test_holes_and_notches_of_pins_and_ties(desk):
     between = json.loads((desk / "holes" / "wave.json").read_text())["request"]["between"]
     assert [row["hole"] for row in between] == [4.0, 4.0]
     refused = run(f"{line} none --rail 200 --notch 2", cwd=desk, code=2)
-    assert "--notch needs a pin or a tie. Add --pin or --tie." in refused.stderr
+    assert "--notch has no effect without --pin or --tie" in refused.stderr
     refused = run(f"{line} none --pin 200 --hole 4 --notch 2", cwd=desk, code=2)
     assert "Leave out --hole or --notch." in refused.stderr
 

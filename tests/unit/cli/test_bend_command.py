@@ -48,10 +48,10 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
     [
         ((), "Name a CURVE"),
         (("--straight", 100, "--to", 200, 0), "the ends are 200 mm apart"),
-        (("--straight", 100, "--to", 80, 0, "--curve", 2), "--curve applies to a drawn CURVE"),
-        (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth applies to a drawn CURVE"),
-        (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest applies to a drawn CURVE"),
-        (("--straight", 100, "--gravity"), "--gravity needs a material"),
+        (("--straight", 100, "--to", 80, 0, "--curve", 2), "--curve has no effect beside --straight"),
+        (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth has no effect beside --straight"),
+        (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest has no effect beside --straight"),
+        (("--straight", 100, "--gravity"), "--gravity has no effect without --sheet"),
         (
             ("--straight", 900, "--to", 800, 0, "--sheet", "carbon-rod-4", "--max-width", 4),
             "is a rod, so no flat",

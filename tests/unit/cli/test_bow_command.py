@@ -147,12 +147,16 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
     [
         ((), "The section of the bow is missing. Add --rod DIAMETER, or --max-width MM for a strip."),
         (("--rod", 8, *STRIP), "The section of the bow is missing."),
-        (("--max-width", 30), "--max-width needs a sheet, which sets the thickness. Add --sheet NAME."),
+        (
+            ("--max-width", 30),
+            "--max-width has no effect without --sheet. Add --sheet, or leave out --max-width.",
+        ),
         (
             ("--rod", 8, "--min-width", 3),
-            "--min-width applies to strips only. Use --rod LEAST:LARGEST instead.",
+            "--min-width has no effect without --max-width.",
         ),
-        (("--rod", 8, "--hole", 3), "--hole applies to strips only. Leave out --hole."),
+        (("--rod", 8, "--hole", 3), "--hole has no effect without --max-width."),
+        (("--rod", 8, "--thickness", 2), "--thickness has no effect without --sheet."),
         (
             ("--sheet", "glass-rod-3", "--max-width", 9),
             "glass-rod-3 is a rod, so no strip can be cut from it. Use --rod",

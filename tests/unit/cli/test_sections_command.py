@@ -258,16 +258,16 @@ def test_every_section_without_a_strip_is_named(tmp_path):
 def test_options_without_effect_are_told(dome, tmp_path):
     mesh = written(tmp_path / "dome.obj", *dome)
     counted = run("sections", mesh, "--radial", 3, "--count", 5, code=2)
-    assert "--count applies to planes along a path only, not to --radial" in counted.stderr
+    assert "--count has no effect without --along" in counted.stderr
     for options, message in (
-        (("--radial", 3, "--up", 0, 1, 0), "--up does not apply to the planes of --radial. Leave out --up"),
+        (("--radial", 3, "--up", 0, 1, 0), "--up has no effect beside --radial"),
         (
             ("--offset", 3, "--zero", 0, 1, 0),
-            "--zero does not apply to the planes of --offset. Leave out --zero",
+            "--zero has no effect beside --offset",
         ),
         (
             ("--radial", 3, "--gravity"),
-            "--gravity is written to a design file, and a design file needs a sheet",
+            "--gravity has no effect without --sheet",
         ),
     ):
         idle = run("sections", mesh, *options, code=2)

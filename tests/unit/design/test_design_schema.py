@@ -217,7 +217,6 @@ clearance = 0.1
 border = 9
 gap = 10
 spacers = 3
-feet = 9
 [frame]
 strips = "S*"
 sheet = "mdf-3"

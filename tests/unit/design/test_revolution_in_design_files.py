@@ -334,7 +334,7 @@ def test_the_axis_that_is_assumed_is_told(read, tmp_path):
         ("points = 3", "points is not a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: the meridian cannot be read: give at least three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
-        (f"{POINTS}\naxis_x = 5", "'axis' and 'axis_x' apply only to a profile"),
+        (f"{POINTS}\naxis_x = 5", "axis_x has no effect without curve. Set curve, or leave out axis_x"),
         (f"{POINTS}\nring = 500", "revolution: the radius `ring` is 500"),
         (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),
         (f"{POINTS}\nstrip = 3", "did you mean strips"),
@@ -456,7 +456,7 @@ def test_a_drawn_profile_is_smoothed(read, tmp_path):
             "max_width has no effect on a surface of revolution.*max_width and limits",
         ),
         ("natural_curvature = 0.01", "", "Leave out natural_curvature"),
-        ("smooth = 1", "", "Leave out smooth"),
+        ("smooth = 1", "", "leave out smooth"),
         ("", "max_width = 20", "unknown key 'max_width'"),
         ("gravity = 'zzz'", "", "gravity is 'zzz'"),
         ("gravity = 'zzz'", "gravity = true", "gravity is 'zzz'"),
@@ -466,7 +466,7 @@ def test_a_drawn_profile_is_smoothed(read, tmp_path):
         ("loads = [{ at = 50, mass = 500 }]", "", "A point mass needs gravity"),
         ("loads = [{ at = 50, force = [1, 0] }]\ncreep = 1", "", "cannot be combined with creep"),
         ("style = { kind = 'perforated', width = 30 }", "", r"width is 40\.03 mm. Set style.width"),
-        ("", "smooth = 1", "'smooth' applies only to a profile"),
+        ("", "smooth = 1", "smooth has no effect without curve"),
     ],
 )
 def test_keys_without_effect_on_touching_strips_are_refused(read, top, inside, message):
@@ -480,7 +480,7 @@ ARCH = "[[strips]]\nlabel = 'A'\ncurve = { spline = [[0, 0], [50, 60], [100, 0]]
 def test_a_note_names_keys_that_only_the_other_strips_use(read):
     design = read(f"max_width = 20\nsmooth = 0.1\ncreep = 0.3\n{BODY}{ARCH}")
     assert design.reports[0] == (
-        "The surface of revolution does not use these keys at the top of the design: max_width and smooth."
+        "These keys at the top of the design have no effect on a surface of revolution: max_width and smooth."
     )
     assert [strip.creep for strip in design.model().strips] == [0.3] * 21
 

@@ -18,6 +18,7 @@ from freecad.elastica_wb.features.strip_properties import (
     STYLES,
     acting_lines,
     keep_fractions,
+    show_idle,
     spec_of,
 )
 from freecad.elastica_wb.host import preferences
@@ -75,6 +76,11 @@ class StripFeature(Feature):
         super().__init__(obj)
         obj.Anticlastic = True
 
+    def ensure(self, obj: Any) -> None:
+        """Add missing properties. Properties without effect are read-only."""
+        super().ensure(obj)
+        show_idle(obj)
+
     def onDocumentRestored(self, obj: Any) -> None:
         """Update a file of an earlier version.
 
@@ -94,6 +100,8 @@ class StripFeature(Feature):
         positions refer to the current curve and are not scaled.
         """
         super().onChanged(obj, name)
+        if name in ("Style", "Law", "Follow") and PROPERTIES[-1].name in obj.PropertiesList:
+            show_idle(obj)
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State

@@ -387,9 +387,28 @@ def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    if path in ("max_width", "min_width"):
-        return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
+    if obj.Law.strip() and path in FIELDS["section"].option.replaces:
+        return False
+    if path == "max_width":
+        return bool(obj.Style == "Plain")
     return path != "samples" or not nearest
+
+
+def show_idle(obj: Any) -> None:
+    """Make the properties read-only that have no effect with the present Style, Law and Follow."""
+    nearest, with_section = obj.Follow == "Nearest", bool(obj.Law.strip())
+    idle = {name_of(path) for path in FIELDS if not _has_effect(obj, path, nearest=nearest)}
+    if not nearest:
+        idle |= {entry.name for entry in PROPERTIES if entry.group == "Nearest" and entry.name != "Follow"}
+    if with_section:
+        idle |= {"Compensate", "Anticlastic"}
+    if with_section or obj.Style == "Plain":
+        idle.add("MaterialWidth")
+    if obj.Style != "Laminated":
+        idle.add("Backing")
+    for entry in PROPERTIES:
+        if not (entry.result or entry.hidden):
+            obj.setEditorMode(entry.name, int(entry.name in idle))
 
 
 def value_of_field(obj: Any, name: str, field: Field) -> Any:
@@ -454,6 +473,8 @@ def _shop(obj: Any) -> dict[str, Any] | None:
 
 def _compensate(obj: Any) -> bool | None:
     """Return the option `compensate`: True for all effects, False for none, None for anticlastic bending only."""
+    if obj.Law.strip():
+        return None
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 
