@@ -125,8 +125,8 @@ def perforated(count=50):
         left = across(strip.outline, s) - sum(across(hole, s) for hole in strip.holes)
         EI = sheet.youngs_modulus * left * sheet.thickness**3 / 12
         weight = sheet.density * G * sheet.thickness * left
-        told = replace(rod, bending_stiffness=strip.bending_stiffness)
-        yield told, EI, weight if i % 2 else 0.0 * weight
+        result = replace(rod, bending_stiffness=strip.bending_stiffness)
+        yield result, EI, weight if i % 2 else 0.0 * weight
 
 
 def across(loop, s):

@@ -140,7 +140,7 @@ class OwnStrip(NamedTuple):
         run = solve_ivp(along, (0, length), begin, rtol=1e-7, atol=1e-9, t_eval=at)
         return np.array([np.linalg.det([y[:3], y[6:9], y[9:]]) for y in run.y.T])
 
-    def limit(self, rod, near, asked, parameter):
+    def limit(self, rod, near, options, parameter):
         """Return the parameter at which the second variation becomes singular: a system solved by Newton's method.
 
         Parameters
@@ -158,7 +158,7 @@ class OwnStrip(NamedTuple):
         first, turn = [*rod.position[0], rod.angle[0]], float(rod.angle[-1])
 
         def shot(unknown):
-            load, end = asked(unknown[3])
+            load, end = options(unknown[3])
 
             def along(s, y):
                 _, _, angle, moment, pull, push = y[:6]

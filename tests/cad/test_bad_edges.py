@@ -114,7 +114,7 @@ REFUSED = {
 }
 
 
-def told(make, name):
+def message_of(make, name):
     shapes, options, says = REFUSED[name]
     with pytest.raises(ValueError, match=says) as caught:
         make(shapes(), **{"max_width": 20, **options})
@@ -124,13 +124,17 @@ def told(make, name):
 @pytest.mark.build123d
 @pytest.mark.parametrize("name", sorted(REFUSED))
 def test_build123d(name):
-    told(lambda shapes, **options: bd_strips.BentStrip([bd.Edge(e) for e in shapes], SHEET, **options), name)
+    message_of(
+        lambda shapes, **options: bd_strips.BentStrip([bd.Edge(e) for e in shapes], SHEET, **options), name
+    )
 
 
 @pytest.mark.cadquery
 @pytest.mark.parametrize("name", sorted(REFUSED))
 def test_cadquery(name):
-    told(lambda shapes, **options: cq_strips.bent_strip([cq.Edge(e) for e in shapes], SHEET, **options), name)
+    message_of(
+        lambda shapes, **options: cq_strips.bent_strip([cq.Edge(e) for e in shapes], SHEET, **options), name
+    )
 
 
 @pytest.mark.build123d

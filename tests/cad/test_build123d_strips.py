@@ -224,14 +224,14 @@ class TestBadInput:
 
 
 @pytest.mark.parametrize("given", [None, bd.BuildLine()])
-def test_what_is_no_edge_is_told_what_to_give(given):
-    told = r"not an edge or wire .* the `line` of a builder"
-    with pytest.raises(InputError, match=told):
+def test_what_is_no_edge_is_reported_what_to_give(given):
+    result = r"not an edge or wire .* the `line` of a builder"
+    with pytest.raises(InputError, match=result):
         BentStrip(given, "birch-plywood-0.8", max_width=30)
 
 
 @pytest.mark.parametrize("given", [bd.Curve(), bd.Compound(), [bd.Curve()], bd.Curve([])])
-def test_shapes_that_hold_nothing_are_told_as_no_edge(given):
+def test_shapes_that_hold_nothing_are_reported_as_no_edge(given):
     """What a filter or a boolean leaves nothing of: build123d asserts that a shape is there."""
     with pytest.raises(InputError, match="there is no edge: select at least one edge or wire"):
         BentStrip(given, "birch-plywood-0.8", max_width=30)

@@ -64,7 +64,7 @@ def test_another_state_keeps_the_place_of_the_first_pad(part):
     assert mirrored.joints["end"].toTuple()[0][0] == pytest.approx(-part.rods[0].position[-1, 0], abs=2.0)
 
 
-def test_state_is_asked_for_by_name(part):
+def test_state_is_requested_by_name(part):
     from elastica_cad.cadquery import flexure_solid
 
     with pytest.raises(InputError, match='Use "first", "second", or None'):

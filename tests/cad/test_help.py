@@ -14,7 +14,7 @@ STRIP = {"path", "sheet", "max_width", *StripOptions.__annotations__}
 BLOCK = {"end", *BlockOptions.__annotations__}
 
 
-def told(thing):
+def help_of(thing):
     """The keywords that help lists, each with what it says."""
     lines = pydoc.render_doc(thing, renderer=pydoc.plaintext).replace("|  ", "").splitlines()
     found = {}
@@ -27,11 +27,11 @@ def told(thing):
 
 def assert_listed(things):
     for thing, keywords in things:
-        listed = told(thing)
+        listed = help_of(thing)
         assert keywords - listed.keys() == set(), thing
         for name in {"max_width", "min_width", "seam_position", *FixtureSizes.__annotations__} & keywords:
             assert "mm" in listed[name], (thing, name)
-    assert "degrees" in told(things[-1][0])["angles"]
+    assert "degrees" in help_of(things[-1][0])["angles"]
 
 
 @pytest.mark.build123d
@@ -46,7 +46,7 @@ def test_help_in_build123d():
         (lib.Elastica, {"start", "end", "length", "angles", "stiffness", "gravity", "force", "side", "buckling"}),
         (lib.BentStrip.fixture, BLOCK - {"end"}), (lib.BentStrip.bent, {*BendOptions.__annotations__}),
     ])  # fmt: skip
-    assert "on the block" in told(lib.EndFixture)["engrave"]
+    assert "on the block" in help_of(lib.EndFixture)["engrave"]
 
 
 @pytest.mark.cadquery
@@ -62,7 +62,7 @@ def test_help_in_cadquery():
         (lib.elastica, {"start", "end", "length", "angles", "stiffness", "gravity", "force", "side", "buckling"}),
         (lib.StripSolid.fixture, BLOCK - {"end"}), (lib.StripSolid.bent, {*BendOptions.__annotations__}),
     ])  # fmt: skip
-    assert "on the block" in told(lib.end_fixture)["engrave"]
+    assert "on the block" in help_of(lib.end_fixture)["engrave"]
 
 
 @pytest.mark.cadquery

@@ -72,14 +72,14 @@ class TestBuild123d:
         with pytest.raises(TypeError, match=r"ends is not an option of bending a strip: did you mean end"):
             rib.bent(ends=(60, 0))
 
-    def test_a_strip_bent_too_far_is_told_where_the_script_does_it(self, rib):
-        with pytest.warns(StripWarning, match="strain") as told:
+    def test_a_strip_bent_too_far_is_reported_where_the_script_does_it(self, rib):
+        with pytest.warns(StripWarning, match="strain") as result:
             rib.bent(end=(20, 0))
-        assert {one.filename for one in told} == {__file__}
+        assert {one.filename for one in result} == {__file__}
         slider = rib.slider(end=(20, 0))
-        with pytest.warns(StripWarning, match="strain") as told:
+        with pytest.warns(StripWarning, match="strain") as result:
             slider.bent(slider.travel.length)
-        assert {one.filename for one in told} == {__file__}
+        assert {one.filename for one in result} == {__file__}
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             rib.bent(end=(119, 0))
@@ -124,9 +124,9 @@ class TestCadQuery:
         rib, goal = cq_strips.bent_strip(edge, SHEET, max_width=20), plane.toWorldCoords((60, 0, 0))
         for body in (rib.bent(end=goal), rib.bent(end=goal.toTuple()), rib.slider(end=goal).bent(10)):
             near(body.joints["end"].toTuple()[0], goal.toTuple())
-        with pytest.warns(StripWarning, match="strain") as told:
+        with pytest.warns(StripWarning, match="strain") as result:
             rib.bent(end=plane.toWorldCoords((20, 0, 0)))
-        assert {one.filename for one in told} == {__file__}
+        assert {one.filename for one in result} == {__file__}
 
     @pytest.mark.campaign
     def test_bent_strips_stand_at_every_point_of_the_stack(self):

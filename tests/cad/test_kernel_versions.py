@@ -42,7 +42,7 @@ def test_it_is_an_import_error(monkeypatch):
         occt.make_wire(Path.rectangle(1, 1))
 
 
-def test_version_that_cannot_be_told(monkeypatch):
+def test_version_that_cannot_be_reported(monkeypatch):
     import OCP
 
     monkeypatch.delattr(OCP, "__version__")

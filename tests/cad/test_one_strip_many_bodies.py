@@ -28,8 +28,8 @@ OPTIONS = {"max_width": 30, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "
 
 
 def test_options_are_those_of_the_request():
-    asked = {field.name for field in fields(StripSpec)} - {"curve", "sheet", "frame", "max_width"}
-    assert set(StripOptions.__annotations__) == asked | {"plane", "color"}
+    request = {field.name for field in fields(StripSpec)} - {"curve", "sheet", "frame", "max_width"}
+    assert set(StripOptions.__annotations__) == request | {"plane", "color"}
 
 
 @pytest.mark.build123d
@@ -125,9 +125,9 @@ class TestBuild123d:
         assert bd_strips.BentStrip(CURVE, SHEET, max_width=30).deviation == 0
 
     def test_too_much_strain_is_warned_of(self):
-        with pytest.warns(StripWarning, match="thinner material") as told:
+        with pytest.warns(StripWarning, match="thinner material") as result:
             bd_strips.FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10, ignore_limits=True)
-        assert told[0].filename == __file__
+        assert result[0].filename == __file__
 
 
 @pytest.mark.cadquery

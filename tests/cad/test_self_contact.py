@@ -21,14 +21,14 @@ def ring(degrees):
 def made(library, curve, tab):
     """The bent body of a strip with tabs of this length, and what is warned of by whom."""
     ends = (Tab(tab), Tab(tab))
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as result:
         warnings.simplefilter("always", StripWarning)
         if library == "build123d":
             body = bd_strips.BentStrip(curve, SHEET, max_width=20, ends=ends)
         else:
             body = cq_strips.bent_strip(curve, SHEET, max_width=20, ends=ends)
-    assert all(one.filename == __file__ for one in told)
-    return body, [str(one.message) for one in told if "intersects itself" in str(one.message)]
+    assert all(one.filename == __file__ for one in result)
+    return body, [str(one.message) for one in result if "intersects itself" in str(one.message)]
 
 
 LIBRARIES = [pytest.param(name, marks=getattr(pytest.mark, name)) for name in ("build123d", "cadquery")]
@@ -51,8 +51,8 @@ class TestWarnings:
         assert len(made(library, LOOP, 10)[1]) == 1
 
     def test_bent_until_the_tabs_meet(self, library):
-        body, told = made(library, ring(300), 4)
-        assert told == []
+        body, result = made(library, ring(300), 4)
+        assert result == []
         with pytest.warns(StripWarning, match="intersects itself"):
             body.bent(end=tuple(body.rod.position[0] + (0.05, -0.2)))
 
@@ -88,14 +88,14 @@ def test_slot_makes_room():
 class TestModels:
     def shown(self, library, model):
         """What showing a model warns of."""
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as result:
             warnings.simplefilter("always", StripWarning)
             if library == "build123d":
                 bd_strips.model_compound(model)
             else:
                 cq_strips.model_assembly(model)
-        assert all(one.filename == __file__ for one in told)
-        return [str(one.message) for one in told]
+        assert all(one.filename == __file__ for one in result)
+        return [str(one.message) for one in result]
 
     def test_strips_that_cross_without_slots(self, library):
         # two arcs of standing strips, one beside the other

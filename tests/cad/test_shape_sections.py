@@ -31,7 +31,7 @@ def test_a_ball_gives_circles(bodies):
         assert curve.curve.length == pytest.approx(np.pi * np.sqrt(2500 - height**2), rel=1e-3)
 
 
-def test_several_lines_and_misses_are_told(bodies):
+def test_several_lines_and_misses_are_reported(bodies):
     ring, missed = shape_sections(
         bodies[1],
         [

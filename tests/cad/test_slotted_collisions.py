@@ -25,7 +25,7 @@ def depth_in(placed, point):
 
 
 @pytest.mark.parametrize("seed", [12, 32, 44, 71, 76, 96, 98, 118])
-def test_the_place_that_is_told_is_in_both_bodies(seed, slotted_pairs):
+def test_the_place_that_is_reported_is_in_both_bodies(seed, slotted_pairs):
     placed = slotted_pairs.pair(seed).placed
     found = deepest_collision(*map(Body.of, placed))
     depths = [depth_in(one, found.position) for one in placed]

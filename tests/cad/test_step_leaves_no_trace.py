@@ -70,7 +70,7 @@ def test_a_file_on_which_opencascade_breaks_down():
         read_step_shape(DAMAGED / "breaks_opencascade.step")
 
 
-def test_a_copy_that_breaks_down_is_told():
+def test_a_copy_that_breaks_down_is_reported():
     with pytest.raises(InputError, match="The file is damaged"):
         try_in_a_copy(lambda: os.kill(os.getpid(), signal.SIGSEGV))
     try_in_a_copy(lambda: 1 / 0)  # the real run raises it

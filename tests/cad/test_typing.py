@@ -18,11 +18,11 @@ def test_mypy_finds_the_mistakes_it_can():
     lines = FILE.read_text().splitlines()
     meant = {n for n, line in enumerate(lines, start=1) if line.endswith("# mistake")}
     command = [sys.executable, "-m", "mypy", "--no-error-summary", "--hide-error-context", str(FILE)]
-    said = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT).stdout
-    told = {
-        int(line.split(":")[1]) for line in said.splitlines() if "mistakes.py" in line and ": error:" in line
+    text = subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT).stdout
+    result = {
+        int(line.split(":")[1]) for line in text.splitlines() if "mistakes.py" in line and ": error:" in line
     }
-    assert told == meant
+    assert result == meant
 
 
 def strict(*files):

@@ -51,9 +51,9 @@ def test_a_lean_in_degrees_is_refused_in_python():
     [("max_strain", 2), ("youngs_modulus", 9.2e9), ("density", 0.68), ("thickness", 0.0008)],
 )
 def test_sheets_in_another_unit_are_refused(make, figure, number):
-    with pytest.raises(InputError, match=f"{figure} = .* looks like the wrong unit") as told:
+    with pytest.raises(InputError, match=f"{figure} = .* looks like the wrong unit") as result:
         make(CURVE, Sheet("mine", **FIGURES | {figure: number}), **GIVEN)
-    assert "_mm" not in str(told.value)
+    assert "_mm" not in str(result.value)
 
 
 @pytest.mark.parametrize(

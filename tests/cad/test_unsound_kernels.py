@@ -51,15 +51,15 @@ def test_two_kernels_in_one_environment(folder):
     installed(folder, cadquery_ocp="7.8.1.1", cadquery_ocp_novtk="8.0.1.1")
     strip = run(folder, "strip", "arch.svg", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out")
     model = run(folder, "model", "one.toml", "-o", "kit", "--no-pictures")
-    for told, written in ((strip, "out/arch.dxf"), (model, "kit/one.json")):
-        said = " ".join((told.stdout + told.stderr).split())
-        assert told.returncode == 0, said
+    for result, written in ((strip, "out/arch.dxf"), (model, "kit/one.json")):
+        text = " ".join((result.stdout + result.stderr).split())
+        assert result.returncode == 0, text
         assert (folder / written).exists()
         assert (
             "cadquery-ocp 7.8.1.1 and cadquery-ocp-novtk 8.0.1.1 overwrite each other in the same environment"
-            in said
+            in text
         )
-        assert "Make separate environments for build123d and CadQuery" in said
+        assert "Make separate environments for build123d and CadQuery" in text
     assert not list(folder.glob("*/**/*.step"))
 
 
@@ -68,10 +68,12 @@ def test_a_library_of_the_system_that_is_missing(folder):
     (folder / "site" / "OCP" / "__init__.py").write_text(
         'raise ImportError("libGL.so.1: cannot open shared object file: No such file or directory")\n'
     )
-    told = run(folder, "strip", "arch.svg", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out")
-    assert told.returncode == 0, told.stderr
-    assert "libGL.so.1" in told.stdout
-    assert "Install the named package" in told.stdout
+    result = run(
+        folder, "strip", "arch.svg", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out"
+    )
+    assert result.returncode == 0, result.stderr
+    assert "libGL.so.1" in result.stdout
+    assert "Install the named package" in result.stdout
     (folder / "part.step").write_text("ISO-10303-21;\n")
     read = run(folder, "check", "part.step")
     assert read.returncode == 2
@@ -85,11 +87,11 @@ def test_a_library_that_stands_on_it(library, folder):
     (folder / "site" / "OCP" / "__init__.py").write_text('raise ImportError("libGL.so.1: cannot open")\n')
     (folder / "site" / f"{library}.py").write_text("import OCP\n")  # whichever of the two is installed
     way = os.pathsep.join((str(folder / "site"), os.environ.get("PYTHONPATH", "")))
-    told = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", f"import elastica_cad.{library}"],
         cwd=folder, env={**os.environ, "PYTHONPATH": way}, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    last = told.stderr.strip().splitlines()[-1]
+    last = result.stderr.strip().splitlines()[-1]
     assert last.startswith(f"ImportError: elastica_cad.{library} needs ")
     assert "cannot be loaded (libGL.so.1: cannot open). Install the named package" in last
     assert "pip install" not in last

@@ -194,7 +194,7 @@ class TestCadQuery:
         with pytest.raises(AttributeError, match="has no attribute 'widht'"):
             _ = rib.widht
 
-    def test_slips_are_told_in_a_sentence(self, rib):
+    def test_slips_are_reported_in_a_sentence(self, rib):
         ball = cq.Workplane().sphere(60)
         slips = {
             "max_width is '12'": lambda: cq_strips.bent_strip(CURVE, SHEET, max_width="12"),
@@ -242,10 +242,10 @@ def test_a_skin_is_there_soon_after_its_library(project_root):
         f"import sys, elastica_cad.{library}\n"
         f"print(sorted(set({late}) & {{name.rpartition('.')[2] for name in sys.modules if 'elastica' in name}}))"
     )
-    told = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", code], cwd=project_root, capture_output=True, text=True, check=False
     )
-    assert told.stdout.strip() == "[]", told.stderr
+    assert result.stdout.strip() == "[]", result.stderr
 
 
 class TestWhatAScriptExpects:

@@ -28,10 +28,10 @@ def main(folder):
             found = given(path)
         except Exception as problem:  # what no reader may do
             found, faults = f"FAULT {type(problem).__name__}: {problem}", faults + 1
-        counts, said = (found, "") if isinstance(found, dict) else ({}, found)
+        counts, text = (found, "") if isinstance(found, dict) else ({}, found)
         sums.update(counts)
         cells = [str(counts.get(kind, "")) for kind in KINDS]
-        row = [path.relative_to(folder).as_posix(), *cells, said.replace("|", "/").replace(str(folder), "")]
+        row = [path.relative_to(folder).as_posix(), *cells, text.replace("|", "/").replace(str(folder), "")]
         print(f"| {' | '.join(row)} | {time.process_time() - start:.2f} |", flush=True)
     totals = " | ".join(str(sums[kind]) for kind in KINDS)
     print(f"| {len(files)} drawings | {totals} | {faults} faults | |")

@@ -119,9 +119,9 @@ def page(kept: dict[str, dict[str, Any]]) -> str:
 
 def _row(name: str, last: dict[str, Any]) -> str:
     failed, result = last["result"].startswith("FAILED"), last["result"]
-    said = _said(name, result.split(": ", 1)[1] if failed else result).replace("|", "/")
-    said += f": {', '.join(last['tests'])}" if last.get("tests") else ""
-    cells = (TESTED[name], "failed" if failed else "passed", said, last["date"], last["commit"], name)
+    text = _said(name, result.split(": ", 1)[1] if failed else result).replace("|", "/")
+    text += f": {', '.join(last['tests'])}" if last.get("tests") else ""
+    cells = (TESTED[name], "failed" if failed else "passed", text, last["date"], last["commit"], name)
     return f"| {' | '.join(cells)} |\n"
 
 
@@ -166,13 +166,13 @@ def run(words: list[str]) -> tuple[int, str, list[str]]:
 def main(name: str, *words: str) -> int:
     """Run, keep, and give back the command's exit code."""
     code, result, tests = run(list(words))
-    told = subprocess.run(
+    run_result = subprocess.run(
         ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=False
     )
     kept = json.loads(KEPT.read_text(encoding="utf-8"))
     kept[name] = {
         "date": datetime.now(UTC).date().isoformat(),
-        "commit": told.stdout.strip(),
+        "commit": run_result.stdout.strip(),
         "result": result if code == 0 else f"FAILED ({code}): {result}",
     } | ({"tests": tests} if tests else {})
     KEPT.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")

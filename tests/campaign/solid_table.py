@@ -73,9 +73,9 @@ def keep(rows: Iterable[dict[str, Any]]) -> None:
             body["ok"].append(operation)
         else:
             body["failed"][operation] = [_short(row["answer"]), _short(row["plain"])]
-    told = sorted(bodies.values(), key=_key)
-    KEPT.write_text("[\n" + ",\n".join(map(json.dumps, told)) + "\n]\n")
-    PAGE.write_text(written(told))
+    result = sorted(bodies.values(), key=_key)
+    KEPT.write_text("[\n" + ",\n".join(map(json.dumps, result)) + "\n]\n")
+    PAGE.write_text(written(result))
 
 
 def _key(row: dict[str, Any]) -> tuple[str, str, str]:
@@ -93,12 +93,12 @@ def written(bodies: Sequence[dict[str, Any]]) -> str:
     for program in dict.fromkeys(body["program"] for body in bodies):
         mine = [body for body in bodies if body["program"] == program]
         days = sorted({body["day"] for body in mine})
-        asked = sum(len(body["ok"]) + len(body["failed"]) for body in mine)
+        request = sum(len(body["ok"]) + len(body["failed"]) for body in mine)
         when = days[0] if len(days) == 1 else f"{days[0]} to {days[-1]}"
         lines += [
             f"## {program}",
             "",
-            f"{asked} operations on {len(mine)} of {CURVES * len(STYLES)} bodies, {when}.",
+            f"{request} operations on {len(mine)} of {CURVES * len(STYLES)} bodies, {when}.",
         ]
         lines += ["", *_counted(mine), ""]
     ours = [
@@ -110,8 +110,8 @@ def written(bodies: Sequence[dict[str, Any]]) -> str:
     head = ("operation", "style", "curve", "program", "answer")
     order = list(MEANT.values())
     ours.sort(key=lambda row: (order.index(row[0]), *row[1:]))
-    told = _table(head, ours, words=len(head)) if ours else ["None."]
-    lines += ["## Failures on bodies of this program only", "", *told]
+    result = _table(head, ours, words=len(head)) if ours else ["None."]
+    lines += ["## Failures on bodies of this program only", "", *result]
     return "\n".join(lines) + "\n"
 
 

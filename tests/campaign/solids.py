@@ -57,7 +57,7 @@ def program(kernel: str) -> str:
     return f"{name} {version(kernel)} (OpenCASCADE {occt})"
 
 
-def asked(body: Body, points: int, names: list[str], pipe: Any) -> None:
+def answered(body: Body, points: int, names: list[str], pipe: Any) -> None:
     """Answers of one body, one message an operation; one that takes longer than `PATIENCE` ends the process."""
     from bank import made
     from operations import PATIENCE, Bodies, kernel_named
@@ -90,15 +90,15 @@ def answers(body: Body, points: int, operations: list[str]) -> list[dict[str, An
     who = dict(zip(("kernel", "style", "curve"), body, strict=True)) | {"day": date.today().isoformat()}
     while left:
         here, there = context.Pipe(False)
-        process = context.Process(target=asked, args=(body, points, left, there))
+        process = context.Process(target=answered, args=(body, points, left, there))
         process.start()
         there.close()
         try:
             while left:
                 name, answer, size, whole, seconds = here.recv()
                 left.remove(name)
-                told = {"operation": name, "answer": answer, "size": size, "volume": whole}
-                rows.append(who | told | {"seconds": round(seconds, 3)})
+                result = {"operation": name, "answer": answer, "size": size, "volume": whole}
+                rows.append(who | result | {"seconds": round(seconds, 3)})
         except EOFError:
             process.join()
             long = process.exitcode == -signal.SIGXCPU
@@ -113,8 +113,8 @@ def with_control(body: Body, operations: list[str]) -> list[dict[str, Any]]:
     rows = answers(body, 0, operations)
     for points in DRAWN_THROUGH:
         failed = [row for row in rows if row["answer"] != "ok" and row.get("plain", "ok") == "ok"]
-        told = answers(body, points, [row["operation"] for row in failed])
-        for row, plain in zip(failed, told, strict=True):
+        result = answers(body, points, [row["operation"] for row in failed])
+        for row, plain in zip(failed, result, strict=True):
             row["plain"] = plain["answer"]
     return rows
 

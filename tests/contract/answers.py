@@ -19,10 +19,10 @@ CLOSE = 1e-9  # mm
 
 
 @cache
-def in_python(asked: Request) -> Strip | ElasticaError:
+def in_python(options: Request) -> Strip | ElasticaError:
     """The strip of the fields, or why there is none."""
     try:
-        strip = make_strip(asked.curve, asked.material, label=LABEL, **asked.fields)
+        strip = make_strip(options.curve, options.material, label=LABEL, **options.fields)
         _ = strip.layers
     except ElasticaError as refusal:
         return refusal
@@ -44,8 +44,8 @@ def assert_same_files(folder: Path, strip: Strip) -> None:
         (folder / "in-python.dxf").unlink()
     report = folder / f"{LABEL}.json"  # of a single strip; that of a model does not tell of creep
     if report.is_file():
-        told = json.loads(report.read_text(encoding="utf-8"))
-        assert (told["creep"] or {"factor": 0.0})["factor"] == strip.creep
+        answer = json.loads(report.read_text(encoding="utf-8"))
+        assert (answer["creep"] or {"factor": 0.0})["factor"] == strip.creep
 
 
 def assert_same_strokes(made: "Strokes", expected: "Strokes") -> None:

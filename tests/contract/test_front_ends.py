@@ -34,37 +34,37 @@ pytestmark = pytest.mark.filterwarnings("ignore::elastica_cad.kernel.strip_body.
 QUICK = ("--no-step", "--no-pictures")
 
 
-def command_line(asked, folder):
+def command_line(options, folder):
     """`elastica strip` with the options: its cutting files, or what it prints."""
-    write_curves([asked.curve], folder / "S1.json")
-    words = ["strip", str(folder / "S1.json"), "--sheet", asked.sheet, *shlex.split(asked.options)]
+    write_curves([options.curve], folder / "S1.json")
+    words = ["strip", str(folder / "S1.json"), "--sheet", options.sheet, *shlex.split(options.options)]
     done = CliRunner().invoke(elastica, [*words, *QUICK, "-o", str(folder / "out")])
     return made_by(done, folder)
 
 
-def design_file(asked, folder):
+def design_file(options, folder):
     """`elastica model` of a design with the keys."""
     path = folder / "design.toml"
-    path.write_text(design_text(asked))
+    path.write_text(design_text(options))
     done = CliRunner().invoke(
         elastica, ["model", str(path), *QUICK, "--no-effects", "-o", str(folder / "out")]
     )
     return made_by(done, folder)
 
 
-def design_text(asked):
-    knots = "" if asked.knots is None else f", knots = {list(asked.knots)}"
-    points = [list(point) for point in asked.points]
+def design_text(options):
+    knots = "" if options.knots is None else f", knots = {list(options.knots)}"
+    points = [list(point) for point in options.points]
     return (
-        f"schema = 1\nsheet = '{asked.sheet}'\n[[strips]]\nlabel = 'S1'\n{asked.keys}\n"
-        f"curve = {{ spline = {points}, degree = {asked.curve.degree}{knots} }}\n"
+        f"schema = 1\nsheet = '{options.sheet}'\n[[strips]]\nlabel = 'S1'\n{options.keys}\n"
+        f"curve = {{ spline = {points}, degree = {options.curve.degree}{knots} }}\n"
     )
 
 
-def studio_page(asked, _):
+def studio_page(options, _):
     """The request of the page for the design that it shows."""
     try:
-        return requested_spec(tomlkit.parse(design_text(asked)).unwrap()).make()
+        return requested_spec(tomlkit.parse(design_text(options)).unwrap()).make()
     except ElasticaError as problem:
         return str(problem)
 
@@ -78,27 +78,29 @@ def made_by(done, folder):
     return folder / "out"
 
 
-def build123d_object(asked, _):
-    return build123d.FlatStrip(edge(asked), asked.material, plane=frame(asked), **drawn_fields(asked)).strip
+def build123d_object(options, _):
+    return build123d.FlatStrip(
+        edge(options), options.material, plane=frame(options), **drawn_fields(options)
+    ).strip
 
 
-def build123d_builder(asked, _):
+def build123d_builder(options, _):
     with bd.BuildPart():
         with bd.BuildLine():
-            bd.insert(edge(asked))
-        made = build123d.elastic_strip(sheet=asked.material, plane=frame(asked), **drawn_fields(asked))
+            bd.insert(edge(options))
+        made = build123d.elastic_strip(sheet=options.material, plane=frame(options), **drawn_fields(options))
     return made.strip
 
 
-def cadquery_function(asked, _):
-    drawn = cq.Edge(edge(asked).wrapped)
-    return cadquery.flat_strip(drawn, asked.material, plane=frame(asked), **drawn_fields(asked)).strip
+def cadquery_function(options, _):
+    drawn = cq.Edge(edge(options).wrapped)
+    return cadquery.flat_strip(drawn, options.material, plane=frame(options), **drawn_fields(options)).strip
 
 
-def cadquery_workplane(asked, _):
+def cadquery_workplane(options, _):
     cadquery.register()
-    drawn = cq.Workplane().add(cq.Edge(edge(asked).wrapped)).toPending()
-    return drawn.elasticStrip(asked.material, plane=frame(asked), **drawn_fields(asked)).val().strip
+    drawn = cq.Workplane().add(cq.Edge(edge(options).wrapped)).toPending()
+    return drawn.elasticStrip(options.material, plane=frame(options), **drawn_fields(options)).val().strip
 
 
 FRONT_ENDS = {
@@ -112,22 +114,22 @@ FRONT_ENDS = {
 }
 
 
-def frame(asked):
-    return asked.fields.get("frame", Frame())
+def frame(options):
+    return options.fields.get("frame", Frame())
 
 
-def drawn_fields(asked):
+def drawn_fields(options):
     """The fields; the frame is that in which the curve is drawn, and the lean of slots is in degrees."""
-    fields = {"label": answers.LABEL} | asked.fields
+    fields = {"label": answers.LABEL} | options.fields
     if "slots" in fields:
         fields["slots"] = tuple(replace(slot, lean=degrees(slot.lean)) for slot in fields["slots"])
     return {name: value for name, value in fields.items() if name != "frame"}
 
 
-def edge(asked):
+def edge(options):
     """The curve as a user of build123d has it, drawn in its place."""
-    curve, there = asked.curve, frame(asked)
-    points = [there.point(point).tolist() for point in asked.points]
+    curve, there = options.curve, frame(options)
+    points = [there.point(point).tolist() for point in options.points]
     if len(points) == curve.degree + 1:
         return bd.Edge.make_bezier(*points)
     values, multiplicities = np.unique(curve.knots, return_counts=True)
@@ -162,10 +164,10 @@ class Spelled(Wording):
         return self.names.get(name, name)
 
 
-def assert_same_answer(asked, front_end, folder):
-    expected = answers.in_python(asked)
+def assert_same_answer(options, front_end, folder):
+    expected = answers.in_python(options)
     try:
-        made = FRONT_ENDS[front_end](asked, folder)
+        made = FRONT_ENDS[front_end](options, folder)
     except ElasticaError as raised:
         made = raised
     if isinstance(expected, ElasticaError):
@@ -200,7 +202,7 @@ def test_more_requests(front_end, name, tmp_path):
 
 def test_creep_in_a_design_file(tmp_path):
     """Neither drawings nor the report of a model show it."""
-    asked = REQUESTS["plain, of a measured sheet, with equal tabs"]
-    design_file(asked, tmp_path)
+    request = REQUESTS["plain, of a measured sheet, with equal tabs"]
+    design_file(request, tmp_path)
     (entry,) = read_design(tmp_path / "design.toml", read_curves).entries
-    assert entry.spec.creep == asked.fields["creep"]
+    assert entry.spec.creep == request.fields["creep"]

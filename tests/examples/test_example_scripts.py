@@ -73,8 +73,8 @@ LONG = ("carpet", "facade", "flower_pot", "horse", "lamp", "revolution", "shell"
 def test_a_script_writes_its_kit(name, run, capsys):
     """All files of the report are there, no others; what is printed names every folder."""
     out = run(name)
-    told = capsys.readouterr().out
-    assert TOLD.get(name, "") in told
+    message = capsys.readouterr().out
+    assert TOLD.get(name, "") in message
     assert {page.parent.relative_to(out).as_posix() for page in out.rglob("index.html")} == set(FOLDERS[name])
     for folder in FOLDERS[name]:
         (report,) = (out / folder).glob("*.json")
@@ -83,4 +83,4 @@ def test_a_script_writes_its_kit(name, run, capsys):
         names = {path.relative_to(kit).as_posix() for path in kit.rglob("*") if path.is_file()}
         assert set(listed) == names
         assert sum(file.endswith(".dxf") for file in names) >= 2
-        assert f"wrote {len(names)} files to out/{folder}" in told
+        assert f"wrote {len(names)} files to out/{folder}" in message

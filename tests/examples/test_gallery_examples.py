@@ -186,13 +186,13 @@ def test_the_spiral_is_the_published_one(built):
     assert weighed.ratio == pytest.approx(2.07087, rel=2e-3)
 
 
-def test_the_spiral_of_card_is_told_to_be_too_tight(example, built):
+def test_the_spiral_of_card_is_reported_to_be_too_tight(example, built):
     """The published one went plastic in its innermost winding; paper of half the thickness does not."""
     names = example("spiral")
     (card,) = names["build"](names["CARD"]).strips
-    told = [text for text in card.warnings if "allows 0.5 %" in text]
-    assert len(told) == 1
-    assert "strain is 0.66 % at 9.75 mm" in told[0]
+    result = [text for text in card.warnings if "allows 0.5 %" in text]
+    assert len(result) == 1
+    assert "strain is 0.66 % at 9.75 mm" in result[0]
     (paper,) = built("spiral").strips
     assert paper.max_strain == pytest.approx(card.max_strain / 2)
     assert not any("beyond" in text for text in paper.warnings)
@@ -399,8 +399,8 @@ def test_the_table_comes_from_a_run(project_root):
     cells = names["row"]("lantern", model, found, solving, seconds).strip("| ").split(" | ")
     assert cells[:4] == ["lantern", "pom-0.5", "20 (2)", "201"]
     assert len(cells) == 12
-    asked, made = (float(cell.split()[0]) for cell in cells[6:8])
-    assert asked == pytest.approx(max(near.deviation for near in found), abs=6e-4)
+    request, made = (float(cell.split()[0]) for cell in cells[6:8])
+    assert request == pytest.approx(max(near.deviation for near in found), abs=6e-4)
     assert made == pytest.approx(max(strip.held_deviation for strip in model.strips), abs=6e-4)
     table = (project_root / "docs" / "models_in_numbers.md").read_text()
     assert all(f"| {name.replace('_', ' ')} |" in table for name in names["PAPER"])
@@ -415,12 +415,12 @@ def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     (line,) = [
         one for one in table.split("\n") if one.startswith(f"| {name.replace('_', ' ')} | ") and "x" in one
     ]
-    told = line.strip("| ").split(" | ")
+    result = line.strip("| ").split(" | ")
     cells = names["row"](name, built(name), [], 0.0, 0.0).strip("| ").split(" | ")
-    assert told[:5] == cells[:5]
-    ratios = [[float(ratio) for ratio in one[5].split("-")] for one in (told, cells)]
+    assert result[:5] == cells[:5]
+    ratios = [[float(ratio) for ratio in one[5].split("-")] for one in (result, cells)]
     assert ratios[0] == pytest.approx(ratios[1], abs=0.03), "write it again: python docs/gallery.py"
-    assert float(told[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005, rel=2e-3)
+    assert float(result[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005, rel=2e-3)
 
 
 def test_pictures_are_there_and_small(project_root):

@@ -90,11 +90,11 @@ def _run(command: list[str], folder: Path, timeout: float, environment: dict[str
         timeout=timeout,
         cwd=folder,
     )
-    said = f"{done.stdout[-40000:]}\n{done.stderr[-40000:]}"
+    text = f"{done.stdout[-40000:]}\n{done.stderr[-40000:]}"
     answers = folder / "answers.json"
-    assert answers.exists(), f"FreeCAD gave no answer (exit code {done.returncode}):\n{said}"
+    assert answers.exists(), f"FreeCAD gave no answer (exit code {done.returncode}):\n{text}"
     found = json.loads(answers.read_text())
-    assert "error" not in found, f"{found['error']}\n{said}"
+    assert "error" not in found, f"{found['error']}\n{text}"
     return dict(found)
 
 

@@ -30,7 +30,7 @@ def bent(document, sketch):
     return made
 
 
-def test_a_strip_tells_its_blank_first(document, bent):
+def test_a_strip_reports_its_blank_first(document, bent):
     assert bent.Verdict == "A pre-bent strip can be bent into this curve. There are remarks."
     assert bent.Reasons[0] == EVEN
     change(bent, Thickness=4)
@@ -55,12 +55,12 @@ def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     assert " Blank in the report or the properties lists the curvature along the strip." in bent.Reasons[0]
 
 
-def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):
+def test_what_is_cut_reports_it(document, bent, drawn, tmp_path):
     flat.create(document, bent)
     straight = strip.create(document, drawn([(x, y + 200) for x, y in [(0, 0), (60, 60), (120, 0)]], 2))
     laid = new(nest.create, document, [bent, straight])
-    told = f"{bent.Label}: {EVEN}"
-    assert pre_bend_messages_of(cuts_of([bent, straight])) == laid.Reports == [told]
+    result = f"{bent.Label}: {EVEN}"
+    assert pre_bend_messages_of(cuts_of([bent, straight])) == laid.Reports == [result]
     write_cutting_files([bent, straight], tmp_path, kinds=["csv", "dxf"])
     with (tmp_path / "cut-list.csv").open(encoding="utf-8") as file:
         rows = {row["part"]: row for row in csv.DictReader(file)}
@@ -82,11 +82,11 @@ def test_a_model_names_the_strips_that_are_bent_alike(document, bent):
     assert whole.Reports == pre_bend_messages_of(cuts_of([whole])) == [f"One, Other: {EVEN}"]
 
 
-def test_both_layers_of_a_laminate_are_told(document, bent):
+def test_both_layers_of_a_laminate_are_reported(document, bent):
     bent.Style, bent.Backing, bent.Anyway = "Laminated", bent.Sheet, True  # it is bent beyond its limit
     document.recompute()
-    (told,) = pre_bend_messages_of(cuts_of([bent]))
-    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: Before assembly, bend", told)
+    (result,) = pre_bend_messages_of(cuts_of([bent]))
+    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: Before assembly, bend", result)
 
 
 def test_the_nearest_curve_is_sought_for_the_same_blank(document, bent, sketch):

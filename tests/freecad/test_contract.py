@@ -16,26 +16,26 @@ from tests.contract.table import REFUSED, REQUESTS
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def asked_in(document, sketch, asked):
+def asked_in(document, sketch, options):
     """A recomputed strip with the row's properties, along a sketch in the row's plane."""
-    frame = asked.fields.get("frame")
+    frame = options.fields.get("frame")
     if frame is not None:
         turned = App.Rotation(
             *(App.Vector(*axis) for axis in (frame.x_axis, frame.y_axis, frame.z_axis)), "XYZ"
         )
         sketch.Placement = App.Placement(App.Vector(*frame.origin), turned)
     made = feature.create(document, sketch)
-    made.Sheet, made.EngravedText = asked.sheet, answers.LABEL
-    for name, value in asked.properties.items():
+    made.Sheet, made.EngravedText = options.sheet, answers.LABEL
+    for name, value in options.properties.items():
         setattr(made, name, App.Vector(*value) if name == "GravityDirection" else value)
     document.recompute()
     return made
 
 
-def assert_same_answer(asked, document, drawn):
+def assert_same_answer(options, document, drawn):
     expected, made = (
-        answers.in_python(asked),
-        asked_in(document, drawn(asked.points, asked.curve.degree, knots=asked.knots), asked),
+        answers.in_python(options),
+        asked_in(document, drawn(options.points, options.curve.degree, knots=options.knots), options),
     )
     if isinstance(expected, ElasticaError):
         assert "Invalid" in made.State

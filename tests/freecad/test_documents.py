@@ -168,7 +168,7 @@ def test_a_refused_strip_is_named_and_the_others_are_cut(document, sketch, drawn
         without_refused(strips[1:2])
 
 
-def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sketch):
+def test_what_goes_on_after_a_strip_is_reported_before_it_is_exported(document, sketch):
     """A pocket in its body, a cut of that body, a rounded flat part: files are written from the strip."""
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
@@ -186,8 +186,8 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     )
     assert hole.State == ["Up-to-date"]
     assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
-    (said,) = later_feature_messages(feature)
-    assert said.startswith("The cutting files show Strip without Hole, a later feature of its body. ")
+    (text,) = later_feature_messages(feature)
+    assert text.startswith("The cutting files show Strip without Hole, a later feature of its body. ")
     box = document.addObject("Part::Box", "Box")
     cut, rounded, away = (document.addObject(f"Part::{kind}", kind) for kind in ("Cut", "Chamfer", "Cut"))
     cut.Base, cut.Tool, rounded.Base, away.Base, away.Tool = body, box, twin, box, body
@@ -197,13 +197,13 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     nest.report_left_out(
         laid
     )  # as the window does a moment after a recompute: the nest does not hang on them
-    (said,) = laid.LeftOut
-    assert said.startswith(
+    (text,) = laid.LeftOut
+    assert text.startswith(
         "The nest shows Strip without Hole, Cut, Chamfer, a later feature of its body. Use the slots"
     )
     laid.touch()
     document.recompute()
-    assert laid.LeftOut == [said]
+    assert laid.LeftOut == [text]
 
 
 def test_links_and_copies(document, sketch, move_pole):
@@ -449,7 +449,7 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
         cuts_of([sketch])
 
 
-def test_nearest_follows_when_asked(document, drawn):
+def test_nearest_follows_when_requested(document, drawn):
     feature = strip.create(document, drawn(BAD))
     change(feature, Follow="Nearest", StrainLimit=5)
     assert "the material may crack there" in feature.getStatusString(), "more strain was allowed than is safe"
@@ -727,8 +727,8 @@ def test_an_unknown_sheet_in_the_preferences_is_reported_once(document, sketch, 
     from freecad.elastica_wb.host import preferences, sheet_store
     from freecad.elastica_wb.host.words import worded
 
-    said = []
-    monkeypatch.setattr(sheet_store, "report_warning", lambda sentence, who="": said.append(sentence))
+    text = []
+    monkeypatch.setattr(sheet_store, "report_warning", lambda sentence, who="": text.append(sentence))
     before = preferences.get("DefaultSheet")
     preferences.put("DefaultSheet", "plywood I had once")
     try:
@@ -736,5 +736,5 @@ def test_an_unknown_sheet_in_the_preferences_is_reported_once(document, sketch, 
     finally:
         preferences.put("DefaultSheet", before)
     assert feature.Sheet == preferences.DEFAULTS["DefaultSheet"]
-    assert len(said) == 1
-    assert "'plywood I had once' of the preferences is unknown" in worded(said[0])
+    assert len(text) == 1
+    assert "'plywood I had once' of the preferences is unknown" in worded(text[0])

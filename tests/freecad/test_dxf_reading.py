@@ -47,10 +47,10 @@ def enclosed(wire):
 @pytest.fixture
 def without_layers():
     """No layers of Draft are made: FreeCAD 1.0 asks for the view of each, and without a window there is none."""
-    wishes = App.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft")
-    wishes.SetBool("dxfUseDraftVisGroups", False)
+    options = App.ParamGet("User parameter:BaseApp/Preferences/Mod/Draft")
+    options.SetBool("dxfUseDraftVisGroups", False)
     yield
-    wishes.RemBool("dxfUseDraftVisGroups")
+    options.RemBool("dxfUseDraftVisGroups")
 
 
 @pytest.mark.campaign

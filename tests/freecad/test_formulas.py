@@ -9,7 +9,7 @@ from freecad.elastica_wb.host.sheet_store import sheet_list
 from elastica_cad import InputError
 
 
-def told(obj):
+def message_of(obj):
     obj.Document.recompute()
     return str(obj.getStatusString()) if "Invalid" in obj.State else ""
 
@@ -30,17 +30,17 @@ def made(document, sketch):
         ("Sheet", "1000", "1000", "such as <<"),
     ],
 )
-def test_a_formula_out_of_range_is_told(made, name, formula, gives, takes):
+def test_a_formula_out_of_range_is_reported(made, name, formula, gives, takes):
     made.setExpression(name, formula)
-    said = told(made)
-    assert said.startswith(f"Strip.{name} has the formula {formula}, which gives {gives}. Use 0 to ")
-    assert takes in said
-    assert said.endswith(". Correct or remove the formula.")
-    assert made.Reasons == [said]
+    text = message_of(made)
+    assert text.startswith(f"Strip.{name} has the formula {formula}, which gives {gives}. Use 0 to ")
+    assert takes in text
+    assert text.endswith(". Correct or remove the formula.")
+    assert made.Reasons == [text]
     with pytest.raises(InputError, match="Correct or remove the formula"):
         cuts_of([made])
     made.setExpression(name, "0")
-    assert told(made) == ""
+    assert message_of(made) == ""
 
 
 def test_a_formula_within_range_is_taken(document, made):
@@ -50,22 +50,22 @@ def test_a_formula_within_range_is_taken(document, made):
     made.Anyway = True  # two layers of plywood would break
     for formula, style in (("Cells.kind", "Perforated"), ("<<Laminated>>", "Laminated"), ("0.9", "Plain")):
         made.setExpression("Style", formula)
-        assert [told(made), made.Style] == ["", style]
+        assert [message_of(made), made.Style] == ["", style]
     made.setExpression("Style", "Cells.kind")
     cells.set("A1", "3")
-    assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3. ")
+    assert message_of(made).startswith("Strip.Style has the formula Cells.kind, which gives 3. ")
 
 
 @pytest.mark.parametrize("formula", ["7", "-1", "3", "1e9", "<<Nope>>", "<<>>"])
 def test_a_formula_that_is_taken_away_leaves_what_was_chosen(made, formula):
     made.Style = "Perforated"
     made.setExpression("Style", formula)
-    assert told(made) != ""
+    assert message_of(made) != ""
     made.setExpression("Style", None)
     made.touch()
-    assert [told(made), made.Style] == ["", "Perforated"]
+    assert [message_of(made), made.Style] == ["", "Perforated"]
     made.Style = "Plain"
-    assert [told(made), made.Style] == ["", "Plain"]
+    assert [message_of(made), made.Style] == ["", "Plain"]
 
 
 @pytest.mark.campaign
@@ -105,7 +105,7 @@ def test_a_formula_that_gives_no_sheet_leaves_the_thickness(made, formula):
     made.Sheet = sheet_list()[-1]
     made.Thickness, sheet, kept = 1.3, made.Sheet, made.SheetData
     made.setExpression("Sheet", formula)
-    assert told(made) != ""
+    assert message_of(made) != ""
     assert [made.Sheet, made.Thickness.Value, made.SheetData] == [sheet, 1.3, kept]
 
 
@@ -115,25 +115,25 @@ def test_a_word_that_comes_and_goes_leaves_what_was_chosen_before(document, made
     cells.setAlias("A1", "kind")
     document.recompute()
     made.setExpression("Style", "Cells.kind")
-    assert [told(made), made.Style] == ["", "Perforated"]
+    assert [message_of(made), made.Style] == ["", "Perforated"]
     for word in ("Perforatd", "Nope"):
         cells.set("A1", word)
-        assert told(made).startswith(f"Strip.Style has the formula Cells.kind, which gives {word}. ")
+        assert message_of(made).startswith(f"Strip.Style has the formula Cells.kind, which gives {word}. ")
         assert made.Style == "Perforated"
     cells.set("A1", "Plain")
-    assert [told(made), made.Style] == ["", "Plain"]
+    assert [message_of(made), made.Style] == ["", "Plain"]
     cells.set("A1", "Nope")
-    assert told(made) != ""
+    assert message_of(made) != ""
     assert made.Style == "Plain"
 
 
-def test_other_features_tell_it_too(document, made):
+def test_other_features_report_it_too(document, made):
     twin, whole = flat.create(document, made), model.create(document, [made])
     twin.setExpression("Layer", "2")
     whole.setExpression("Fit", "2")
     document.recompute()
-    assert told(twin).startswith("Flat.Layer has the formula 2, which gives 2. Use 0 to 1, ")
-    assert told(whole).startswith("Model.Fit has the formula 2, ")
+    assert message_of(twin).startswith("Flat.Layer has the formula 2, which gives 2. Use 0 to 1, ")
+    assert message_of(whole).startswith("Model.Fit has the formula 2, ")
 
 
 def test_a_formula_whose_spreadsheet_is_gone(document, made):
@@ -141,7 +141,7 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
     cells.set("A1", "1")
     document.recompute()
     made.setExpression("Style", "Cells.A1")
-    assert told(made) == ""
+    assert message_of(made) == ""
     document.removeObject(cells.Name)
     with pytest.raises(
         InputError, match=r"FreeCAD cannot compute the formula of the property Style \(Cells.A1\). Correct or"
@@ -152,12 +152,12 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
 
 def test_another_sheet_library_while_a_formula_gives_no_sheet(document, made, monkeypatch):
     made.setExpression("Sheet", "1000")
-    said = told(made)
+    text = message_of(made)
     monkeypatch.setattr(proxy, "sheet_list", lambda: ["my-ply", *sheet_list()])
     proxy.keep_sheets()
-    assert made.getStatusString() == said.replace(
+    assert made.getStatusString() == text.replace(
         f"to {len(sheet_list()) - 1},", f"to {len(sheet_list())},"
     ).replace(f"<<{sheet_list()[0]}>>", "<<my-ply>>")
     made.setExpression("Sheet", "1")
-    assert told(made) == ""
+    assert message_of(made) == ""
     assert made.Sheet == sheet_list()[0]

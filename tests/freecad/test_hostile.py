@@ -16,19 +16,19 @@ WAVE = [(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)]
 def judged(document, *objects):
     """Recompute, and what each object says: "" for those that are well."""
     document.recompute()
-    said = []
+    text = []
     for obj in objects:
         if "Invalid" in obj.State:
             sentence = obj.getStatusString()
             assert len(sentence) > 15, f"{obj.Label}: {sentence!r}"
             assert "Traceback" not in sentence
             assert "\n" not in sentence
-            said.append(sentence)
+            text.append(sentence)
         else:
             # what hangs on something that failed is left as it was
             assert obj.Shape.isNull() or obj.Shape.isValid()
-            said.append("")
-    return said
+            text.append("")
+    return text
 
 
 SPLINES = {
@@ -54,8 +54,8 @@ def test_odd_splines(document, drawn, name, degree):
 
 def test_a_size_out_of_range_names_no_option_of_files(document, drawn):
     """Only files have an option for their unit."""
-    (said,) = judged(document, strip.create(document, drawn(SPLINES["a kilometre"])))
-    assert said.endswith(", outside 0.001 to 1000000 mm. Check the unit.")
+    (text,) = judged(document, strip.create(document, drawn(SPLINES["a kilometre"])))
+    assert text.endswith(", outside 0.001 to 1000000 mm. Check the unit.")
 
 
 @pytest.mark.parametrize("weights", [[1, 1e6, 1, 1e-6, 1], [1e-12, 1, 1, 1, 1], [1, 1, 1, 1, 1e12]])
@@ -91,9 +91,9 @@ def test_odd_numbers(document, drawn, name, value, says):
         feature.Style = "Perforated"
         feature.OuterWidth = 60
     setattr(feature, name, value)
-    (said,) = judged(document, feature, flat.create(document, feature))[:1]
-    assert says in said
-    assert bool(says) == bool(said)
+    (text,) = judged(document, feature, flat.create(document, feature))[:1]
+    assert says in text
+    assert bool(says) == bool(text)
 
 
 def test_edges_of_solids(document):
@@ -101,7 +101,7 @@ def test_edges_of_solids(document):
     ball, helix = document.addObject("Part::Sphere", "Ball"), document.addObject("Part::Helix", "Helix")
     document.recompute()
     round_edge = next(f"Edge{i}" for i, e in enumerate(cylinder.Shape.Edges, 1) if e.isClosed())
-    asked = [
+    options = [
         (box, ("Edge1",), ""),
         (box, ("Edge1", "Edge2"), "corner"),
         (box, ("Edge1", "Edge7"), "chains"),
@@ -114,12 +114,12 @@ def test_edges_of_solids(document):
         (ball, ("Edge1",), "degenerate"),
         (helix, (), "plane"),
     ]
-    made = [strip.create(document, source, edges) for source, edges, _ in asked]
+    made = [strip.create(document, source, edges) for source, edges, _ in options]
     for one in made:
         one.Sheet = "card-200gsm"
-    for said, (_, edges, says) in zip(judged(document, *made), asked, strict=True):
-        assert says in said, edges
-        assert bool(says) == bool(said)
+    for text, (_, edges, says) in zip(judged(document, *made), options, strict=True):
+        assert says in text, edges
+        assert bool(says) == bool(text)
 
 
 def test_things_without_a_curve(document):
@@ -131,7 +131,7 @@ def test_things_without_a_curve(document):
         "Mesh::Feature",
     )
     made = [strip.create(document, document.addObject(kind, "Thing")) for kind in kinds]
-    assert all("has no shape" in said for said in judged(document, *made))
+    assert all("has no shape" in text for text in judged(document, *made))
 
 
 def test_wrong_and_lost_sources(document, sketch):
@@ -177,8 +177,8 @@ def test_expressions_that_go_wrong(document, sketch):
         cells.setAlias("A1", "value")
         document.recompute()
         feature.setExpression("Thickness", "Numbers.value")
-        said = judged(document, feature)[0]
-        assert bool(said) == bool(says)
+        text = judged(document, feature)[0]
+        assert bool(text) == bool(says)
     cells.set("A1", "=1/0")
     document.recompute()
     assert feature.Shape.isValid(), "the last good shape is kept"
@@ -212,7 +212,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     proxy.give_up(document)  # what a window is told
     assert [one.Visibility for one in made] == [False] * 3
     assert feature.Verdict == "There is no strip."
-    (said,) = feature.Reasons
+    (text,) = feature.Reasons
     feature.setExpression("MaxWidth", None)
     feature.MaxWidth = 20
     if lost == "cell":
@@ -220,7 +220,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     document.recompute()
     assert [one.Visibility for one in made] == [True] * 3
     assert [one.State for one in made] == [["Up-to-date"]] * 3
-    assert feature.Reasons == [], said
+    assert feature.Reasons == [], text
     assert [cut.piece.size[1] for cut in cuts_of([feature])] == pytest.approx([20])
 
 

@@ -61,11 +61,11 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     assert found["panels"] == [lost, f"There is no strip.\n{lost}"]
     assert found["export"] == lost
     seen, reasons, volume = found["numbers there"]
-    (told,) = found["numbers lost, told"]
-    assert told.startswith(
+    (message,) = found["numbers lost, told"]
+    assert message.startswith(
         "Strip, Strip flat, Nest, Fixtures: FreeCAD cannot compute the formula of the property MaxWidth ("
     )
-    sentence = told.partition("Fixtures: ")[2]
+    sentence = message.partition("Fixtures: ")[2]
     assert sentence.endswith("). Correct or remove the formula.")
     assert found["numbers lost"] == [dict.fromkeys(seen, False), [sentence], volume]
     assert found["panel of the formula"] == f"There is no strip.\n{sentence}"

@@ -81,25 +81,26 @@ def overlaps(made):
     return list(made.Overlaps)
 
 
-def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
+def test_strips_that_run_into_each_other_are_reported(document, crossing, drawn):
     made = new(model.create, document, crossing)
     assert overlaps(made) == []
     change(made, Interlock=False)
     assert overlaps(made) == model.overlaps_of(made)
-    (told,) = made.Overlaps
+    (result,) = made.Overlaps
     assert re.fullmatch(
-        r"A \([0-9.]+ mm from its start\) passes through B \([0-9.]+ mm from its start\): cut slots .*", told
+        r"A \([0-9.]+ mm from its start\) passes through B \([0-9.]+ mm from its start\): cut slots .*",
+        result,
     )
     document.recompute([made])
     assert made.State == ["Up-to-date"]
-    assert list(made.Overlaps) == [told], "what is known is not forgotten"
+    assert list(made.Overlaps) == [result], "what is known is not forgotten"
     crossing[1].Curve[0].Placement.Base.z = 100
     document.recompute()
     assert list(made.Overlaps) == [], "what is sought anew is not told"
     assert overlaps(made) == []
 
 
-def test_slotted_strips_that_collide_beside_their_slots_are_told(document, drawn):
+def test_slotted_strips_that_collide_beside_their_slots_are_reported(document, drawn):
     sketches = [drawn(ARCH), drawn(ARCH)]
     sketches[1].Placement = App.Placement(App.Vector(0, 1, 4), App.Rotation(App.Vector(0, 1, 0.2), 9))
     made = new(model.create, document, strips_of(document, sketches))
@@ -392,10 +393,10 @@ def test_the_base_plate_takes_all_tabs(document, standing):
     assert plate.Shape.isValid()
     assert plate.Shape.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
     assert len(plate.Shape.Faces) > 6 + 4 * 4 - 4
-    (said,) = plate.Reports
+    (text,) = plate.Reports
     assert re.fullmatch(
         r"In the slot of BasePlate, a tab can (shift by [\d.]+ mm and )?tip within a range of [\d.]+ degrees",
-        said,
+        text,
     )
     change(plate, Placement=App.Placement(App.Vector(0, 0, -500), App.Rotation()))
     assert "no tab" in plate.getStatusString()
@@ -610,8 +611,8 @@ def test_each_part_has_files_of_its_own_whatever_its_label(document, standing, t
     names = [file.name for file in files]
     assert len({name.casefold() for name in names}) == 5, names
     assert sorted(path.name for path in tmp_path.rglob("*")) == sorted(names), "none in a folder of its own"
-    told = (tmp_path / "cut-list.csv").read_text(encoding="utf-8")
-    assert all(name in told for name in names if name.endswith(".svg"))
+    message = (tmp_path / "cut-list.csv").read_text(encoding="utf-8")
+    assert all(name in message for name in names if name.endswith(".svg"))
 
 
 def test_numbers_behind_names_take_no_name_that_is_there():

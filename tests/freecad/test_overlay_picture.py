@@ -15,12 +15,12 @@ WAVE = PlaneCurve.spline([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (15
 SNAKE = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)])
 
 
-def asked(curve):
+def picture_of(curve):
     return StripSpec(curve, Sheet.named("birch-plywood-0.8"), max_width=30.0)
 
 
 def test_an_arch_has_a_comb_and_no_line():
-    picture = curve_picture(ARCH, asked(ARCH))
+    picture = curve_picture(ARCH, picture_of(ARCH))
     assert picture.realizable
     assert picture.line is None
     assert picture.on_line.shape == (0, 2)
@@ -34,7 +34,7 @@ def test_an_arch_has_a_comb_and_no_line():
 
 
 def test_a_wave_has_its_inflection_on_the_line():
-    picture = curve_picture(WAVE, asked(WAVE))
+    picture = curve_picture(WAVE, picture_of(WAVE))
     assert picture.realizable
     assert picture.on_line == pytest.approx(WAVE.at(WAVE.inflections).position)
     a, b = picture.line
@@ -44,7 +44,7 @@ def test_a_wave_has_its_inflection_on_the_line():
 
 
 def test_inflections_off_the_line_say_how_far():
-    picture = curve_picture(SNAKE, asked(SNAKE))
+    picture = curve_picture(SNAKE, picture_of(SNAKE))
     check = check_equilibrium(SNAKE)
     assert len(check.inflections) >= 2
     assert picture.realizable is check.realizable is False
@@ -58,19 +58,19 @@ def test_inflections_off_the_line_say_how_far():
 
 def test_the_comb_has_another_colour_where_the_sheet_bears_no_more():
     sharp = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)])
-    picture = curve_picture(sharp, asked(sharp))
-    bend = 1 / asked(sharp).material.least_radius
+    picture = curve_picture(sharp, picture_of(sharp))
+    bend = 1 / picture_of(sharp).material.least_radius
     samples = sharp.sample(161)
     teeth = [line for line in picture.strained if len(line) == 2]
     beyond = np.abs(samples.curvature) > bend
     assert 0 < beyond.sum() < 161
     roots = [tuple(tooth[0]) for tooth in teeth if tuple(tooth[0]) in set(map(tuple, samples.position))]
     assert len(roots) == beyond.sum()
-    assert curve_picture(ARCH.transformed(np.diag([2.0, 2.0, 1.0])), asked(ARCH)).strained == ()
+    assert curve_picture(ARCH.transformed(np.diag([2.0, 2.0, 1.0])), picture_of(ARCH)).strained == ()
 
 
 def test_the_width_lies_along_the_curve():
-    strip = solve_strip(asked(ARCH))
+    strip = solve_strip(picture_of(ARCH))
     left, right = width_lines(strip, 41)
     s = np.linspace(0, ARCH.length, 41)
     assert np.hypot(*(left - right).T) == pytest.approx(strip.width(s), abs=1e-6)
@@ -78,8 +78,8 @@ def test_the_width_lies_along_the_curve():
     assert "20.8 to 30 mm wide" in sentence_of(strip)
 
 
-def test_an_even_width_is_told_once():
-    even = replace(asked(ARCH), style=Perforated(width=30.0), max_width=None)
+def test_an_even_width_is_reported_once():
+    even = replace(picture_of(ARCH), style=Perforated(width=30.0), max_width=None)
     assert sentence_of(solve_strip(even)).startswith(
         "A flat strip can be bent into this curve: 30 mm wide, stiffness"
     )
@@ -87,13 +87,13 @@ def test_an_even_width_is_told_once():
 
 def test_closed_curves_are_judged_like_others():
     wide, narrow = (PlaneCurve.ellipse((0, 0), axes) for axes in ((150, 120), (50, 30)))
-    assert "can take this curve" in curve_picture(wide, asked(wide)).answer.sentence
-    assert "would break" in curve_picture(narrow, asked(narrow)).answer.sentence
+    assert "can take this curve" in curve_picture(wide, picture_of(wide)).answer.sentence
+    assert "would break" in curve_picture(narrow, picture_of(narrow)).answer.sentence
 
 
 def test_bad_curves_are_one_sentence():
     with pytest.raises(NotRealizable) as caught:
-        solve_strip(asked(SNAKE))
+        solve_strip(picture_of(SNAKE))
     assert sentence_of(caught.value) == check_equilibrium(SNAKE).reasons[0]
 
 
@@ -101,11 +101,11 @@ def test_straight_ends_are_tabs_in_the_overlay_too():
     straight = [(0, 0), (20, 0), (40, 0), (60, 0)], [(300, 150), (320, 150), (340, 150), (360, 150)]
     points = [*straight[0], (160, 0), (200, 150), *straight[1]]
     curve = PlaneCurve([*[0] * 4, *[1] * 3, *[3] * 3, *[4] * 4], points, 3)
-    assert curve_picture(curve, asked(curve)).realizable
-    assert not curve_picture(curve, asked(curve).changed(straight_ends=False)).realizable
-    (turn,) = solve_strip(asked(curve)).rod.curve.inflections
-    place = solve_strip(asked(curve)).rod.curve.at(np.array([turn])).position
-    assert curve_picture(curve, asked(curve)).on_line == pytest.approx(place, abs=1e-6)
+    assert curve_picture(curve, picture_of(curve)).realizable
+    assert not curve_picture(curve, picture_of(curve).changed(straight_ends=False)).realizable
+    (turn,) = solve_strip(picture_of(curve)).rod.curve.inflections
+    place = solve_strip(picture_of(curve)).rod.curve.at(np.array([turn])).position
+    assert curve_picture(curve, picture_of(curve)).on_line == pytest.approx(place, abs=1e-6)
 
 
 @pytest.mark.parametrize("heights", [(-28, -31, -35, 46, -34), (-42, 7, -22, -2, 13)])
@@ -113,7 +113,7 @@ def test_points_that_do_not_decide_are_no_verdict(heights):
     """Before and after a strip is made: the curve fitted to the first can be bent, that to the second cannot."""
     drawn = PlaneCurve.spline(np.column_stack([60.0 * np.arange(5), heights]))
     points = PlaneCurve.fit(drawn.sample(30).position.round(4))
-    spec = replace(asked(points), sheet=Sheet.named("card-200gsm"), ignore_limits=True)
+    spec = replace(picture_of(points), sheet=Sheet.named("card-200gsm"), ignore_limits=True)
     answers = [curve_picture(points, spec).answer]
     try:
         answers.append(strip_answer(solve_strip(spec)))

@@ -27,8 +27,8 @@ def test_freecadcmd(tmp_path):
     assert found["nearest"][0] == ["Up-to-date"], found["nearest"]
     assert found["step"] == pytest.approx(found["shapes"], rel=1e-6)
     assert len(found["files"]) == 3
-    (said,) = found["said"]  # FreeCAD 1.x prints the state of failed objects itself
-    assert re.fullmatch(rf"(.*console\.py\(\d+\) Elastica, )?Strip: {re.escape(found['status'])}", said)
+    (text,) = found["said"]  # FreeCAD 1.x prints the state of failed objects itself
+    assert re.fullmatch(rf"(.*console\.py\(\d+\) Elastica, )?Strip: {re.escape(found['status'])}", text)
     assert found["traceback"] == 0
     assert not found["limit"]
     assert "ZeroDivisionError" in found["mistake"]
@@ -325,7 +325,7 @@ def test_a_project_that_grows_and_changes(tmp_path):
     assert halves == strips == 10
     assert states == "{('Up-to-date',)}", "halves of a closed section are not joined again"
     *narrow, long = found["in error"]
-    assert all("mm wide" in said for said in narrow), narrow
+    assert all("mm wide" in text for text in narrow), narrow
     assert "sheet" in long
     assert found["left behind"] == 0
     assert found["other in sight"]
@@ -344,13 +344,13 @@ def test_a_hostile_user(tmp_path):
     assert found["pasted into Pasted"] == [[["Up-to-date"], True]] * 2
     *curves, corner, polygon, point, space = found["draft"]
     assert curves == [""] * 4
-    for said, words in (
+    for text, words in (
         (corner, "corner"),
         (polygon, "polyline of 5 straight pieces"),
         (point, "no curve"),
         (space, "plane"),
     ):
-        assert words in said
+        assert words in text
     assert found["kerf of a new panel"] == pytest.approx(0.3)
     assert found["sheet of a new panel"] == "birch-plywood-0.8"
 
@@ -368,9 +368,9 @@ def check_first_use(found):
     assert found["closed"] == [True, True]
     assert found["back in"] == "ElasticaWorkbench"
     assert found["strip"][0] == ["Up-to-date"]
-    said, numbers, footnote = found["held"]
-    assert footnote == said
-    assert re.search("from its design|von seinem Entwurf", said)
+    text, numbers, footnote = found["held"]
+    assert footnote == text
+    assert re.search("from its design|von seinem Entwurf", text)
     rows = dict(re.findall(r"<td>(\w+)&nbsp;&nbsp;</td><td>(.*?)</td>", numbers))
     assert list(rows) in (
         ["Size", "Strain", "Stability", "Hold", "Accuracy"],
@@ -610,24 +610,26 @@ def test_a_workshop_that_measures_links_and_renames(tmp_path):
 
 
 @pytest.mark.campaign
-def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
+def test_strips_that_run_through_each_other_are_reported_a_moment_later(tmp_path):
     found = launching.run_window("meeting.py", tmp_path)
     assert found["slotted"] == [1, True]
     assert found["found"]
-    (told,), footnote = found["told"]
+    (message,), footnote = found["told"]
     assert re.fullmatch(
-        r"Strip \([0-9.]+ mm from .*\) passes through Strip001 \([0-9.]+ mm from .*\): cut slots .*", told
+        r"Strip \([0-9.]+ mm from .*\) passes through Strip001 \([0-9.]+ mm from .*\): cut slots .*", message
     )
-    assert footnote == told
+    assert footnote == message
     assert found["reported"] == 1
-    assert found["before export"][0] == told
+    assert found["before export"][0] == message
     assert len(found["before export"]) >= 3, "and the cut list"
     assert found["undone"] == [True, 1]
     assert found["redone"] == [True, 0]
     assert found["slotted again"]
     assert found["states"] == [["Up-to-date"], ["Up-to-date"]]
-    told, opened = found["broken link"]
-    assert told.startswith("Link links to a deleted object. Choose another object"), "no part goes in silence"
+    message, opened = found["broken link"]
+    assert message.startswith("Link links to a deleted object. Choose another object"), (
+        "no part goes in silence"
+    )
     assert not opened
     assert found["grey with loose strips"] is False
     refused, *pieces = found["one is refused"]

@@ -143,7 +143,7 @@ def test_closed_sections_are_split_or_named(document, ball):
             assert abs(middle[side]) == pytest.approx(found.curve.length / np.pi, rel=1e-2)
 
 
-def test_closed_sections_alone_are_told_once(document, ball):
+def test_closed_sections_alone_are_reported_once(document, ball):
     ball.Placement.Base = App.Vector(0.004, 7.3, 0)
     made = curves.section(document, [ball])
     document.recompute()
@@ -208,7 +208,7 @@ def test_datum_planes_and_axes_have_no_end(document, shell):
         path_points(axis)
 
 
-def test_a_path_of_two_chains_is_told(document):
+def test_a_path_of_two_chains_is_reported(document):
     lines = document.addObject("Part::Feature", "Lines")
     lines.Shape = Part.Compound(
         [Part.makeLine(App.Vector(x, 0, 0), App.Vector(x + 50, 0, 0)) for x in (0, 90)]

@@ -360,10 +360,10 @@ def test_the_panel_has_every_row_of_the_report(document, drawn, points, degree, 
     assert feature.State == ["Up-to-date"], feature.Reasons
     strip.show_held(feature)
     near = strip.shown_nearest(feature)
-    asked = {(row.label, row.text) for row in summary.strip_rows(strip.strip_of(feature), near)}
+    request = {(row.label, row.text) for row in summary.strip_rows(strip.strip_of(feature), near)}
     shown = strip_report.strip_rows(feature)
     assert label in {row.label for row in shown}
-    missing = asked - {(row.label, row.text) for row in shown}
+    missing = request - {(row.label, row.text) for row in shown}
     reasons = " ".join(feature.Reasons).lower()
     assert all(text.lower() in reasons for _, text in missing)
     assert ("error" in {row.severity for row in shown}) == bool(feature.Fails)

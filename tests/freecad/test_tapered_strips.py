@@ -28,7 +28,7 @@ def test_the_body_is_that_of_the_law(law, form, document, drawn):
     assert feature.Shape.Volume == pytest.approx(ours.mass / POM.density * 1e6, rel=1e-4)
 
 
-def test_a_law_that_no_strip_has_is_told(document, drawn):
+def test_a_law_that_no_strip_has_is_reported(document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
     change(feature, Sheet="pom-1", Law='kind = "rod", limits = [3, 1]')
     assert "diameter limits are 3 and 1 mm" in feature.getStatusString()

@@ -13,7 +13,7 @@ _spec.loader.exec_module(launching)
 
 
 @pytest.mark.campaign
-def test_what_is_easily_overlooked_is_told(tmp_path):
+def test_what_is_easily_overlooked_is_reported(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of "
     verdict, reason, *_ = found["blank"].splitlines()
@@ -48,6 +48,6 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     assert found["shear estimated"] == [None, False]
     assert [found["closed with its document"], found["buttons left"]] == [True, False]
     assert found["the other's step"], "what is begun in another document is not taken back"
-    said, hidden, _ = found["deleted"]
-    assert said == "The edited object was deleted. Press Cancel."
+    text, hidden, _ = found["deleted"]
+    assert text == "The edited object was deleted. Press Cancel."
     assert not hidden

@@ -25,18 +25,18 @@ SHOULDERS = [(0, 0), (10, 70), (70, 90), (130, 70), (140, 0)]
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 
 
-def asked(points, **options):
+def verdict_on(points, **options):
     return StripSpec(PlaneCurve.spline(points), "birch-plywood-0.8", **{"max_width": 30.0} | options)
 
 
 def test_what_can_be_made_is_said_so():
-    spec = asked(ARCH)
+    spec = verdict_on(ARCH)
     assert curve_picture(spec.curve, spec).answer.verdict is Verdict.CAN
     assert strip_answer(solve_strip(spec)).verdict is Verdict.CAN
 
 
 def test_strain_beyond_the_sheet_breaks_at_once():
-    spec = asked([(0.5 * x, 0.5 * y) for x, y in ARCH], max_width=15.0)
+    spec = verdict_on([(0.5 * x, 0.5 * y) for x, y in ARCH], max_width=15.0)
     quick = curve_picture(spec.curve, spec).answer
     assert quick.verdict is Verdict.BREAKS
     percent = float(quick.words.split(": ")[1].partition(" %")[0])
@@ -62,11 +62,11 @@ def at_its_limit(spec, share):
 )
 def test_no_green_above_a_hundred_percent(share, verdict):
     """At the limit, a hundredth below, a thousandth above: over 100 % is told where it breaks, and only there."""
-    spec = at_its_limit(asked(ARCH), share)
+    spec = at_its_limit(verdict_on(ARCH), share)
     quick, slow = curve_picture(spec.curve, spec).answer, strip_answer(solve_strip(spec))
     assert [quick.verdict, slow.verdict] == [verdict, verdict]
-    told = f"{slow.words} {slow.sentence}" if verdict is Verdict.CAN else slow.words
-    (percent,) = (int(number) for number in re.findall(r"(\d+) %", told))
+    result = f"{slow.words} {slow.sentence}" if verdict is Verdict.CAN else slow.words
+    (percent,) = (int(number) for number in re.findall(r"(\d+) %", result))
     assert percent == {1.0: 100, 1.01: 99, 0.999: 101}[share]
     assert (percent > 100) == (verdict is Verdict.BREAKS)
     assert ("allows" in slow.sentence) == (verdict is Verdict.BREAKS)
@@ -130,12 +130,12 @@ def test_a_strip_fails_by_steps_that_can_be_seen(widest, fails):
 
 
 def test_equal_remarks_are_listed_once_with_their_strips():
-    said = [("A", "fails"), ("A", "kinks"), ("B", "fails"), ("C", "takes it"), ("C", "kinks"), ("C", "")]
-    assert together(said) == ["A, B: fails", "A, C: kinks", "C: takes it"]
+    text = [("A", "fails"), ("A", "kinks"), ("B", "fails"), ("C", "takes it"), ("C", "kinks"), ("C", "")]
+    assert together(text) == ["A, B: fails", "A, C: kinks", "C: takes it"]
 
 
-def test_a_sketch_too_small_for_its_strip_is_told():
-    spec = asked([(0.02 * x, 0.02 * y) for x, y in ARCH])
+def test_a_sketch_too_small_for_its_strip_is_reported():
+    spec = verdict_on([(0.02 * x, 0.02 * y) for x, y in ARCH])
     answer = curve_picture(spec.curve, spec).answer
     assert answer.verdict is Verdict.BREAKS
     assert "30 mm wide" in answer.sentence
@@ -143,18 +143,18 @@ def test_a_sketch_too_small_for_its_strip_is_told():
 
 
 def test_what_cannot_be_bent_and_what_cannot_be_made():
-    spec = asked(BAD)
+    spec = verdict_on(BAD)
     assert curve_picture(spec.curve, spec).answer.verdict is Verdict.CANNOT
     with pytest.raises(ElasticaError) as refused:
         solve_strip(spec)
     assert refusal_answer(refused.value).verdict is Verdict.CANNOT
     with pytest.raises(ElasticaError) as narrow:
-        solve_strip(asked(ARCH, min_width=29.9))
+        solve_strip(verdict_on(ARCH, min_width=29.9))
     assert refusal_answer(narrow.value).verdict is Verdict.BREAKS
 
 
 def test_dxf_without_ezdxf(monkeypatch, tmp_path, check_drawing_file):
-    made = solve_strip(asked(ARCH, label="A1"))
+    made = solve_strip(verdict_on(ARCH, label="A1"))
     with monkeypatch.context() as bare:
         bare.setitem(sys.modules, "ezdxf", None)
         cutting = cutting_of(version="R2010")

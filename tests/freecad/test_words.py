@@ -111,7 +111,7 @@ def test_no_template_lacks_a_translation(language):
 
 @pytest.mark.parametrize("language", ["de", "zh-CN"])
 def test_translations_have_the_gaps_of_their_templates(language):
-    other = {text: said for text, said in catalogue(language).items() if gaps(text) != gaps(said)}
+    other = {text: result for text, result in catalogue(language).items() if gaps(text) != gaps(result)}
     assert other == {}
 
 
@@ -131,8 +131,8 @@ def german(monkeypatch):
 def test_records_are_said_in_german_with_commas(monkeypatch):
     monkeypatch.setattr(words, "decimal_point", lambda: ",")
     loop = PlaneCurve.spline([(0, 0), (200, 100), (-100, 100), (100, 0)], 3)
-    said = worded(str(check_equilibrium(loop)))
-    assert said == (
+    text = worded(str(check_equilibrium(loop)))
+    assert text == (
         "Ein flacher Streifen kann diese Kurve von 254 mm annehmen; sie hat keine Wendepunkte. Die Kurve kreuzt "
         "sich selbst (58,4 und 195 mm vom Anfang): zwei Teile des Streifens müssen dort nebeneinander vorbei."
     )
@@ -175,16 +175,16 @@ def test_lengths_are_said_in_the_users_unit():
         worded(note("{far:.2g} off, {bend} 1/mm", far=Length(2.54), bend=0.02), inch)
         == "0.1 in off, 0.02 1/mm"
     )
-    for mm, said in ((0.001, "0.0000394 in"), (0.25, "0.00984 in"), (20.0, "0.7874 in"), (1234.5, "48.6 in")):
-        assert worded(note("{far}", far=Length(mm)), inch) == said
+    for mm, text in ((0.001, "0.0000394 in"), (0.25, "0.00984 in"), (20.0, "0.7874 in"), (1234.5, "48.6 in")):
+        assert worded(note("{far}", far=Length(mm)), inch) == text
     two = note("{long:g} by {short:g}", long=BareLength(50.8), short=Length(25.4))
     assert (str(two), worded(two, inch)) == ("50.8 by 25.4 mm", "2 by 1 in")
 
 
 def test_fields_have_freecads_names():
     keys = ("max_width", "shop.least_width", "ignore_limits", "seam_position", "style.hole_ratio", "limits")
-    said = [worded(note("raise {field}", field=FieldName(key))).removeprefix("raise ") for key in keys]
-    assert said == ["MaxWidth", "LeastWidth", "Anyway", "Joint", "HoleRatio", "Follow"]
+    text = [worded(note("raise {field}", field=FieldName(key))).removeprefix("raise ") for key in keys]
+    assert text == ["MaxWidth", "LeastWidth", "Anyway", "Joint", "HoleRatio", "Follow"]
     assert capital("too narrow") == "Too narrow"
     assert capital("rib: too narrow") == "rib: too narrow"
 
@@ -193,18 +193,18 @@ SMALL = {"Style": "Perforated", "OuterWidth": 24.0, "MaterialWidth": 2.0}
 BACKED = {"Style": "Laminated", "OuterWidth": 24.0, "MaterialWidth": 3.0, "LeastBacking": 2.9}
 
 
-@pytest.mark.parametrize("asked", [SMALL, BACKED])
-def test_a_limit_of_the_material_is_called_by_its_own_property(document, sketch, asked):
+@pytest.mark.parametrize("options", [SMALL, BACKED])
+def test_a_limit_of_the_material_is_called_by_its_own_property(document, sketch, options):
     from freecad.elastica_wb.features import strip
 
     made = strip.create(document, sketch)
     made.Backing = made.Sheet
-    for name, value in asked.items():
+    for name, value in options.items():
         setattr(made, name, value)
     document.recompute()
-    said = " ".join([made.Verdict, *made.Reasons])
-    assert "MaterialWidth" in said, said
-    assert "MaxWidth" not in said, said
+    text = " ".join([made.Verdict, *made.Reasons])
+    assert "MaterialWidth" in text, text
+    assert "MaxWidth" not in text, text
 
 
 @pytest.mark.usefixtures("german")
@@ -213,13 +213,13 @@ def test_a_strip_that_breaks_says_so_in_german(document, sketch):
 
     made = strip.create(document, sketch)
     change(made, Thickness=4)
-    said = " ".join([made.Verdict, *made.Reasons])
-    assert "Streifen" in said
-    assert not re.search(r"\b(the|strain|curve)\b", said), said
+    text = " ".join([made.Verdict, *made.Reasons])
+    assert "Streifen" in text
+    assert not re.search(r"\b(the|strain|curve)\b", text), text
 
 
 @pytest.mark.usefixtures("german")
-def test_on_which_side_the_backing_lies_is_told_in_german(document, sketch):
+def test_on_which_side_the_backing_lies_is_reported_in_german(document, sketch):
     from freecad.elastica_wb.features import strip
 
     made = strip.create(document, sketch)
@@ -252,7 +252,7 @@ ENGLISH = re.compile(r"\b(the|it|and|values|give|leave|such|must|make|use|one|ke
 
 @pytest.mark.usefixtures("german")
 @pytest.mark.parametrize("asked", REFUSED, ids=" ".join)
-def test_refused_properties_are_told_in_german(document, sketch, asked):
+def test_refused_properties_are_reported_in_german(document, sketch, asked):
     from freecad.elastica_wb.features import strip
 
     made = strip.create(document, sketch)
@@ -266,7 +266,7 @@ def test_refused_properties_are_told_in_german(document, sketch, asked):
     assert not ENGLISH.search(" ".join(made.Reasons)), made.Reasons
 
 
-def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sketch):
+def test_a_line_that_cannot_be_read_is_reported_what_its_property_takes(document, sketch):
     from freecad.elastica_wb.features import strip
     from freecad.elastica_wb.features.strip_properties import EXAMPLES, MASS_LINE, TAB_LINE, WEIGHT_LINE
 
@@ -295,7 +295,7 @@ BLANKS = [
 
 @pytest.mark.parametrize("language", ["german", "chinese"])
 @pytest.mark.parametrize("blank", BLANKS)
-def test_blanks_bent_beforehand_are_told_in_other_languages(document, sketch, request, language, blank):
+def test_blanks_bent_beforehand_are_reported_in_other_languages(document, sketch, request, language, blank):
     from freecad.elastica_wb.features import strip
 
     request.getfixturevalue(language)
@@ -305,9 +305,9 @@ def test_blanks_bent_beforehand_are_told_in_other_languages(document, sketch, re
     else:
         made.NaturalCurvature = float(blank)
     document.recompute()
-    said = " ".join([made.Verdict, *made.Reasons])
-    assert "Invalid" not in made.State, said
-    assert not re.search(r"\b(bend|bent|beforehand|the|way|stands|its|strip|radius of|report)\b", said), said
+    text = " ".join([made.Verdict, *made.Reasons])
+    assert "Invalid" not in made.State, text
+    assert not re.search(r"\b(bend|bent|beforehand|the|way|stands|its|strip|radius of|report)\b", text), text
 
 
 def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monkeypatch, tmp_path):

@@ -63,16 +63,16 @@ def test_an_underscore_says_what_is_private(plan, modules):
     assert crossed == []
     users = (*(ROOT / "elastica_cad").rglob("*.pyi"), *(ROOT / "tests").rglob("*.py"), *modules.values())
     texts = {file: file.read_text(encoding="utf-8") for file in users}
-    asked = set()
+    request = set()
     for text in texts.values():
-        asked |= {name for names in IMPORTED.findall(text) for name in WORD.findall("".join(names))}
-        asked |= set(ATTRIBUTE.findall(text))
+        request |= {name for names in IMPORTED.findall(text) for name in WORD.findall("".join(names))}
+        request |= set(ATTRIBUTE.findall(text))
     idle = [
         f"{name}.{function}"
         for name, file in modules.items()
         if name.startswith("elastica_cad.")
         for function in PUBLIC_FUNCTION.findall(texts[file])
-        if function not in asked
+        if function not in request
     ]
     assert idle == []
 

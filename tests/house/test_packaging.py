@@ -185,7 +185,7 @@ def test_the_contract_holds_where_nothing_else_is_installed(project_root, tmp_pa
     shutil.rmtree(source / "elastica_cad")
     venv.create(tmp_path / "empty", with_pip=True)
     (python,) = (tmp_path / "empty").glob("*/python")
-    asked = (
+    options = (
         f"{wheel}[plot,build123d,cadquery,studio]",
         "build123d==0.12.0",
         "cadquery==2.8.0",
@@ -193,7 +193,7 @@ def test_the_contract_holds_where_nothing_else_is_installed(project_root, tmp_pa
         "hypothesis",
     )
     for words in (
-        ("pip", "install", "--quiet", *asked),
+        ("pip", "install", "--quiet", *options),
         ("pytest", "-o", f"addopts={PLAIN}", "tests/contract"),
     ):
         done = subprocess.run(

@@ -46,14 +46,14 @@ def asked(project_root, tmp_path):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
 
-    def told(*words):
+    def stub(*words):
         done = subprocess.run(
             ["make", "--dry-run", *words], cwd=tmp_path, env={"PATH": os.environ["PATH"]}, capture_output=True,
             text=True, check=True,
         )  # fmt: skip
         return done.stdout
 
-    return told
+    return stub
 
 
 def test_an_environment_without_compiled_loops_is_installed_again(asked, tmp_path):

@@ -53,13 +53,17 @@ def main() -> None:
     parser.add_argument("--page", default="", help="look at this page alone")
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--find", nargs=2, action="append", default=[], metavar=("WORD", "PAGE"))
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     # below a folder, as sites are published, so that a link can lead out of it
-    site = asked.site.resolve()
+    site = arguments.site.resolve()
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(site.parent)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     home = f"http://127.0.0.1:{server.server_port}/{site.name}/"
-    pages, wrong = ([], find(home, asked.find)) if asked.find else crawl(home, asked.pictures, asked.page)
+    pages, wrong = (
+        ([], find(home, arguments.find))
+        if arguments.find
+        else crawl(home, arguments.pictures, arguments.page)
+    )
     server.shutdown()
     print(f"{len(pages)} pages")
     sys.exit("\n".join(wrong) or None)
@@ -117,9 +121,9 @@ def crawl(home: str, pictures: Path | None, only: str = "") -> tuple[list[str], 
                     pictures.mkdir(parents=True, exist_ok=True)
                     browser.save_screenshot(pictures / f"{name.replace('/', '-')}-{width}.png")
             wrong += [f"{name}: no picture {one}" for one in browser.execute_script(BROKEN)]
-            said = [entry["message"] for entry in browser.get_log("browser")]
+            text = [entry["message"] for entry in browser.get_log("browser")]
             wrong += [
-                f"{name}: {one}" for one in said if "/favicon.ico" not in one
+                f"{name}: {one}" for one in text if "/favicon.ico" not in one
             ]  # asked for where a page has none
             for link in browser.execute_script(LINKS):
                 if not link.startswith(home):

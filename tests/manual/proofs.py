@@ -52,9 +52,9 @@ def typed(folder: Path, *words: str, code: int | None = 0, stdin: str | None = N
     """What a command prints in a folder, on both streams."""
     with chdir(folder):
         done = CliRunner().invoke(elastica, words, input=stdin)
-    said = done.output + (getattr(done, "stderr", "") if "Error" not in done.output else "")
-    assert code in (None, done.exit_code), f"{words}: {said}{done.exception}"
-    return said
+    text = done.output + (getattr(done, "stderr", "") if "Error" not in done.output else "")
+    assert code in (None, done.exit_code), f"{words}: {text}{done.exception}"
+    return text
 
 
 def proved_by(test: str) -> None:

@@ -98,10 +98,10 @@ def _extras(row, _):
     ]
     assert extra == "" or extra in known
     number, unit = re.match(r"([\d.]+) (MB|GB)", row[2]).groups()
-    told = float(number) * {"MB": 1, "GB": 1000}[unit]
+    result = float(number) * {"MB": 1, "GB": 1000}[unit]
     base = weights("")
     more = base if not extra else {name: size for name, size in weights(extra).items() if name not in base}
-    assert sum(more.values()) == pytest.approx(told, rel=1 / 3, abs=3)
+    assert sum(more.values()) == pytest.approx(result, rel=1 / 3, abs=3)
 
 
 @cache
@@ -109,13 +109,13 @@ def weights(extra):
     """MB of every distribution that the package needs with an extra."""
     found, waiting = {}, [("elastica-cad", extra)]
     while waiting:
-        name, asked = waiting.pop()
+        name, request = waiting.pop()
         there = importlib.metadata.distribution(name)
         found[name] = sum(f.locate().stat().st_size for f in there.files or () if f.locate().exists()) / 1e6
         for line in there.requires or ():
             needed = Requirement(line)
             plain = needed.name.lower().replace("_", "-")
-            if plain not in found and (needed.marker is None or needed.marker.evaluate({"extra": asked})):
+            if plain not in found and (needed.marker is None or needed.marker.evaluate({"extra": request})):
                 waiting.append((plain, ",".join(needed.extras)))
     return found
 
@@ -212,7 +212,7 @@ def _gallery(row, _):
 
 def commands_by_text():
     """Shortcuts of the workbench's commands by what is written on their buttons."""
-    return {said["text"]: said.get("shortcut") or "" for said in COMMANDS.values()}
+    return {answer["text"]: answer.get("shortcut") or "" for answer in COMMANDS.values()}
 
 
 @asks("docs/freecad_tools/rails.md", "kind", "meaning")
@@ -251,37 +251,37 @@ def _qualities(row, _):
     """Of our answers all that a file can tell; the rest is what people promise."""
     package = (ROOT / "package.xml").read_text(encoding="utf-8")
     sources = [path.read_text(encoding="utf-8") for path in (ROOT / "freecad_workbench").rglob("*.py")]
-    asked = row[0]
-    if asked.startswith("an active maintainer"):
+    request = row[0]
+    if request.startswith("an active maintainer"):
         assert "<maintainer" in package
-    elif asked.startswith("no user data"):
+    elif request.startswith("no user data"):
         assert not [
             text
             for text in sources
             if re.search(r"^\s*(import|from) (urllib|socket|http|requests)", text, re.M)
         ]
-    elif asked.startswith("safe storage"):
+    elif request.startswith("safe storage"):
         assert any("ParamGet" in text for text in sources)
-    elif asked.startswith("security reports"):
+    elif request.startswith("security reports"):
         assert (ROOT / "SECURITY.md").is_file()
         assert (ROOT / "CHANGELOG.md").is_file()
-    elif asked.startswith("a fitting licence"):
+    elif request.startswith("a fitting licence"):
         assert "MIT" in (ROOT / "LICENSE").read_text(encoding="utf-8")
         proved_by("tests/freecad/test_resources.py::test_sources_say_their_licence")
-    elif asked.startswith("Python 3"):
+    elif request.startswith("Python 3"):
         assert "<pythonmin>3.11</pythonmin>" in package
-    elif asked.startswith("FreeCAD's own Qt"):
+    elif request.startswith("FreeCAD's own Qt"):
         package = ROOT / "freecad_workbench" / "freecad"
         asking = [p for p in package.rglob("*.py") if re.search(r"from PySide\d? import", p.read_text())]
         assert {path.name for path in asking} == {"qt.py"}
-    elif asked.startswith("a valid manifest"):
+    elif request.startswith("a valid manifest"):
         proved_by("tests/freecad/test_resources.py::test_package_for_the_addon_manager")
-    elif asked.startswith("no other files"):
+    elif request.startswith("no other files"):
         proved_by("tests/freecad/test_real_freecad.py::test_the_addon_that_users_install")
-    elif asked.startswith("the latest FreeCAD"):
+    elif request.startswith("the latest FreeCAD"):
         assert (ROOT / "tests" / "freecad" / "release.sh").is_file()
     else:
-        assert asked.startswith(("no dependencies", "nothing vendored"))
+        assert request.startswith(("no dependencies", "nothing vendored"))
         needed = re.findall(r'<depend type="python"( optional="true")?>(\w+)<', package)
         assert needed == [("", "numpy"), ("", "scipy"), (' optional="true"', "ezdxf")]
         assert not [text for text in sources if re.search(r"\bpip\b.*install|ensurepip", text)]

@@ -70,11 +70,14 @@ def unknown_options(text: str) -> set[str]:
     """Options between backticks that no command of ours, or of those that pages speak of, has."""
     commands = [elastica, *(elastica.get_command(None, name) for name in elastica.commands)]
     known = {
-        name for one in commands for asked in one.params for name in (*asked.opts, *asked.secondary_opts)
+        name
+        for one in commands
+        for request in one.params
+        for name in (*request.opts, *request.secondary_opts)
     }
-    told = " ".join(re.findall(r"`([^`]+)`", text))
+    result = " ".join(re.findall(r"`([^`]+)`", text))
     others = {"--help", "--minutes", "--styles", "--seed", "--only", "--patience", "--pictures", "--out"}
-    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", told)) - known - others
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", result)) - known - others
 
 
 @asks(f"{HOW_TO}/curves.md", "you have", "do")
@@ -88,7 +91,7 @@ def _curves(row, folder):
     elif row[0].startswith("a file in cm"):
         option = quoted(row[1])[0].split()
         inch, mm = (typed(folder, "check", "points.csv", *more) for more in (option, ()))
-        inch, mm = (float(re.search(r"curve of ([\d.]+) mm", told)[1]) for told in (inch, mm))
+        inch, mm = (float(re.search(r"curve of ([\d.]+) mm", result)[1]) for result in (inch, mm))
         assert abs(inch / mm - 25.4) < 0.1  # three or four digits are printed
     elif row[0] == "points you measured":
         assert "can take this curve" in typed(folder, "check", "points.csv")
@@ -128,16 +131,16 @@ def _cutting_options(row, folder):
         out = re.sub(r"\W", "", option)
         typed(folder, "strip", "arch.svg", *PLY, *option.split(), "-o", out)
         typed(folder, "strip", "arch.svg", *PLY, "-o", out + "0")
-        plain, asked = folder / f"{out}0" / "arch.dxf", folder / out / "arch.dxf"
+        plain, request = folder / f"{out}0" / "arch.dxf", folder / out / "arch.dxf"
         if option == "--set cut.for=service":
             assert (folder / out / "arch-mm.dxf").is_file()
         elif option == "--set cut.marks=false":
             assert "MARK" in layers(plain)
-            assert "MARK" not in layers(asked)
+            assert "MARK" not in layers(request)
         elif option.endswith("curves=bezier"):
-            assert {"SPLINE"} <= set(layers(asked)["CUT_OUTER"]) <= {"SPLINE", "LINE"}
+            assert {"SPLINE"} <= set(layers(request)["CUT_OUTER"]) <= {"SPLINE", "LINE"}
         elif "cut.curves=" in option:
-            space = ezdxf.readfile(asked).modelspace()
+            space = ezdxf.readfile(request).modelspace()
             (line,) = space.query('*[layer=="CUT_OUTER"]')
             assert line.dxftype() == "LWPOLYLINE"
             assert line.closed
@@ -146,12 +149,12 @@ def _cutting_options(row, folder):
             assert ezdxf.readfile(folder / out / quoted(row[1])[0]).dxfversion == "AC1009"
         elif option.startswith("--kerf"):
             kerf = 0.15
-            assert abs(height(asked) - height(plain) - kerf) < 0.02
+            assert abs(height(request) - height(plain) - kerf) < 0.02
         elif "cut.holding" in option:
-            assert len(layers(asked)["CUT_OUTER"]) > len(layers(plain)["CUT_OUTER"])
+            assert len(layers(request)["CUT_OUTER"]) > len(layers(plain)["CUT_OUTER"])
         elif option in ("--no-step", "--no-pictures"):
             left = {path.suffix for path in plain.parent.iterdir()} - {
-                path.suffix for path in asked.parent.iterdir()
+                path.suffix for path in request.parent.iterdir()
             }
             assert left == {".step" if option == "--no-step" else ".png"}
         else:
@@ -183,12 +186,12 @@ def _choices(row, _):
 @asks(f"{HOW_TO}/batten.md", "file", "for")
 def _batten(row, folder):
     out = _batten_files(folder.parent)
-    told = json.loads((out / "batten.json").read_text())
+    result = json.loads((out / "batten.json").read_text())
     for name in quoted(row[0]):
         assert (out / name).stat().st_size > 200
     head = (out / "batten.csv").read_text().lower().split("\n")[0]
     assert all(word in head for word in ("thickness", "mm", "inch", "strain", "safety"))
-    assert "end_force_N" in json.dumps(told)
+    assert "end_force_N" in json.dumps(result)
     assert (out / "batten.pdf").read_bytes().startswith(b"%PDF")
 
 
@@ -216,8 +219,8 @@ def _clip(row, folder):
     for name in quoted(row[0]):
         assert (out / name).stat().st_size > 200
     if "clip.json" in row[0]:
-        told = (out / "clip.json").read_text()
-        assert all(word in told for word in re.findall(r"strain|margin|force|travel", row[1]))
+        message = (out / "clip.json").read_text()
+        assert all(word in message for word in re.findall(r"strain|margin|force|travel", row[1]))
 
 
 @cache
@@ -276,8 +279,8 @@ def _kit(row, folder):
         assert path.exists(), name
         if path.is_dir():
             wanted = {"STEP": ".step", "GLB": ".glb", "DXF": ".dxf", "SVG": ".svg"}
-            asked = {ending for word, ending in wanted.items() if word in row[1]}
-            assert {file.suffix for file in path.iterdir()} >= asked
+            request = {ending for word, ending in wanted.items() if word in row[1]}
+            assert {file.suffix for file in path.iterdir()} >= request
 
 
 @asks(f"{HOW_TO}/models.md", "option", "does")
@@ -327,13 +330,13 @@ def _limits(row, folder):
     drawn(folder)
     (option,) = quoted(row[0])
     typed(folder, "strip", "s.svg", *PLY, *option.split(), "-o", "out")
-    told = json.loads((folder / "out" / "s.json").read_text())
+    answer = json.loads((folder / "out" / "s.json").read_text())
     if option.startswith("--ratio"):
-        assert told["ratio"] <= 6.0 + 1e-6
+        assert answer["ratio"] <= 6.0 + 1e-6
     elif option == "--stable":
-        assert told["stability"]["margin"] >= 5.0 - 1e-6
+        assert answer["stability"]["margin"] >= 5.0 - 1e-6
     else:
-        assert told["strain"]["largest"] <= told["strain"]["limit"] * (1 + 1e-6)
+        assert answer["strain"]["largest"] <= answer["strain"]["limit"] * (1 + 1e-6)
 
 
 MAKE = ("strip", "arch.svg", *PLY, "-o", "o")
@@ -440,5 +443,5 @@ def _messages(row, folder):
         return
     drawn(folder)
     words, *command = PROVOKED[message]
-    said = typed(folder, *command, code=None)
-    assert re.search(words, said), said
+    text = typed(folder, *command, code=None)
+    assert re.search(words, text), text

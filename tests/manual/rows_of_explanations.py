@@ -48,8 +48,8 @@ def _words(row, _):
     """The rating and its meaning are those that every front end shows."""
     rod = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi))
     margin = {"below 0": -0.1, "0 to 5": 4.9, "above 5": 5.1}[row[2]]
-    told = replace(ec.stability(rod), margin=margin, stable=margin > 0)
-    assert (told.rating, told.meaning) == row[:2]
+    result = replace(ec.stability(rod), margin=margin, stable=margin > 0)
+    assert (result.rating, result.meaning) == row[:2]
 
 
 def measured(head, part):
@@ -62,7 +62,7 @@ def measured(head, part):
 
 @asks(f"{EXPLAINED}/left_out.md", "left out", "how large", "what is done")
 def _left_out(row, _):
-    told = [float(number) for number in re.findall(r"[\d.]+e-\d", row[1])]
+    result = [float(number) for number in re.findall(r"[\d.]+e-\d", row[1])]
     of = {
         "anticlastic stiffening": "plain, nu 0.3",
         "slots make a strip softer": "slotted, nu 0.3",
@@ -72,12 +72,14 @@ def _left_out(row, _):
     cause = next((words for words in of if row[0].startswith(words)), None)
     if cause is not None:
         ((_, deviations, *_),) = measured(("strips", "not corrected"), of[cause])
-        assert f"{told[0]:.1e} ({told[1]:.1e})" == deviations, "docs/finite_elements.md was measured anew"
+        assert f"{result[0]:.1e} ({result[1]:.1e})" == deviations, "docs/finite_elements.md was measured anew"
     elif row[0].startswith("clearance in slots"):
         pockets = measured(("strip", "length (mm)", "finite elements (mm)"), "Pavilion")
-        assert told == [pytest.approx(max(float(far) / float(long) for _, long, far, _ in pockets), rel=0.05)]
+        assert result == [
+            pytest.approx(max(float(far) / float(long) for _, long, far, _ in pockets), rel=0.05)
+        ]
     elif row[0].startswith("a step of the width"):
-        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
+        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_reported_as_finite_elements_have_it")
     elif row[0].startswith("compression along"):
         proved_by("tests/unit/mechanics/test_axial_elasticity.py::test_a_clamped_slat_is_a_chain_of_springs")
     elif row[0].startswith("twist"):
@@ -93,7 +95,7 @@ TESTS_OF_TASKS = {
     "zeros of the curvature": "tests/unit/geometry/test_bernstein.py::test_all_roots_of_random_products",
     "crossings of curve and inflection line": f"{CHECK}::test_line_through_two_inflections_crossing_a_third_time",
     "least ratio (Eqs. 4 and 6)": f"{VALIDATION}/test_optimal_ratios.py::test_same_ratio_as_the_full_program",
-    "a curve that cannot be bent": f"{NEAREST}::test_near_curve_is_realizable_and_asks_for_the_limit",
+    "a curve that cannot be bent": f"{NEAREST}::test_near_curve_is_realizable_and_requests_the_limit",
     "stability (Algorithm 2)": f"{NEAREST}::test_an_unstable_wave_becomes_stable",
     "rest shape": "tests/unit/mechanics/test_rest_shape.py::test_it_converges_to_the_drawn_curve",
     "slots": "tests/unit/model/test_interlock.py::test_all_crossings_are_found_and_exact",
@@ -124,9 +126,9 @@ def _what_helps(row, _):
     tests = "tests/unit/model/test_holding.py"
     arch = ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi)
 
-    def strayed(**asked):
+    def strayed(**options):
         return (
-            ec.make_strip(arch, asked.pop("sheet", "birch-plywood-0.8"), **{"max_width": 40, **asked})
+            ec.make_strip(arch, options.pop("sheet", "birch-plywood-0.8"), **{"max_width": 40, **options})
             .held()
             .deviation
         )
@@ -143,7 +145,7 @@ def _what_helps(row, _):
         slots = (ec.Slot(150, 1.0, side="lower"),)
         assert strayed(slots=slots, compensate=True) < 0.5 * strayed(slots=slots)
     elif row[0].startswith("where two arcs"):
-        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
+        proved_by(f"{VALIDATION}/test_steps_of_width.py::test_reported_as_finite_elements_have_it")
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_widths_make_up_for_them")
     elif row[0].startswith("a wide strip"):
         assert strayed(sheet="card-200gsm", compensate=True) < 0.5 * strayed(sheet="card-200gsm")
@@ -152,15 +154,15 @@ def _what_helps(row, _):
         )
     elif row[0].startswith("a long strip"):
 
-        def joined(lap, **asked):
-            return strayed(shop=ec.FabricationLimits(stock=(250, 100), lap=lap), **asked)
+        def joined(lap, **options):
+            return strayed(shop=ec.FabricationLimits(stock=(250, 100), lap=lap), **options)
 
         assert joined(20.0, compensate=True) < 0.5 * joined(20.0)
         assert strayed() < joined(10.0) < joined(20.0)
     else:
         assert row[0].startswith("a closed strip")
         proved_by("tests/unit/strip/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
-        proved_by("tests/unit/strip/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")
+        proved_by("tests/unit/strip/test_closed_strips.py::test_the_lap_straightens_the_joint_as_reported")
 
 
 BETWEEN = f"{EXPLAINED}/between_the_ends.md"
@@ -212,8 +214,8 @@ def _possible_curves(row, _):
         rails = (ec.Rail(curve.length * i / 12) for i in range(1, 12))
         none = _is_possible(curve, most)
         judged.append((none, none or any(_is_possible(curve, most, rail) for rail in rails)))
-    told = [float(row[POSSIBLE.index(name)]) for name in ("none", "one rail")]
-    assert 100 * np.mean(judged, axis=0) == pytest.approx(told, abs=0.51 + 100 / 60)
+    result = [float(row[POSSIBLE.index(name)]) for name in ("none", "one rail")]
+    assert 100 * np.mean(judged, axis=0) == pytest.approx(result, abs=0.51 + 100 / 60)
 
 
 @asks(BETWEEN, "computation", "with rails, pins, ties and point forces")

@@ -68,9 +68,9 @@ def typed(commands: str, line: int) -> str:
     return done.stdout
 
 
-def same(told: str, printed: str) -> bool:
+def same(message: str, printed: str) -> bool:
     """Equal line by line, but for what `...` stands for."""
-    pattern = ".*".join(re.escape(part.strip("\n")) for part in told.strip().split("..."))
+    pattern = ".*".join(re.escape(part.strip("\n")) for part in message.strip().split("..."))
     return re.fullmatch(pattern + r"\s*", printed.strip(), re.DOTALL) is not None
 
 

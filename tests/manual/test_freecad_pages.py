@@ -22,8 +22,8 @@ def commands():
     for file in (WORKBENCH / "commands" / "__init__.py", WORKBENCH / "command.py"):
         for made in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(made, ast.Call) and getattr(made.func, "id", "") == "Command":
-                said = {part.arg: words_of(part.value) for part in made.keywords}
-                found[said["name"]] = said
+                answer = {part.arg: words_of(part.value) for part in made.keywords}
+                found[answer["name"]] = answer
     return found
 
 
@@ -32,11 +32,11 @@ COMMANDS = commands()
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_page_says_what_the_command_says(name):
-    said, short = COMMANDS[name], name.removeprefix("Elastica_").lower()
+    answer, short = COMMANDS[name], name.removeprefix("Elastica_").lower()
     page = (PAGES / f"{short}.md").read_text(encoding="utf-8")
-    assert page.startswith(f"# {said['text']}\n")
-    assert f"\n{said['tip']}.\n" in page
-    assert (f"Keys: `{said['shortcut']}`" in page) if said.get("shortcut") else "Keys:" not in page
+    assert page.startswith(f"# {answer['text']}\n")
+    assert f"\n{answer['tip']}.\n" in page
+    assert (f"Keys: `{answer['shortcut']}`" in page) if answer.get("shortcut") else "Keys:" not in page
     assert f"icons/{name}.svg" in page
     assert (PAGES / "pictures" / f"{short}.png").stat().st_size > 10_000
 

@@ -80,8 +80,8 @@ def test_every_sentence_is_translated(monkeypatch):
             for message in template:
                 if not message.id:
                     continue
-                said = known.get(message.id)
-                there = said is not None and said.string and not said.fuzzy
+                text = known.get(message.id)
+                there = text is not None and text.string and not text.fuzzy
                 assert there, f"{language} {name}: {message.id}"
-                told = words.get(message.id, said.string)
-                assert told == said.string, f"{language} {name}: not as the workbench says it"
+                result = words.get(message.id, text.string)
+                assert result == text.string, f"{language} {name}: not as the workbench says it"

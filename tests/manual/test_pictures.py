@@ -29,12 +29,12 @@ def script_of(name):
 
 def test_the_steps_of_the_theorem_are_drawn_by_the_functions_that_decide(tmp_path, monkeypatch):
     script = script_of("theorem_picture")
-    told = matplotlib.image.imread(script.PICTURE)
+    result = matplotlib.image.imread(script.PICTURE)
     monkeypatch.setattr(script, "PICTURE", tmp_path / "theorem1.png")
     script.main()
     drawn = matplotlib.image.imread(script.PICTURE)
-    assert drawn.shape == told.shape
-    assert np.abs(drawn - told).mean() < 0.01, "draw it again: python docs/theorem_picture.py"
+    assert drawn.shape == result.shape
+    assert np.abs(drawn - result).mean() < 0.01, "draw it again: python docs/theorem_picture.py"
 
 
 def shown():
@@ -85,11 +85,11 @@ def test_tools_are_shown_in_every_language_and_small():
 
 def test_the_first_picture_is_drawn_by_its_script(tmp_path):
     runpy.run_path(str(ROOT / "docs" / "gallery.py"))["draw_arch"](tmp_path / "arch.png")
-    told, drawn = (
+    result, drawn = (
         matplotlib.image.imread(p) for p in (ROOT / "examples/arch/arch.png", tmp_path / "arch.png")
     )
-    assert drawn.shape[:2] == told.shape[:2]
-    off = np.abs(drawn[..., :3] - told[..., :3]).mean()
+    assert drawn.shape[:2] == result.shape[:2]
+    off = np.abs(drawn[..., :3] - result[..., :3]).mean()
     assert off < 0.02, "draw it again: python docs/gallery.py --pictures"
 
 
@@ -98,9 +98,9 @@ def test_a_how_to_page_shows_what_its_commands_make(page, tmp_path, monkeypatch)
     script = script_of("how_to_pictures")
     monkeypatch.setattr(script, "MADE", {page: script.MADE[page]})
     script.main(tmp_path)
-    told, drawn = (matplotlib.image.imread(place / f"{page}.png") for place in (script.PICTURES, tmp_path))
-    assert drawn.shape[:2] == told.shape[:2]
-    assert np.abs(drawn[..., :3] - told[..., :3]).mean() < 0.02, (
+    result, drawn = (matplotlib.image.imread(place / f"{page}.png") for place in (script.PICTURES, tmp_path))
+    assert drawn.shape[:2] == result.shape[:2]
+    assert np.abs(drawn[..., :3] - result[..., :3]).mean() < 0.02, (
         "draw it again: python docs/how_to_pictures.py"
     )
 

@@ -26,8 +26,8 @@ def kept(script):
 
 
 def test_the_page_is_what_was_kept(script, kept):
-    told = script.PAGE.read_text(encoding="utf-8")
-    assert told == script.page(kept), "write it again: python docs/speed_tables.py"
+    result = script.PAGE.read_text(encoding="utf-8")
+    assert result == script.page(kept), "write it again: python docs/speed_tables.py"
 
 
 def test_every_benchmark_has_a_row(script, kept):
@@ -63,7 +63,7 @@ def a_run(kept, shift=1.0):
     }
 
 
-def test_a_run_is_told(script, kept):
+def test_a_run_is_reported(script, kept):
     again = script.condensed(a_run(kept), busy=False)
     assert again["rows"] == kept["rows"]
     assert "2026-11-21: a processor, Python 3.11.2.\n" in script.page(again)

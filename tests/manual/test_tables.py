@@ -39,7 +39,7 @@ pytestmark = pytest.mark.campaign
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 
-def test_every_table_is_asked_or_written():
+def test_every_table_is_requested_or_written():
     assert ASKERS
     of_pages = {(table.page, table.head) for table in TABLES if table.page not in proofs.WRITTEN}
     assert of_pages - set(proofs.ASKED) == set()
@@ -84,11 +84,11 @@ def test_answers_of_kernels_take_the_place_of_older_ones(tmp_path, monkeypatch):
 
     monkeypatch.setattr(solid_table, "KEPT", tmp_path / "solids.json")
     monkeypatch.setattr(solid_table, "PAGE", tmp_path / "kernels.md")
-    asked = {"program": "P 1", "style": "held", "curve": "S", "day": "2026-11-20"}
+    request = {"program": "P 1", "style": "held", "curve": "S", "day": "2026-11-20"}
     rows = [
-        asked | {"operation": "fillet", "answer": "invalid", "plain": "ok"},
-        asked | {"operation": "boolean", "answer": "Error: no, with advice", "plain": "crashes"},
-        asked | {"operation": "mirror", "answer": "ok"},
+        request | {"operation": "fillet", "answer": "invalid", "plain": "ok"},
+        request | {"operation": "boolean", "answer": "Error: no, with advice", "plain": "crashes"},
+        request | {"operation": "mirror", "answer": "ok"},
     ]
     solid_table.keep(rows)
     page = (tmp_path / "kernels.md").read_text()

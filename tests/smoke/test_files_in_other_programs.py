@@ -83,11 +83,11 @@ def cut(tmp_path_factory):
 def written(folder, kind):
     """The files of the strip as the command writes them, made once for each kind."""
     if not (folder / kind).exists():
-        asked = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
+        options = ["--sheet", "birch-plywood-0.8", "--max-width", "30", "--label", "BOW"]
         tabs = "ends = [{ length = 12, holes = [{at = 6, diameter = 3}] }, {}]"
-        asked += ["--set", tabs, *OPTIONS[kind], "-o", kind]
-        asked += [] if kind == "exact" else ["--no-step", "--no-pictures"]
-        run(sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *asked, cwd=folder)
+        options += ["--set", tabs, *OPTIONS[kind], "-o", kind]
+        options += [] if kind == "exact" else ["--no-step", "--no-pictures"]
+        run(sys.executable, "-m", "elastica_cad", "strip", "bow.dxf", *options, cwd=folder)
     return folder / kind
 
 
@@ -104,8 +104,8 @@ def outline_size(strip):
 def test_inkscape_measures_the_svg(cut):
     folder, strip = cut
     written(folder, "exact")
-    said = run("inkscape", "--query-all", "exact/bow.svg", cwd=folder)
-    rows = {row.split(",")[0]: np.array(row.split(",")[1:], float) for row in said.splitlines() if "," in row}
+    text = run("inkscape", "--query-all", "exact/bow.svg", cwd=folder)
+    rows = {row.split(",")[0]: np.array(row.split(",")[1:], float) for row in text.splitlines() if "," in row}
     assert set(rows) >= LAYERS
     stroke = stroke_width(folder / "exact" / "bow.svg")
     measured = rows["CUT_OUTER"][2:] * MM_PER_PX - stroke

@@ -187,5 +187,5 @@ class Studio:
 
     def logged(self):
         """What the browser complains of, but for what composing without a graphics card costs."""
-        said = [entry["message"] for entry in self.browser.get_log("browser")]
-        return [one for one in said if "GPU stall due to ReadPixels" not in one]
+        text = [entry["message"] for entry in self.browser.get_log("browser")]
+        return [one for one in text if "GPU stall due to ReadPixels" not in one]

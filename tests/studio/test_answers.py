@@ -32,27 +32,30 @@ TWO_ARCS = {
 LAMP = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
 
 
-def asked(do, **more):
+def answer_to(do, **more):
     return answer({"do": do, "design": design(), **more})
 
 
 def test_a_strip_is_the_one_that_python_makes():
-    told, made = asked("strip"), ec.make_strip(ec.PlaneCurve.spline(ARCH), "birch-plywood-0.8", max_width=40)
-    assert "refused" not in told
-    assert told["length"] == pytest.approx(made.rod.length, abs=0.01)
-    rows = [(row["label"], row["text"], row["details"], row["stops"]) for row in told["rows"]]
+    report, made = (
+        answer_to("strip"),
+        ec.make_strip(ec.PlaneCurve.spline(ARCH), "birch-plywood-0.8", max_width=40),
+    )
+    assert "refused" not in report
+    assert report["length"] == pytest.approx(made.rod.length, abs=0.01)
+    rows = [(row["label"], row["text"], row["details"], row["stops"]) for row in report["rows"]]
     assert rows == [(row.label, row.text, list(row.details), row.stops) for row in strip_rows(made)]
-    assert max(told["shares"]) == pytest.approx(made.strain_verdict.used, rel=0.01)
-    assert told["theorem"]["at"] == pytest.approx(made.rod.curve.inflections, abs=0.5)
-    outer = [loop for layer in told["flat"] if layer["layer"] == "CUT_OUTER" for loop in layer["loops"]]
+    assert max(report["shares"]) == pytest.approx(made.strain_verdict.used, rel=0.01)
+    assert report["theorem"]["at"] == pytest.approx(made.rod.curve.inflections, abs=0.5)
+    outer = [loop for layer in report["flat"] if layer["layer"] == "CUT_OUTER" for loop in layer["loops"]]
     assert np.ptp(outer[0], axis=0) == pytest.approx(np.ptp(made.outline.bounds, axis=0), abs=0.1)
 
 
 def test_a_dragged_strip_is_checked_when_it_rests(monkeypatch):
-    at_rest = {row["label"]: row["text"] for row in asked("strip")["rows"]}
+    at_rest = {row["label"]: row["text"] for row in answer_to("strip")["rows"]}
     monkeypatch.setattr(ec.Strip, "held", None)
     monkeypatch.setattr(ec.Strip, "sideways", None)
-    dragged = {row["label"]: row["text"] for row in asked("strip", live=True)["rows"]}
+    dragged = {row["label"]: row["text"] for row in answer_to("strip", live=True)["rows"]}
     assert dragged == at_rest | {"Stability": "…", "Accuracy": "…"}
 
 
@@ -88,19 +91,19 @@ def test_a_request_that_takes_too_long_is_refused_in_the_language_of_the_page(mo
 
 
 def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
-    told = answer({"do": "strip", "design": design(OFF_LINE)})
-    assert told["refused"]["kind"] == "not realizable"
-    assert len(told["theorem"]["off"]) >= 2
-    assert len(told["drawn"]) > 100
+    report = answer({"do": "strip", "design": design(OFF_LINE)})
+    assert report["refused"]["kind"] == "not realizable"
+    assert len(report["theorem"]["off"]) >= 2
+    assert len(report["drawn"]) > 100
 
 
 def test_a_strip_that_feels_its_weight_needs_no_line():
-    told = asked("strip")
+    report = answer_to("strip")
     heavy = answer({"do": "strip", "design": design(gravity=True)})
-    assert told["theorem"]["line"] is not None
+    assert report["theorem"]["line"] is not None
     assert "refused" not in heavy
     assert heavy["theorem"]["line"] is None
-    assert heavy["theorem"]["at"] == told["theorem"]["at"]
+    assert heavy["theorem"]["at"] == report["theorem"]["at"]
 
 
 def test_straight_ends_are_tabs_on_the_page_too():
@@ -108,21 +111,21 @@ def test_straight_ends_are_tabs_on_the_page_too():
     knots = [*[0] * 4, *[1] * 3, *[3] * 3, *[4] * 4]
     drawn = design()
     drawn["strips"][0]["curve"] = curve_table(ec.PlaneCurve(knots, [*first, *last], 3))
-    told = answer({"do": "strip", "design": drawn})
-    assert "refused" not in told
-    assert len(told["theorem"]["at"]) == 1
+    report = answer({"do": "strip", "design": drawn})
+    assert "refused" not in report
+    assert len(report["theorem"]["at"]) == 1
 
 
 def test_the_nearest_curve_can_be_made():
-    told = answer({"do": "strip", "design": design(OFF_LINE, limits=page_words()["nearest"])})
-    assert "refused" not in told
-    assert told["deviation"] > 0
-    (marked,) = (row for row in told["rows"] if row["stops"])  # its margin is the least that is permitted
+    report = answer({"do": "strip", "design": design(OFF_LINE, limits=page_words()["nearest"])})
+    assert "refused" not in report
+    assert report["deviation"] > 0
+    (marked,) = (row for row in report["rows"] if row["stops"])  # its margin is the least that is permitted
     assert marked["text"].startswith("close to snapping: the strip snaps into another shape if the clamp")
 
 
-def test_sheets_that_can_do_it_are_told_apart():
-    rows = {row["name"]: row for row in asked("sheets")["sheets"]}
+def test_sheets_that_can_do_it_are_reported_apart():
+    rows = {row["name"]: row for row in answer_to("sheets")["sheets"]}
     assert set(rows) == {sheet.name for sheet in cut_sheets()}
     assert rows["birch-plywood-0.8"]["fits"]
     assert not rows["acrylic-3"]["fits"]
@@ -133,12 +136,14 @@ def test_sheets_that_can_do_it_are_told_apart():
 
 @pytest.mark.parametrize("keys", [{"thickness": 3}, {"max_width": 5}])
 def test_the_place_of_a_refusal_is_on_the_curve(keys):
-    told, curve = answer({"do": "strip", "design": design(**keys)}), ec.PlaneCurve.spline(ARCH)
-    assert told["places"] == [pytest.approx(curve.at([told["refused"]["where"]["at"]]).position[0], abs=1e-3)]
+    report, curve = answer({"do": "strip", "design": design(**keys)}), ec.PlaneCurve.spline(ARCH)
+    assert report["places"] == [
+        pytest.approx(curve.at([report["refused"]["where"]["at"]]).position[0], abs=1e-3)
+    ]
 
 
 def test_a_strip_is_bent_from_flat_to_its_design_and_on():
-    frames = asked("bend")["frames"]
+    frames = answer_to("bend")["frames"]
     drawn = next(frame for frame in frames if frame["part"] == 1)
     flat = np.array(frames[0]["position"])
     away = np.diff(flat, axis=0)
@@ -193,11 +198,11 @@ def test_copies_between_rings_stand_in_their_places():
         patterns=[{"rotate": {"count": 12}}],
         rings={"sheet": "mdf-3"},
     )
-    told = answer({"do": "model", "design": lamp})
-    assert len(told["places"]) == 12
-    assert len(told["plates"]) == 2
-    assert len(told["warnings"]) == 2  # strips tip in the slots of one thin ring
-    half_a_turn = np.array(told["places"][6][1]).reshape(4, 4).T
+    report = answer({"do": "model", "design": lamp})
+    assert len(report["places"]) == 12
+    assert len(report["plates"]) == 2
+    assert len(report["warnings"]) == 2  # strips tip in the slots of one thin ring
+    half_a_turn = np.array(report["places"][6][1]).reshape(4, 4).T
     assert half_a_turn @ [60, 0, 0, 1] == pytest.approx([-60, 0, 0, 1], abs=1e-3)
 
 
@@ -224,10 +229,10 @@ def test_a_curve_goes_through_a_design_file_exactly(curve, tmp_path):
 @pytest.mark.parametrize("language", ["de", "zh"])
 @pytest.mark.parametrize("fields", ["fields", "pair_fields"])
 def test_fields_are_explained_in_the_language_of_the_page(language, fields):
-    told = page_words()
-    helps = re.findall(r'"help": "(.*?)"', json.dumps(told[fields]))
-    assert len(helps) > len(told[fields])  # those of fields in tables too
-    assert set(helps) - set(told["words"][language]) == set()
+    report = page_words()
+    helps = re.findall(r'"help": "(.*?)"', json.dumps(report[fields]))
+    assert len(helps) > len(report[fields])  # those of fields in tables too
+    assert set(helps) - set(report["words"][language]) == set()
 
 
 @pytest.mark.parametrize(
@@ -267,8 +272,8 @@ def test_a_dropped_file_brings_its_curves():
 @pytest.mark.parametrize("do", ["strip", "model", "file"])
 def test_no_file_is_opened_by_its_name(do, keys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    told = answer({"do": do, "kind": "kit", "design": design(**keys)})
-    assert told["refused"]["text"].startswith("The page cannot open a file")
+    report = answer({"do": do, "kind": "kit", "design": design(**keys)})
+    assert report["refused"]["text"].startswith("The page cannot open a file")
 
 
 @pytest.mark.parametrize(
@@ -282,8 +287,8 @@ def test_no_file_is_opened_by_its_name(do, keys, tmp_path, monkeypatch):
 def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     ec.write_curves([ec.PlaneCurve.spline(ARCH)], "arch.json")
-    told = answer({"do": "read", "name": "a.toml", "text": f"schema = 1\n{text}\n"})
-    assert told["refused"]["text"].startswith("The page cannot open a file")
+    report = answer({"do": "read", "name": "a.toml", "text": f"schema = 1\n{text}\n"})
+    assert report["refused"]["text"].startswith("The page cannot open a file")
 
 
 @pytest.mark.parametrize(
@@ -299,7 +304,7 @@ def test_a_dropped_file_is_refused_in_the_language_of_the_page():
 
 
 def test_a_kind_of_file_that_is_not_made_is_named():
-    assert asked("file", kind="../dxf")["refused"]["message"].startswith("'../dxf' is not a file")
+    assert answer_to("file", kind="../dxf")["refused"]["message"].startswith("'../dxf' is not a file")
 
 
 def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
@@ -318,7 +323,7 @@ def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
         main([*map(str, words), "--no-step", "--no-pictures", "-o", str(tmp_path / "out")])
     capsys.readouterr()
     for kind in ("dxf", "svg"):
-        given = asked("file", kind=kind)
+        given = answer_to("file", kind=kind)
         assert isinstance(given, Download)
         assert given.content == without_command((tmp_path / "out" / given.name).read_bytes())
     assert len(ezdxf.readfile(tmp_path / "out" / "arch.dxf").modelspace()) > 0
@@ -326,7 +331,7 @@ def test_the_cutting_file_is_that_of_the_command_line(tmp_path, capsys):
 
 def test_a_print_file_is_a_closed_body(tmp_path):
     path = tmp_path / "arch.stl"
-    path.write_bytes(asked("file", kind="stl").content)
+    path.write_bytes(answer_to("file", kind="stl").content)
     body = trimesh.load(path)
     assert body.is_watertight
     assert body.extents[1] == pytest.approx(175, rel=0.2)
@@ -352,10 +357,10 @@ def test_two_curves_become_one_part(tmp_path):
     pair = {
         "schema": 1, "name": "clip", "cut": cut, "pair": {"sheet": "pom-2", "first": first, "second": second},
     }  # fmt: skip
-    told = answer({"do": "pair", "design": pair})
-    heights = [np.array(state["position"])[:, 1] for state in told["states"]]
+    report = answer({"do": "pair", "design": pair})
+    heights = [np.array(state["position"])[:, 1] for state in report["states"]]
     assert heights[0].max() == pytest.approx(-heights[1].min(), abs=0.05)
-    assert [row["label"] for row in told["rows"]] == [
+    assert [row["label"] for row in report["rows"]] == [
         "Size",
         "Strain",
         "Stability",
@@ -365,7 +370,7 @@ def test_two_curves_become_one_part(tmp_path):
     ]
     dragged = answer({"do": "pair", "design": pair, "live": True})["rows"]
     assert {row["label"]: row["text"] for row in dragged}["Stability"] == "…"
-    assert not any(row["stops"] for row in told["rows"])
+    assert not any(row["stops"] for row in report["rows"])
     path = tmp_path / "clip.toml"
     path.write_text(compose_design(pair))
     assert open_design(path) == pair
@@ -378,31 +383,31 @@ def test_two_curves_become_one_part(tmp_path):
 
 def test_elements_are_shown_at_their_places_with_their_forces():
     between = [{"at": [180, 5]}, {"kind": "tie", "start": 40, "end": 310}]
-    told = answer({"do": "strip", "design": wave(between=between, loads=[{"at": 150, "force": [0, -0.1]}])})
+    report = answer({"do": "strip", "design": wave(between=between, loads=[{"at": 150, "force": [0, -0.1]}])})
     made = ec.make_strip(
         ec.PlaneCurve.spline(WAVE, degree=5), "birch-plywood-0.8", max_width=40,
         between=(ec.Rail((180, 5)), ec.Tie(40, 310)), loads=(ec.PointForce(150, (0, -0.1)),),
     )  # fmt: skip
-    rail, tie, load = told["elements"]
+    rail, tie, load = report["elements"]
     assert [one["noun"] for one in (rail, tie, load)] == ["rail", "tie", "point force"]
     forces = made.bending_stiffness * made.rod.between_forces
     assert np.array([rail["force"], tie["force"]]) == pytest.approx(forces, abs=1e-5)
     assert load["force"] == [0, -0.1]
-    for one, held in zip(told["elements"], made.rod.acting, strict=True):
+    for one, held in zip(report["elements"], made.rod.acting, strict=True):
         assert np.array(one["places"]) == pytest.approx(made.rod.curve.at(held.s).position, abs=2e-3)
-    assert told["theorem"]["line"] is None
-    assert len(told["thrust"]) >= 3
+    assert report["theorem"]["line"] is None
+    assert len(report["thrust"]) >= 3
 
 
 def test_ties_and_loads_keep_their_fraction_of_an_edited_curve():
     between = [{"at": [180, 5]}, {"at": 100}, {"kind": "tie", "start": 0, "end": 390}]
     shorter = wave([(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (350, 0)],
                    between=between, loads=[{"at": 195, "force": [0, -1]}])  # fmt: skip
-    told = answer({"do": "strip", "design": shorter, "length": 390})
-    length = told["path"]["length"]
-    assert told["kept"]["between"][:2] == between[:2]
-    assert told["kept"]["between"][2] == {"kind": "tie", "start": 0, "end": pytest.approx(length, abs=1e-6)}
-    assert told["kept"]["loads"][0]["at"] == pytest.approx(length / 2, abs=1e-6)
+    report = answer({"do": "strip", "design": shorter, "length": 390})
+    length = report["path"]["length"]
+    assert report["kept"]["between"][:2] == between[:2]
+    assert report["kept"]["between"][2] == {"kind": "tie", "start": 0, "end": pytest.approx(length, abs=1e-6)}
+    assert report["kept"]["loads"][0]["at"] == pytest.approx(length / 2, abs=1e-6)
     assert answer({"do": "strip", "design": shorter})["kept"] == {}
 
 
@@ -468,7 +473,7 @@ def test_the_page_gets_the_reason_why_no_change_is_tried(monkeypatch):
 
 
 def test_a_strip_that_can_be_made_needs_no_change():
-    assert asked("cures") == {"cures": []}
+    assert answer_to("cures") == {"cures": []}
 
 
 def test_a_strip_of_a_model_is_not_enlarged_beyond_its_sheets():
@@ -498,8 +503,8 @@ def test_an_answer_costs_little_more_than_its_strip(points):
         ec.make_strip(ec.PlaneCurve.spline(another()), "birch-plywood-0.8", max_width=40, label="A1")
 
     def told():
-        asked = {"do": "strip", "live": True, "design": design(another())}
-        assert b"refused" not in reply(json.dumps(asked).encode())[1]
+        request = {"do": "strip", "live": True, "design": design(another())}
+        assert b"refused" not in reply(json.dumps(request).encode())[1]
 
     def cost(once):
         began = process_time()

@@ -109,7 +109,7 @@ def test_the_newest_of_equal_questions_is_answered(server):
     assert len(answered) < 60  # others were overtaken
 
 
-def test_a_page_that_asks_without_end_holds_up_no_other(server):
+def test_a_page_that_requests_without_end_holds_up_no_other(server):
     with server.page() as page, server.page() as other:
         for n in range(500):
             page.talk.send(
@@ -218,8 +218,8 @@ def test_after_an_interrupt_the_port_is_free_and_nothing_is_printed():
             page.ask("edit", design=design(), remove=3)
             port = str(server.port)
             os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to all processes of the command
-            said = process.communicate(timeout=20)[1]
-        assert (process.returncode, said) == (0, "")
+            text = process.communicate(timeout=20)[1]
+        assert (process.returncode, text) == (0, "")
 
 
 BOMB = (
@@ -271,10 +271,10 @@ def hostile_questions():
 def test_a_hostile_question_gets_one_sentence(server):
     with server.page() as page:
         for question in hostile_questions():
-            told = page.ask(**({"do": "nothing"} | question))
-            if "refused" in told:
-                assert told["refused"]["message"].strip()
-                assert "Traceback" not in told["refused"]["message"]
+            answer = page.ask(**({"do": "nothing"} | question))
+            if "refused" in answer:
+                assert answer["refused"]["message"].strip()
+                assert "Traceback" not in answer["refused"]["message"]
         assert "refused" not in page.ask("strip", design=design())
 
 
@@ -312,8 +312,8 @@ def test_nonsense_is_answered_and_the_next_question_too(server):
 
 def test_a_question_that_needs_too_much_memory_or_time_ends_with_a_sentence(server):
     with server.page() as page:
-        told = page.ask("strip", design=design(samples="10000 * 1000"))
-        assert "refused" in told
+        message = page.ask("strip", design=design(samples="10000 * 1000"))
+        assert "refused" in message
         assert "refused" not in page.ask("strip", design=design())
 
 
@@ -379,7 +379,7 @@ def test_fifty_pages_for_ten_minutes(server):
         early = memory()
         found = [one.result() for one in running_pages]
     late, times = memory(), sorted(one for _, times in found for one in times)
-    told = f"median {times[len(times) // 2]:.2f} s, {early / 1e6:.0f} MB, then {late / 1e6:.0f} MB"
-    print(f"\n{len(times)} changes, {told}")
+    result = f"median {times[len(times) // 2]:.2f} s, {early / 1e6:.0f} MB, then {late / 1e6:.0f} MB"
+    print(f"\n{len(times)} changes, {result}")
     assert sum(missed for missed, _ in found) == 0
     assert late < 1.1 * early + 20e6

@@ -91,9 +91,9 @@ def test_all_that_a_page_can_do(server, tmp_path):
 
         studio.all(".rest summary")[0].click()
         for field, value in (("sheet", "pom-1"), ("gravity", "true")):
-            told = studio.text(".numbers")
+            result = studio.text(".numbers")
             studio.choose(f"#field-{field}", value)
-            studio.until(lambda told=told: studio.text(".numbers") != told)
+            studio.until(lambda result=result: studio.text(".numbers") != result)
         design = tomllib.loads(studio.download("design", "arch.toml").read_text())
         assert (design["sheet"], design["gravity"]) == ("pom-1", True)
 
@@ -557,7 +557,7 @@ def test_all_that_is_needed_is_in_view(server, tmp_path, language):
 
 
 @pytest.mark.campaign
-def test_the_end_of_the_server_is_told_and_the_design_stays(tmp_path):
+def test_the_end_of_the_server_is_reported_and_the_design_stays(tmp_path):
     with chromium(tmp_path) as studio:
         with running() as server:
             studio.open(server.address)

@@ -44,7 +44,7 @@ def test_a_record_is_read_from_a_table_of_its_declared_fields():
         ("radius = 1, inner = { radius = 'a' }", "inner: radius: unknown name 'a'"),
     ],
 )
-def test_what_a_table_lacks_or_has_too_much_is_told_at_its_place(line, sentence):
+def test_what_a_table_lacks_or_has_too_much_is_reported_at_its_place(line, sentence):
     with pytest.raises(InputError, match=f"ring: {sentence}"):
         ring_of(line)
 

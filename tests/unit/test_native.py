@@ -155,8 +155,8 @@ def program(seed):
 
 @pytest.mark.parametrize("seed", range(60))
 def test_quadratic_programs(both, seed):
-    asked = program(seed)
-    compiled, plain = both(lambda: solve_quadratic(asked, accuracy=1e-13))
+    request = program(seed)
+    compiled, plain = both(lambda: solve_quadratic(request, accuracy=1e-13))
     assert compiled.converged
     assert plain.converged
     assert distance(compiled.x, plain.x) < 1e-9
@@ -186,15 +186,15 @@ def test_python_alone_on_request(project_root):
         "near = ec.nearest_rod(arch, ec.Limits(ratio=1.5, margin=5)); "
         "print(compiled is None, *near.rod.stiffness[::20], near.deviation)"
     )
-    told = []
+    result = []
     for pure in ("", "1"):
         answer = subprocess.run(
             [sys.executable, "-c", code], check=True, capture_output=True, text=True, cwd=project_root,
             env=dict(os.environ) | {"ELASTICA_PURE": pure},
         )  # fmt: skip
-        told.append(answer.stdout.split())
-    assert [one[0] for one in told] == ["False", "True"]
-    np.testing.assert_allclose(*(np.array(one[1:], dtype=float) for one in told), rtol=1e-5)
+        result.append(answer.stdout.split())
+    assert [one[0] for one in result] == ["False", "True"]
+    np.testing.assert_allclose(*(np.array(one[1:], dtype=float) for one in result), rtol=1e-5)
 
 
 @pytest.mark.parametrize(

@@ -75,7 +75,7 @@ def test_a_sheet_is_a_table_of_its_figures():
     table = ElementTree.fromstring(Sheet.named("birch-plywood-0.8")._repr_html_())
     rows = [[cell.text for cell in row] for row in table.findall("tr")]
     assert ["thickness", "0.8", "mm"] in [[name, value, unit] for name, value, _, unit in rows]
-    spread = {name: told for name, _, told, _ in rows}
+    spread = {name: result for name, _, result, _ in rows}
     assert spread["youngs modulus"] == "8200 to 10300"
     assert spread["kerf"] is None or " to " in spread["kerf"]
     assert (

@@ -62,9 +62,9 @@ def test_terminals(tmp_path, file):
     assert not STEERING & set(uncoloured(done.output))
     if file != "curves.json":
         assert r"\u202e" in done.output or r"\x1b" in done.output, done.output
-    told = run(command, tmp_path / file, "--json", color=True, code=None)
-    assert not STEERING & set(told.stdout)
-    json.loads(told.stdout)
+    result = run(command, tmp_path / file, "--json", color=True, code=None)
+    assert not STEERING & set(result.stdout)
+    json.loads(result.stdout)
 
 
 def test_programs_get_the_names_as_they_are():
@@ -90,7 +90,7 @@ def test_tracebacks():
 
 
 def test_a_line_end_and_other_languages_stay():
-    told = "弧\u3000é\xa0\n\N{GRINNING FACE}"
-    assert printable(told) == told
+    result = "弧\u3000é\xa0\n\N{GRINNING FACE}"
+    assert printable(result) == result
     assert json.loads(f'"{printable(chr(0xE0001))}"') == chr(0xE0001)
     assert printable("\udcff\x7f") == r"\udcff\u007f"

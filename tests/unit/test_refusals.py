@@ -100,8 +100,8 @@ def test_errors_are_pickled_with_their_records(kind):
 
 
 def test_an_option_is_named_that_other_commands_call_otherwise():
-    said = run("strip", "a.dxf", "--name", "x", code=2).output
-    assert said.endswith("--name is called --label.\n")
+    text = run("strip", "a.dxf", "--name", "x", code=2).output
+    assert text.endswith("--name is called --label.\n")
 
 
 def test_sentences_that_are_put_together_can_be_taken_apart():

@@ -93,12 +93,12 @@ def strays(strip, rest):
 ARCH = PlaneCurve.ellipse((0, 0), (120, 75), 0, 0.25, np.pi - 0.25)
 
 
-@pytest.mark.parametrize("asked", [{}, {"limits": Limits(ratio=2.5)}], ids=["exact", "near"])
+@pytest.mark.parametrize("options", [{}, {"limits": Limits(ratio=2.5)}], ids=["exact", "near"])
 @pytest.mark.parametrize("rest", [0.0, 0.006, 0.008, -0.004])
-def test_widths_make_up_for_the_curl_of_blanks_bent_beforehand(rest, asked):
+def test_widths_make_up_for_the_curl_of_blanks_bent_beforehand(rest, options):
     made, beam = (
         make_strip(
-            ARCH, POM, max_width=40.0, natural_curvature=rest, compensate=how, ignore_limits=True, **asked
+            ARCH, POM, max_width=40.0, natural_curvature=rest, compensate=how, ignore_limits=True, **options
         )
         for how in (None, False)
     )

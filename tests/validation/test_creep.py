@@ -171,7 +171,7 @@ def test_hung_masses_weigh_the_same_on_a_softer_strip():
     assert np.abs(creep(light, 1.0).later.position - weighty.position).max() < 1e-7
 
 
-def test_what_creep_tells_of_a_strip():
+def test_what_creep_reports_a_strip():
     arch = PlaneCurve.ellipse((0, 0), (300, 150), start=0, end=np.pi)
     sheet = Sheet("thin", 1.0, 9000.0, 700.0, max_strain=0.02)
     spec = StripSpec(arch, sheet, max_width=30.0, gravity=True, creep=PHI)

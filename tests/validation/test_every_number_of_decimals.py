@@ -131,13 +131,13 @@ def path_data(points, decimals, unit, relative):
     if not relative:
         rows = np.round(places, decimals)
         return "M " + f"{_pair(rows[0], decimals)} C " + " ".join(_pair(row, decimals) for row in rows[1:])
-    said = [_pair(places[0], decimals)]
+    text = [_pair(places[0], decimals)]
     here = np.round(places[0], decimals)
     for piece in np.array_split(places[1:], len(places) // 3):
         steps = np.round(piece - here, decimals)
-        said.append(" ".join(_pair(step, decimals) for step in steps))
+        text.append(" ".join(_pair(step, decimals) for step in steps))
         here = here + steps[-1]
-    return f"m {said[0]} c " + " ".join(said[1:])
+    return f"m {text[0]} c " + " ".join(text[1:])
 
 
 def _pair(point, decimals):
@@ -169,10 +169,10 @@ def verdict(curve):
 def answer(one, sound):
     """What is said of a curve of a file, and whether its digits may have decided that."""
     try:
-        said = verdict(one.curve)
+        text = verdict(one.curve)
     except InputError as problem:
         return str(problem), any(words in str(problem) for words in UNDECIDED)
-    return said, said != sound and one.curve.provenance.rounding > 0.1
+    return text, text != sound and one.curve.provenance.rounding > 0.1
 
 
 @pytest.fixture(scope="module")
@@ -193,8 +193,8 @@ def test_one_verdict_at_every_number_of_decimals(tmp_path, sound, unit):
     for decimals in range(7):
         written(tmp_path / "drawn.svg", decimals, unit, relative=decimals % 2 == 1)
         for name, one in zip(CURVES, read_drawing(tmp_path / "drawn.svg"), strict=True):
-            said, doubtful = answer(one, sound[name])
-            assert said == sound[name] or doubtful, (name, decimals)
+            text, doubtful = answer(one, sound[name])
+            assert text == sound[name] or doubtful, (name, decimals)
             if doubtful:
                 undecided.add((name, decimals))
                 # 0.1 mm and finer changes none of these
@@ -210,5 +210,5 @@ def test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door(tmp_path):
         (3, "can take this"),
     ):
         written(tmp_path / "drawn.svg", decimals, "mm", relative=True, curves=drawn)
-        told = run("check", tmp_path / "drawn.svg", code=None)
-        assert words in told.output
+        result = run("check", tmp_path / "drawn.svg", code=None)
+        assert words in result.output

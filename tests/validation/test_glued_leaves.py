@@ -121,8 +121,8 @@ def test_leaves_are_whole_and_lie_on_each_other(name):
     )
     (strain,) = law.strains(stack.rod.curvature[inside], counts[inside])
     s, bend = leaf_bends(stack.rod, stack.section)
-    (told,) = law.strains(bend, stack.section.counts(s))
-    assert told.largest == pytest.approx(strain.largest, rel=0.03)
+    (result,) = law.strains(bend, stack.section.counts(s))
+    assert result.largest == pytest.approx(strain.largest, rel=0.03)
 
 
 WITHOUT = (False, False)
@@ -166,13 +166,13 @@ def test_known_ends_are_found_again():
         (1, 2, 3),
         WITHOUT,
     )
-    told = np.array([0.31, 0.68])
-    rod = search._bent(np.concatenate([told, relaxed.angle[[0, -1]]]), relaxed)
+    result = np.array([0.31, 0.68])
+    rod = search._bent(np.concatenate([result, relaxed.angle[[0, -1]]]), relaxed)
     begun = _Search(relaxed, law, rod.position, search.steps, np.array([0.4, 0.6]), search.first, WITHOUT)
     stack = begun.answer()
     assert stack.deviation < 1e-4 * rod.length
     ends = sorted(leaf.end for leaf in stack.leaves if leaf.end < rod.length)
-    assert np.array(ends) / rod.length == pytest.approx(told, abs=2e-3)
+    assert np.array(ends) / rod.length == pytest.approx(result, abs=2e-3)
 
 
 @pytest.mark.campaign
@@ -186,8 +186,8 @@ def test_fifty_stacks_rest_where_they_should():
         exact, force = shot(_Answer(stack, stack.section), forces=True)
         shape = np.hypot(*(exact - stack.position).T).max() / stack.length
         place = abs(camber_place(exact) - camber_place(stack.position))
-        told = -stack.force[0] * stack.bending_stiffness
-        found.append((shape, place, np.hypot(*(force - told)) / np.hypot(*told)))
+        result = -stack.force[0] * stack.bending_stiffness
+        found.append((shape, place, np.hypot(*(force - result)) / np.hypot(*result)))
     shape, place, force = np.array(found).max(axis=0)
     assert shape < 1e-4  # of the length, as asked: where a search for leaves ends hangs on rounding
     assert place < 1e-3  # of the chord; asked is 5e-3
@@ -212,13 +212,13 @@ LIMITED = {
 
 
 @pytest.mark.campaign
-@pytest.mark.parametrize("asked", LIMITED)
+@pytest.mark.parametrize("options", LIMITED)
 @pytest.mark.parametrize(
     ("curve", "leaves"), [(ARCH, 4), (LEANING, 8), (WAVE, 3)], ids=["arch", "leaning", "wave"]
 )
-def test_the_nearest_stack_keeps_its_limits(curve, leaves, asked):
+def test_the_nearest_stack_keeps_its_limits(curve, leaves, options):
     """Each side of each step counts, and the shape is that of shooting through the leaves."""
-    law, (limits, keep) = LeavesLaw(LEAF, leaves, 20.0), LIMITED[asked]
+    law, (limits, keep) = LeavesLaw(LEAF, leaves, 20.0), LIMITED[options]
     near = nearest_rod(curve, limits, keep, section=law)
     rod, section, limits = near.rod, near.rod.section, limits or Limits()
     assert rod.position[[0, -1]] == pytest.approx(curve.sample(2).position, abs=1e-6)

@@ -18,7 +18,7 @@ BEST = json.loads((Path(__file__).parents[1] / "data/hard_wishes/distances.json"
 EXACT = 1e-5  # lengths: what is nearer follows the wish, and its own distance is rounding
 
 
-def wishes(count):
+def requests(count):
     """Splines through random points, a quarter of them around a circle; every fifth with weight."""
     rng, found = np.random.default_rng(7), []
     while len(found) < count:
@@ -41,7 +41,7 @@ def wishes(count):
 
 def test_every_answer_is_within_two_percent_of_the_best_known():
     far = 0
-    for (curve, limits, gravity), best in zip(wishes(len(BEST)), BEST, strict=True):
+    for (curve, limits, gravity), best in zip(requests(len(BEST)), BEST, strict=True):
         near = nearest_rod(curve, limits, gravity=gravity)
         far += near.status is Status.FAR
         assert near.met

@@ -71,7 +71,7 @@ def test_a_strip_with_its_mass_comes_to_rest_in_its_curve(curve):
     assert np.abs(rest.position - rod.position).max() < 0.02
 
 
-def test_a_mass_that_no_width_carries_is_told_the_least_that_would():
+def test_a_mass_that_no_width_carries_is_reported_the_least_that_would():
     """The least width and the least thickness are limits: a little less is refused, too."""
     load = {"gravity": True, "loads": [PointMass(PLACE, 300)]}
     with pytest.raises(InputError, match="No strip between 3 mm and 40 mm wide carries this load") as refused:
@@ -96,11 +96,11 @@ def test_a_largest_stiffness_is_positive(given):
 
 def test_a_largest_stiffness_beside_what_settles_the_stiffness_is_refused():
     """It had been taken, and ignored."""
-    asked = {"weight": Weight(masses=(PointMass(PLACE, 16),), own=True), "largest_stiffness": 1e4}
+    request = {"weight": Weight(masses=(PointMass(PLACE, 16),), own=True), "largest_stiffness": 1e4}
     with pytest.raises(InputError, match="`bending_stiffness` already sets the stiffness"):
-        optimal_rod(ARCH, BIRCH.gravity(), bending_stiffness=1e3, **asked)
+        optimal_rod(ARCH, BIRCH.gravity(), bending_stiffness=1e3, **request)
     with pytest.raises(InputError, match="leave out `bending_stiffness`, `largest_stiffness` and `law`"):
-        optimal_rod(ARCH, BIRCH.gravity(), section=ThicknessLaw(BIRCH, 2, 8, width=20), **asked)
+        optimal_rod(ARCH, BIRCH.gravity(), section=ThicknessLaw(BIRCH, 2, 8, width=20), **request)
 
 
 DOWN = (0.3, -1.0)
@@ -210,8 +210,10 @@ def test_a_curve_that_only_its_load_holds_has_the_widths_of_the_load():
         optimal_rod(curve, CARD.gravity())
     strip = made(curve, 210.0, 5.0, 600, gravity=True)
     assert 1 < strip.width.extremes[1] < 590
-    told = [warning for warning in strip.warnings if "The load on the strip determines its width" in warning]
-    assert len(told) == 1
+    result = [
+        warning for warning in strip.warnings if "The load on the strip determines its width" in warning
+    ]
+    assert len(result) == 1
     heavier = made(curve, 210.0, 7.5, 600, gravity=True)
     assert heavier.width.extremes[1] == pytest.approx(1.5 * strip.width.extremes[1], rel=1e-6)
 

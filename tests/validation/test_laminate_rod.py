@@ -55,7 +55,7 @@ def test_weight_matters_and_so_does_the_true_law():
 
 
 @pytest.mark.parametrize("size", [1270.0, 1280.0, 1290.0])
-def test_a_search_that_asks_for_more_than_two_layers_on_its_way_comes_to_a_laminate(size):
+def test_a_search_that_requests_more_than_two_layers_on_its_way_comes_to_a_laminate(size):
     """A heavy arch of soft card: the scale is extrapolated past what two full layers have, and comes back."""
     points = size * np.array([(0, 0), (0.1, 0.35), (0.5, 0.5), (0.9, 0.3), (1, 0)])
     thin, thick = (Sheet("soft", h, 1000.0, density=700.0, max_strain=0.02) for h in (0.5, 1.0))

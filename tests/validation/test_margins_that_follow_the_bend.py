@@ -73,9 +73,9 @@ def test_a_margin_that_is_kept_is_that_of_what_a_small_bend_more_takes(curve, sh
 
 def test_a_flat_strip_is_not_moved_for_a_margin_that_it_has():
     """By M / kappa it had 33 and was moved by 0.035 mm to have 40; bent as a plate it stiffens."""
-    asked = {"section": PlainSection(RUBBER, 0.0, 40.0)}
-    near = nearest_rod(S, Limits(ratio=3.0, margin=35.0), **asked)
-    free = nearest_rod(S, Limits(ratio=3.0), **asked)
+    request = {"section": PlainSection(RUBBER, 0.0, 40.0)}
+    near = nearest_rod(S, Limits(ratio=3.0, margin=35.0), **request)
+    free = nearest_rod(S, Limits(ratio=3.0), **request)
     assert stability(free.rod).margin > 38
     assert near.deviation == pytest.approx(free.deviation, abs=1e-4)
 

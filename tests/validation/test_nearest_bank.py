@@ -100,7 +100,7 @@ def balanced(rod):
 @cache
 def bank():
     rng = np.random.default_rng(2024)
-    wishes = []
+    options = []
     for i in range(WISHES):
         noise, heavy = (0.0, 0.01, 0.02, 0.05)[i % 4], i % 3 == 1
         fall = rng.uniform(5, 30) if heavy else 0.0
@@ -108,8 +108,8 @@ def bank():
         gravity = Gravity(300 / fall ** (1 / 3)) if heavy else None
         stable = i % 2 and lowest_eigenvalue(x, K, force, np.array([0.0, -fall])) > 4
         limits = Limits(ratio=max(2.0, float(K.max())), margin=3.0 if stable else None)
-        wishes.append((drawn(rng, x, noise), limits, gravity, noise))
-    curves, limits, gravity, noise = zip(*wishes, strict=True)
+        options.append((drawn(rng, x, noise), limits, gravity, noise))
+    curves, limits, gravity, noise = zip(*options, strict=True)
     return curves, limits, noise, nearest_rods(curves, limits, None, gravity)
 
 

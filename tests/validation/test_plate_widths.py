@@ -54,20 +54,20 @@ ASKED = {
 }
 
 
-@pytest.mark.parametrize("asked", ASKED)
+@pytest.mark.parametrize("options", ASKED)
 @pytest.mark.parametrize("name", CURVES)
-def test_a_strip_takes_its_curve_by_default_where_nu_is_known(name, asked):
-    made = make_strip(CURVES[name], CARD, **ASKED[asked])
+def test_a_strip_takes_its_curve_by_default_where_nu_is_known(name, options):
+    made = make_strip(CURVES[name], CARD, **ASKED[options])
     held = made.held()
     assert held.deviation < STRAYS * LENGTH
     assert held.parts == {}
-    beam = make_strip(CURVES[name], CARD, **ASKED[asked], compensate=False)
+    beam = make_strip(CURVES[name], CARD, **ASKED[options], compensate=False)
     needed = beam.held_deviation > LEAST_REPORTED_MM
     assert held.made_up_for == (("anticlastic bending",) if needed else ())
     assert ("with widths that compensate anticlastic bending" in str(held)) == needed
     narrow, wide = made.width.extremes
-    assert (narrow if "narrowest" in asked else wide) == pytest.approx(
-        ASKED[asked].get("max_width", 12.0), rel=0.025 if "near" in asked else 5e-3
+    assert (narrow if "narrowest" in options else wide) == pytest.approx(
+        ASKED[options].get("max_width", 12.0), rel=0.025 if "near" in options else 5e-3
     )
     assert beam.held_deviation > 5 * made.held_deviation
     assert beam.width(beam.rod.s) == pytest.approx(
@@ -104,7 +104,7 @@ def test_widths_are_proportional_to_the_stiffness_otherwise(sheet, asked):
     assert share == pytest.approx(np.full(share.size, share[0]), rel=1e-6)
 
 
-def test_all_that_can_be_made_up_for_is_when_asked():
+def test_all_that_can_be_made_up_for_is_when_requested():
     made = make_strip(ARCH, CARD, max_width=45.0, compensate=True)
     assert made.held().made_up_for == ("anticlastic bending",)
     assert made.correction is not None

@@ -44,8 +44,8 @@ def test_the_flower_pot_as_it_is(pot, published):
     assert np.sort(angles) == pytest.approx(2 * np.pi * np.arange(16) / 16, abs=2e-3)
     curves, reports = section_curves(sections, tolerance=0.5)
     assert len(curves) == 16
-    (told,) = reports
-    assert "is open along" in told
+    (message,) = reports
+    assert "is open along" in message
     for found in curves:
         assert found.deviation < 0.2
         assert found.curve.inflections.size <= 2

@@ -130,7 +130,7 @@ def test_strain_and_force_on_the_way_are_those_of_finite_elements(tmp_path):
     shapes = [part.line_through(position) for position in way.position[k]]
     pushes, nodes = plane.pushed(part.states[0], shapes, way.travel[k])
     assert pushes == pytest.approx(way.force[k], rel=0.02, abs=0.02 * way.largest_force)
-    for told, found in zip(way.strain[k], nodes, strict=True):
+    for result, found in zip(way.strain[k], nodes, strict=True):
         s, strain = plane.strain(found)
         root = (np.abs(s) < 3) | (np.abs(s - part.pair.length) < 3)
-        assert 0.98 < told / np.abs(strain[root]).max() < 1.1
+        assert 0.98 < result / np.abs(strain[root]).max() < 1.1

@@ -161,11 +161,11 @@ NEAR = {
 }
 
 
-@pytest.mark.parametrize("asked", NEAR)
+@pytest.mark.parametrize("options", NEAR)
 @pytest.mark.parametrize("name", BLANKS)
-def test_the_nearest_strip_of_a_blank(name, asked):
+def test_the_nearest_strip_of_a_blank(name, options):
     """It rests where an independent solver has it, within its limits, and is as long as the blank."""
-    blank, (limits, keep) = BLANKS[name], NEAR[asked]
+    blank, (limits, keep) = BLANKS[name], NEAR[options]
     near = nearest_rod(blank.curve, limits, keep, blank.gravity, natural_curvature=blank.rest)
     rod = near.rod
     assert near.status is Status.MET
@@ -184,7 +184,7 @@ def test_the_nearest_strip_of_a_blank(name, asked):
 
 
 @pytest.mark.parametrize("name", ["tent", "bent more than the curve", "of a wave"])
-def test_the_curve_of_the_nearest_strip_asks_for_its_ratio(name):
+def test_the_curve_of_the_nearest_strip_requests_its_ratio(name):
     blank = BLANKS[name]
     near = nearest_rod(blank.curve, Limits(ratio=1.8), natural_curvature=blank.rest)
     assert check_equilibrium(near.curve, natural_curvature=blank.rest).moved < 1e-6
@@ -217,7 +217,7 @@ def test_a_nearest_strip_of_a_blank_and_of_a_number():
         (0.001, Keep(symmetry="turn"), "the pre-bent strip differs from its image after a half turn"),
     ],
 )
-def test_what_a_blank_cannot_keep_is_told(rest, keep, words):
+def test_what_a_blank_cannot_keep_is_reported(rest, keep, words):
     with pytest.raises(InputError, match=words):
         nearest_rod(WAVE, None, keep, natural_curvature=rest)
 
@@ -275,9 +275,9 @@ class TestZeros:
 
     def test_a_number_and_a_blank_of_that_number_agree(self):
         found = ExcessCurvature(WAVE, RestCurvature.linear([0, WAVE.length], [0.003, 0.003])).zeros
-        asked = ExcessCurvature(WAVE, 0.003).zeros
-        assert [(z.kind, z.before, z.after) for z in found] == [(z.kind, z.before, z.after) for z in asked]
-        assert [z.s for z in found] == pytest.approx([z.s for z in asked], rel=1e-10)
+        request = ExcessCurvature(WAVE, 0.003).zeros
+        assert [(z.kind, z.before, z.after) for z in found] == [(z.kind, z.before, z.after) for z in request]
+        assert [z.s for z in found] == pytest.approx([z.s for z in request], rel=1e-10)
 
     def test_three_inflections_off_one_line_are_refused(self):
         rest = RestCurvature.linear([0, 50, 100, 150, 200], [0.0, 0.02, 0.0, 0.02, 0.012])

@@ -304,9 +304,9 @@ def test_more_nodes_are_not_tried_where_fewer_did_not_help(monkeypatch):
     nodes = []
     init = meridian_module._Equations.__init__
 
-    def noted(self, count, closes, asked):
-        nodes.append(asked)
-        init(self, count, closes, asked)
+    def noted(self, count, closes, options):
+        nodes.append(options)
+        init(self, count, closes, options)
 
     monkeypatch.setattr(meridian_module._Equations, "__init__", noted)
     with pytest.raises(NotConvergedError, match="was found near these points"):

@@ -128,7 +128,7 @@ def test_a_mass_hangs_on_a_tapered_rod():
     assert np.hypot(*(bent.position - rod.position).T).max() < 1e-4 * rod.length
 
 
-def test_a_curve_beyond_the_limits_is_refused_with_the_size_it_asks_for():
+def test_a_curve_beyond_the_limits_is_refused_with_the_size_it_requests():
     design = Design("thickness", WAVE, heavy=False, nearest=False)
     tight = type(design.section)(design.material, 6.0, 8.0, width=25.0)
     with pytest.raises(
@@ -169,17 +169,17 @@ def test_a_mass_near_the_most_a_rod_bears_is_borne(diameter, grams):
 
 
 @pytest.mark.parametrize("grams", [30.0, 100.0, 265.0, 550.0])
-def test_a_mass_that_no_rod_of_the_section_bears_is_told_as_too_heavy(grams):
+def test_a_mass_that_no_rod_of_the_section_bears_is_reported_as_too_heavy(grams):
     """Not as the status of a library in which the numbers have run off."""
     hung = Weight(masses=(PointMass(0.65 * WAVE.length, grams),), own=True)
-    told = r"Without weight the rod takes this curve. Use|Use a lighter or stiffer sheet|clamp the ends"
-    with pytest.raises((NotConvergedError, NotRealizable), match=told):
+    result = r"Without weight the rod takes this curve. Use|Use a lighter or stiffer sheet|clamp the ends"
+    with pytest.raises((NotConvergedError, NotRealizable), match=result):
         optimal_rod(WAVE, Gravity(1.0), section=RoundLaw(ACRYLIC, 0.4, 4.0), weight=hung)
 
 
-def test_a_hair_that_is_too_heavy_from_the_first_is_told_so_without_a_number():
+def test_a_hair_that_is_too_heavy_from_the_first_is_reported_so_without_a_number():
     """0.1 mm over half a metre: no program comes to an answer at all."""
     hair = RoundLaw(ACRYLIC, 0.1035e-2, 0.10354824746533017)
-    with pytest.raises((NotConvergedError, NotRealizable), match=r"stiffer or lighter material") as told:
+    with pytest.raises((NotConvergedError, NotRealizable), match=r"stiffer or lighter material") as result:
         optimal_rod(ARCH, Gravity(1.0), section=hair)
-    assert "inf" not in str(told.value)
+    assert "inf" not in str(result.value)

@@ -23,7 +23,7 @@ def rows(widths):
 
 
 @pytest.mark.parametrize("row", rows("plain widths"), ids=lambda row: f"{row['group']}, {row['name']}")
-def test_told_as_finite_elements_have_it(row):
+def test_reported_as_finite_elements_have_it(row):
     spec = STEPPED[row["group"], row["name"]].spec
     held = spec.changed(compensate=False).make().held()
     assert held.parts["steps of width"] == max(held.parts.values())

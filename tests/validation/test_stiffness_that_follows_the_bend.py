@@ -141,5 +141,5 @@ def test_a_strip_under_a_plate_is_twice_as_thick(nu, width, wide_strips):
     found = root(missed, [-held.start_moment / 1000, *(-held.start_force / 1000)], tol=1e-10)
     assert found.success, found.message
     shape = np.concatenate(shot(found.x, rod.s)[1])
-    told = joined.held_deviation
-    assert told == pytest.approx(strays(shape, rod.position[: len(shape)]), rel=1e-2)
+    result = joined.held_deviation
+    assert result == pytest.approx(strays(shape, rod.position[: len(shape)]), rel=1e-2)

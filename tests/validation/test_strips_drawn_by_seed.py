@@ -20,14 +20,14 @@ def requests():
     return dict(requests_drawn())
 
 
-def test_all_of_them_stray_as_told(rows):
+def test_all_of_them_stray_as_reported(rows):
     assert len({name.removesuffix(", made up for") for name in rows}) == 12
     assert all(abs(row["strayed"] - row["told"]) <= row["open"] for row in rows.values())
 
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", ["plain, even", "slotted, ply", "tabbed, even", "tabbed, ply"])
-def test_a_strip_is_told_as_it_was_measured(name, rows, requests):
+def test_a_strip_is_reported_as_it_was_measured(name, rows, requests):
     held = requests[name].changed(compensate=False).make().held()
     found, length = rows[name]["strayed"], rows[name]["length"]
     assert abs(held.deviation - found * length) <= held.open

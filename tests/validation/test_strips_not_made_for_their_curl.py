@@ -47,9 +47,9 @@ def own_of(made, wide_strips):
 
 
 def made_of(curve, sheet, width, *, laminate):
-    asked = {"style": Laminated(width=width, backing=sheet, dots=0.0)} if laminate else {}
+    request = {"style": Laminated(width=width, backing=sheet, dots=0.0)} if laminate else {}
     widest = 0.85 * width if laminate else width
-    return make_strip(drawn(curve), sheet, max_width=widest, compensate=False, ignore_limits=True, **asked)
+    return make_strip(drawn(curve), sheet, max_width=widest, compensate=False, ignore_limits=True, **request)
 
 
 @pytest.mark.campaign

@@ -84,8 +84,8 @@ def test_tapered_columns(n, ratio):
 
 def test_the_factors_are_those_of_the_tables():
     """To the digits that tables of tapered columns give, for I_1 / I_2 of 0.1, 0.5 and 0.9."""
-    told = {2: (1.350, 2.023, 2.392), 4: (1.203, 2.002, 2.391)}
-    for n, row in told.items():
+    result = {2: (1.350, 2.023, 2.392), 4: (1.203, 2.002, 2.391)}
+    for n, row in result.items():
         assert [critical_factor(n, ratio) for ratio in (0.1, 0.5, 0.9)] == pytest.approx(row, abs=6e-4)
 
 

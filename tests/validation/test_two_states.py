@@ -178,10 +178,12 @@ def test_curves_alike_along_a_stretch_are_refused_with_the_stretch():
 def test_limits_hold_all_along_and_cost_ratio():
     first, second = curves(next(iter(drawn_pairs(7, 1, 2, same_clamps=False))))
     plain = two_state_rod(first, second)
-    asked = PairLimits(bend=0.8 * plain.bend, natural_curvature=float(np.abs(plain.natural_curvature).max()))
-    held = two_state_rod(first, second, limits=asked)
-    assert held.bend <= asked.bend * (1 + 1e-6)
-    assert np.abs(held.natural_curvature).max() <= asked.natural_curvature * (1 + 1e-6)
+    request = PairLimits(
+        bend=0.8 * plain.bend, natural_curvature=float(np.abs(plain.natural_curvature).max())
+    )
+    held = two_state_rod(first, second, limits=request)
+    assert held.bend <= request.bend * (1 + 1e-6)
+    assert np.abs(held.natural_curvature).max() <= request.natural_curvature * (1 + 1e-6)
     assert held.ratio > plain.ratio
     with pytest.raises(NotRealizable, match="with the least ratio has"):
         two_state_rod(first, second, limits=PairLimits(bend=plain.bend / 50))

@@ -78,7 +78,7 @@ def test_a_strip_whose_end_is_led_elsewhere(curve, share, strip, wide_strips):
     assert bent.curvature == pytest.approx(own.curvature, abs=AGREES * np.abs(own.curvature).max())
 
 
-def test_every_step_of_a_path_tells_newtons_and_millijoules(wide_strips):
+def test_every_step_of_a_path_reports_newtons_and_millijoules(wide_strips):
     made = made_of("arch", *STRIPS["stubborn"])
     ends = [on_the_way(made.rod, share) for share in (0.8, 0.6, 0.4)]
     travel = bend_strip(made, ends)
@@ -181,10 +181,10 @@ def test_it_can_be_put_on_other_nodes(samples):
     assert bend(bent, samples=samples).position == pytest.approx(other.position, abs=1e-8)
 
 
-@pytest.mark.parametrize("asked", [{}, {"gravity": True}, {"natural_curvature": 0.002}])
-def test_the_flat_part_is_the_same_however_it_is_bent(asked):
+@pytest.mark.parametrize("options", [{}, {"gravity": True}, {"natural_curvature": 0.002}])
+def test_the_flat_part_is_the_same_however_it_is_bent(options):
     """A strip made of the bent rod was a tenth narrower in places, and a heavy one was refused."""
-    made = made_of("arch", *STRIPS["stubborn"], **asked)
+    made = made_of("arch", *STRIPS["stubborn"], **options)
     bent = bend(made.rod, end=on_the_way(made.rod, 0.5))
     moved = replace(made, rod=bent)
     assert moved.width(made.rod.s) == pytest.approx(made.width(made.rod.s), rel=1e-5)
@@ -255,7 +255,7 @@ def test_a_strip_that_came_out_otherwise(how, heavy, wide_strips):
     assert np.hypot(*(found.position - own.position).T).max() < AGREES * strayed + 2e-4
 
 
-def test_a_study_asks_for_thickness_and_kerf_where_a_strip_bends_as_a_plate():
+def test_a_study_requests_thickness_and_kerf_where_a_strip_bends_as_a_plate():
     made = made_of("arch", *STRIPS["stubborn"])
     ranges = ToleranceRanges(width_loss=(0.0, 2.0), thickness=(0.9, 1.1))
     study = tolerance_study(made.rod, ranges=ranges, max_width=40.0, samples=2)

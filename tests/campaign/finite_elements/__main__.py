@@ -40,16 +40,16 @@ def main() -> int:
         "between",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
-    asked = parser.parse_args()
-    folder = asked.out / "finite_elements"
+    arguments = parser.parse_args()
+    folder = arguments.out / "finite_elements"
     folder.mkdir(parents=True, exist_ok=True)
 
     def wanted(name: str) -> bool:
-        return any(part in name for part in asked.only)
+        return any(part in name for part in arguments.only)
 
     missed: list[str] = []
 
-    def told(part: str, record: Any) -> None:
+    def report(part: str, record: Any) -> None:
         print(record, flush=True)
         keep(part, record)
         if not getattr(record, "good", True):
@@ -68,14 +68,14 @@ def main() -> int:
     }
     for part, found in parts.items():
         for record in found(folder) if wanted(part) else ():
-            told(part, record)
-    deviations: dict[str, list[float]] = {widths: [] for widths in asked.widths}
+            report(part, record)
+    deviations: dict[str, list[float]] = {widths: [] for widths in arguments.widths}
     for case in CASES:
         if wanted(f"{case.group}, {case.name}"):
-            for widths in asked.widths:
+            for widths in arguments.widths:
                 if WIDTHS[widths] is not None or case.has_default_widths:
                     row = measured(case, folder, compensated=WIDTHS[widths])
-                    told(widths, row)
+                    report(widths, row)
                     deviations[widths].append(row.strayed)
     print(json.dumps({
         f"deviation of strips, {widths}": {

@@ -109,16 +109,16 @@ class Printed:
 
 def run_deck(deck: Sequence[str], folder: Path, count: int) -> Printed:
     """What ccx prints of a deck whose first `count` nodes are the body's."""
-    said = _said(deck, folder)
-    rows = re.findall(r"total force[^\n]*\n\s*\n\s*(\S+)\s+(\S+)\s+(\S+)", said)
-    return Printed(_displacements(said, count), np.array(rows, dtype=float).reshape(-1, 3))
+    text = _said(deck, folder)
+    rows = re.findall(r"total force[^\n]*\n\s*\n\s*(\S+)\s+(\S+)\s+(\S+)", text)
+    return Printed(_displacements(text, count), np.array(rows, dtype=float).reshape(-1, 3))
 
 
 def run(deck: Sequence[str], count: int, folder: Path) -> Answer:
     """What ccx answers to a deck whose first `count` nodes are the body's."""
-    said = _said(deck, folder)
-    moved = _displacements(said, count)
-    return Answer(moved[0], _eigenvalues(said), moved[1:])
+    text = _said(deck, folder)
+    moved = _displacements(text, count)
+    return Answer(moved[0], _eigenvalues(text), moved[1:])
 
 
 def _said(deck: Sequence[str], folder: Path) -> str:
@@ -160,8 +160,8 @@ def _let_go(body: Bricks, pose: np.ndarray, held: np.ndarray, gravity: Sequence[
     """The step that keeps the held nodes only."""
     fixed = [displaced(i, j, pose - body.nodes) for i in np.flatnonzero(held) for j in range(3)]
     begin = ["*STEP, NLGEOM, INC=200", "*STATIC", "1., 1., 1e-6", *strict()]
-    told = ["*NODE PRINT, NSET=ALL", "U", "*NODE FILE", "U", "*END STEP"]
-    return [*begin, "*BOUNDARY, OP=NEW", *fixed, *weight_cards(gravity), *told]
+    result = ["*NODE PRINT, NSET=ALL", "U", "*NODE FILE", "U", "*END STEP"]
+    return [*begin, "*BOUNDARY, OP=NEW", *fixed, *weight_cards(gravity), *result]
 
 
 def displaced(node: int, direction: int, moved: np.ndarray) -> str:
@@ -183,19 +183,19 @@ def strict() -> list[str]:
             "*CONTROLS, PARAMETERS=TIME INCREMENTATION", "30, 40, 9, 60, 30, 4, , 30"]  # fmt: skip
 
 
-def _displacements(said: str, count: int) -> np.ndarray:
+def _displacements(text: str, count: int) -> np.ndarray:
     """Those printed (k, n, 3): at rest, then of each mode."""
     found = []
-    for block in said.split("displacements")[1:]:
+    for block in text.split("displacements")[1:]:
         rows = np.array([line.split() for line in block.splitlines()[2 : count + 2]], dtype=float)
         found.append(rows[np.argsort(rows[:, 0]), 1:])
     return np.array(found)
 
 
-def _eigenvalues(said: str) -> np.ndarray:
+def _eigenvalues(text: str) -> np.ndarray:
     """In the order of the modes; negative where the strip leaves its rest shape."""
-    if "E I G E N V A L U E   O U T P U T" not in said:
+    if "E I G E N V A L U E   O U T P U T" not in text:
         return np.empty(0)
-    block = said.split("E I G E N V A L U E   O U T P U T")[1].split("P A R T", maxsplit=1)[0]
+    block = text.split("E I G E N V A L U E   O U T P U T")[1].split("P A R T", maxsplit=1)[0]
     rows = re.findall(r"^\s+\d+\s+(\S+)\s+\S+\s+\S+\s+\S+\s*$", block, flags=re.MULTILINE)
     return np.array(rows, dtype=float)

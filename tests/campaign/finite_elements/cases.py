@@ -104,9 +104,9 @@ def _heavy() -> Iterator[Case]:
         card = replace(CARD, poisson_ratio=nu)
         for curve, width, length in (("arch", 45.0, 300.0), ("arch", 60.0, 450.0), ("bow", 45.0, 300.0),
                                      ("bow", 60.0, 500.0), ("tall ellipse", 45.0, 300.0)):  # fmt: skip
-            asked = {"max_width": width, "gravity": True}
+            request = {"max_width": width, "gravity": True}
             name = f"{curve}, {length:g} mm long, {width:g} mm wide"
-            yield Case(f"heavy, nu {nu:g}", name, curve, length, card, 5.0, asked)
+            yield Case(f"heavy, nu {nu:g}", name, curve, length, card, 5.0, request)
         large = {"max_width": 300.0, "ends": (Tab(60.0), Tab(60.0)), "ignore_limits": True, "gravity": True}
         yield Case(f"heavy, nu {nu:g}", "arch of 3 m", "arch", 3000.0, ply(4.0, nu), 40.0, large)
 
@@ -122,8 +122,8 @@ def _perforated() -> Iterator[Case]:
 def _holed(nu: float, curve: str, rows: int, width: float, size: float) -> Case:
     style = Perforated(width=width, columns=2, rows=rows, least_ligament=0.2, least_hole=0.2)
     name = f"{curve}, 2 x {rows}, {width:g} mm wide"
-    asked = {"style": style, "max_width": width / 3, "ignore_limits": True}
-    return Case(f"perforated, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), size, asked)
+    request = {"style": style, "max_width": width / 3, "ignore_limits": True}
+    return Case(f"perforated, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), size, request)
 
 
 def _laminated() -> Iterator[Case]:
@@ -131,9 +131,9 @@ def _laminated() -> Iterator[Case]:
                                      (0.0, "bow", 12.0, 300.0), (0.3, "arch", 12.0, 300.0),
                                      (0.3, "S", 12.0, 300.0)):  # fmt: skip
         style = Laminated(width=width, backing=ply(0.5, nu), dots=0.0)
-        asked = {"style": style, "max_width": 0.85 * width}
+        request = {"style": style, "max_width": 0.85 * width}
         name = f"{curve}, {length:g} mm long, {width:g} mm wide"
-        yield Case(f"laminated, nu {nu:g}", name, curve, length, ply(0.5, nu), 5.0, asked)
+        yield Case(f"laminated, nu {nu:g}", name, curve, length, ply(0.5, nu), 5.0, request)
 
 
 def _slotted() -> Iterator[Case]:
@@ -146,16 +146,16 @@ def _slotted() -> Iterator[Case]:
     }
     for nu, curve, slots in ((0.0, "arch", "one slot"), (0.0, "arch", "two slots"), (0.3, "arch", "two slots"),
                              (0.3, "bow", "four slots"), (0.3, "S", "two slots")):  # fmt: skip
-        asked = {"max_width": 30.0, "slots": places[slots]}
-        yield Case(f"slotted, nu {nu:g}", f"{curve}, {slots}", curve, 300.0, ply(0.8, nu), 3.5, asked)
+        request = {"max_width": 30.0, "slots": places[slots]}
+        yield Case(f"slotted, nu {nu:g}", f"{curve}, {slots}", curve, 300.0, ply(0.8, nu), 3.5, request)
 
 
 def _narrow_tabs() -> Iterator[Case]:
     for nu, curve, width in ((0.0, "arch", 8.0), (0.0, "bow", 14.0), (0.3, "arch", 8.0), (0.3, "bow", 8.0),
                              (0.3, "S", 8.0)):  # fmt: skip
-        asked = {"max_width": 30.0, "ends": (Tab(12.0, width=width), Tab(12.0, width=width))}
+        request = {"max_width": 30.0, "ends": (Tab(12.0, width=width), Tab(12.0, width=width))}
         name = f"{curve}, tabs of {width:g} mm"
-        yield Case(f"narrow tabs, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.5, asked)
+        yield Case(f"narrow tabs, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.5, request)
 
 
 def _stepped() -> Iterator[Case]:
@@ -168,8 +168,8 @@ def _stepped() -> Iterator[Case]:
         (0.3, "three arcs", 30.0),
     ):
         name = f"{curve}, {width:g} mm wide"
-        asked = {"max_width": width, "ignore_limits": True, "smooth": 0.0}
-        yield Case(f"steps of width, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.0, asked)
+        request = {"max_width": width, "ignore_limits": True, "smooth": 0.0}
+        yield Case(f"steps of width, nu {nu:g}", name, curve, 300.0, ply(0.8, nu), 3.0, request)
 
 
 CASES: tuple[Case, ...] = (

@@ -66,28 +66,28 @@ def requests_drawn() -> Iterator[tuple[str, StripSpec]]:
     ):  # fmt: skip
         width = float(rng.uniform(22.0, 38.0))
         sheet, curve = _sheet(plywood=plywood), _curve(rng, 2.2)
-        asked: dict[str, Any] = {"max_width": width}
+        request: dict[str, Any] = {"max_width": width}
         if kind == "perforated":
             outer = 1.5 * width
-            asked = {"max_width": outer / 3, "style": Perforated(width=outer, columns=2, rows=9, least_ligament=0.2,
-                                                                 least_hole=0.2)}  # fmt: skip
+            style = Perforated(width=outer, columns=2, rows=9, least_ligament=0.2, least_hole=0.2)
+            request = {"max_width": outer / 3, "style": style}
         elif kind == "laminated":
             sheet = _sheet(plywood=plywood, thickness=0.5)
-            asked = {"max_width": 0.4 * width, "style": Laminated(width=width / 2, backing=sheet, dots=0.0)}
+            request = {"max_width": 0.4 * width, "style": Laminated(width=width / 2, backing=sheet, dots=0.0)}
         elif kind == "tapered":
-            asked = {"section": ThicknessLaw(sheet, 0.2, 2.0, width=TAPERED_WIDTH)}
+            request = {"section": ThicknessLaw(sheet, 0.2, 2.0, width=TAPERED_WIDTH)}
         elif kind == "leaves":
             sheet = _sheet(plywood=plywood, thickness=0.6)
-            asked = {"section": LeavesLaw(sheet, 4, 20.0), "keep": Keep()}
+            request = {"section": LeavesLaw(sheet, 4, 20.0), "keep": Keep()}
         elif kind == "slotted":
             places = np.sort(rng.uniform(0.2, 0.8, 2)) * LENGTH
-            asked["slots"] = tuple(
+            request["slots"] = tuple(
                 Slot(float(at), width=1.0, side=side)
                 for at, side in zip(places, ("upper", "lower"), strict=True)
             )
         elif kind == "tabbed":
-            asked["ends"] = tuple(Tab(12.0, width=float(one)) for one in rng.uniform(8.0, 13.0, 2))
-        yield f"{kind}, {sheet.name}", StripSpec(curve, sheet, ignore_limits=True, **asked)
+            request["ends"] = tuple(Tab(12.0, width=float(one)) for one in rng.uniform(8.0, 13.0, 2))
+        yield f"{kind}, {sheet.name}", StripSpec(curve, sheet, ignore_limits=True, **request)
 
 
 def tab_requests() -> Iterator[tuple[str, StripSpec]]:

@@ -296,8 +296,8 @@ class _Body:
                 "*BOUNDARY, OP=NEW", *self._kept(line), *self._flat(),
                 *(f"{i + 1}, 1, 1, {zero + over:.12g}" for i in nodes),
                 "*NODE PRINT, NSET=PUSHED, TOTALS=ONLY, GLOBAL=YES", "RF", "*END STEP"]  # fmt: skip
-        told = ["*NODE PRINT, NSET=ALL, GLOBAL=YES", "U", "*END STEP"]
-        answer = self._run([*self._cards(), *set_cards, *begin, *free, *hold[:-1], *told], folder)
+        result = ["*NODE PRINT, NSET=ALL, GLOBAL=YES", "U", "*END STEP"]
+        answer = self._run([*self._cards(), *set_cards, *begin, *free, *hold[:-1], *result], folder)
         forces = answer.forces[:, :2] @ away
         return float(forces.max()), self._sunk(answer.displacements[-1], line, travel, folder)
 
@@ -315,7 +315,7 @@ class _Body:
             springs += [f"*ELEMENT, TYPE=SPRING1, ELSET=HONEY{j}",
                         *(f"{k}, {i + 1}" for k, i in zip(ids, centre, strict=True)),
                         f"*SPRING, ELSET=HONEY{j}", f"{j}", f"{stiffness:.12g}"]  # fmt: skip
-        told = ["*NODE PRINT, NSET=ALL", "U", "*END STEP"]
+        result = ["*NODE PRINT, NSET=ALL", "U", "*END STEP"]
         for step in range(STEPS_IN_HONEY + 1):
             last = step == STEPS_IN_HONEY
             pulls = [] if last else [
@@ -324,6 +324,6 @@ class _Body:
             placed = [displaced(i, j, moved) for i in range(len(moved)) for j in (0, 1)]
             deck = [*self._cards(), *([] if last else springs),
                     "*STEP, NLGEOM", "*STATIC, DIRECT", "1., 1.", *strict(), "*BOUNDARY", *placed, *self._flat(),
-                    *pulls, "*END STEP", *self._loose(line), *pulls, *told]  # fmt: skip
+                    *pulls, "*END STEP", *self._loose(line), *pulls, *result]  # fmt: skip
             moved = self._run(deck, folder / f"honey{step}").displacements[-1]
         return self.body.nodes + moved

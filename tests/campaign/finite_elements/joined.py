@@ -36,8 +36,8 @@ class Joined:
 
 
 def _strip(curve: str, poisson_ratio: float, width: float, joint: float, lap: float) -> Strip:
-    asked = {"max_width": width, "ignore_limits": True, "compensate": False}
-    made = Case("joined", curve, curve, LENGTH, ply(0.8, poisson_ratio), ELEMENT_MM, asked).spec.make()
+    request = {"max_width": width, "ignore_limits": True, "compensate": False}
+    made = Case("joined", curve, curve, LENGTH, ply(0.8, poisson_ratio), ELEMENT_MM, request).spec.make()
     return replace(made, plates=LapPlates((joint,), lap))
 
 

@@ -100,7 +100,9 @@ def _touched(
         touching[line, 2] += play * upper
     walls = [displaced(i, 2, touching) for line in lines for i in line]
     across = [condition for condition in kept if ", 2, 2, " in condition]
-    told = [card for k in range(4) for card in (f"*NODE PRINT, NSET=LINE{k}, TOTALS=ONLY, GLOBAL=YES", "RF")]
+    result = [
+        card for k in range(4) for card in (f"*NODE PRINT, NSET=LINE{k}, TOTALS=ONLY, GLOBAL=YES", "RF")
+    ]
     tabs = np.flatnonzero((x < 1e-6) | (x > length - 1e-6))
     tight = [displaced(i, j, moved) for i in tabs for j in range(3)]
     load = weight_cards(gravity)
@@ -115,10 +117,10 @@ def _touched(
             *load,
             "*END STEP",
         ]
-    deck[-1:] = ["*NODE PRINT, NSET=ALL, GLOBAL=YES, FREQUENCY=1000", "U", *told, "*END STEP"]
+    deck[-1:] = ["*NODE PRINT, NSET=ALL, GLOBAL=YES, FREQUENCY=1000", "U", *result, "*END STEP"]
     answer = run(deck, len(body.nodes), folder)
-    said = (folder / "strip.dat").read_text()
-    found = [re.findall(rf"total force .* set LINE{k} .*\n\s*\n\s*(.*)", said)[-1].split() for k in range(4)]
+    text = (folder / "strip.dat").read_text()
+    found = [re.findall(rf"total force .* set LINE{k} .*\n\s*\n\s*(.*)", text)[-1].split() for k in range(4)]
     return answer, np.array(
         [np.array(force, dtype=float) @ frames[k // 2][2] for k, force in enumerate(found)]
     )

@@ -45,8 +45,8 @@ def corner_strain(width: float, tab: float, radius: float, material: Material, f
     held = [displaced(i, j, turned) for j, there in enumerate(fixed) for i in np.flatnonzero(there)]
     top = [f"{i + 1}," for i in np.flatnonzero(near & (z > 0))]
     body_cards = [*model_cards(body, [material] * 2), "*NSET, NSET=TOP", *top]
-    told = ["*NODE PRINT, NSET=ALL", "U", "*NODE PRINT, NSET=TOP, TOTALS=ONLY", "RF", "*END STEP"]
-    deck = [*body_cards, "*STEP", "*STATIC", "*BOUNDARY", *held, *told]
+    result = ["*NODE PRINT, NSET=ALL", "U", "*NODE PRINT, NSET=TOP, TOTALS=ONLY", "RF", "*END STEP"]
+    deck = [*body_cards, "*STEP", "*STATIC", "*BOUNDARY", *held, *result]
     printed = run_deck(deck, folder, len(x))
     fillet = np.flatnonzero((np.abs(np.hypot(x - radius, y - high) - radius) < 1e-6) & (z > 0.4))
     last = fillet[np.argsort(x[fillet])][-2:]

@@ -100,11 +100,11 @@ def _swung(name: str, strip: Strip, curve: PlaneCurve, folder: Path, *, size: fl
         name,
         round(float(strip.width(at)), 6),
         *(_lowest(found[which]) for which in (bent.sideways, ~bent.sideways)),
-        told(curve, strip),
+        described(curve, strip),
     )
 
 
-def told(curve: PlaneCurve, strip: Strip) -> str:
+def described(curve: PlaneCurve, strip: Strip) -> str:
     """What our own rod says of a uniform strip bent into a curve that is its rest shape."""
     nodes = curve.sample(NODES)
     ends, angles = nodes.position[[0, -1]], nodes.angle[[0, -1]]

@@ -41,12 +41,12 @@ class Tapered:
     strayed: float
 
 
-def _spec(curve: str, poisson_ratio: float, most: float, *, rod: bool = False, **asked: Any) -> StripSpec:
+def _spec(curve: str, poisson_ratio: float, most: float, *, rod: bool = False, **options: Any) -> StripSpec:
     drawn = CURVES[curve]
     scaled = drawn.transformed(np.diag([1.0, 1.0, drawn.length / LENGTH]))
     sheet = Sheet("known", 2.0, 9000.0, 1200.0, max_strain=0.05, poisson_ratio=poisson_ratio)
     law = RoundLaw(sheet, 0.2, most) if rod else ThicknessLaw(sheet, 0.2, most, width=TAPERED_WIDTH)
-    return StripSpec(scaled, sheet, section=law, ends=(Tab(TAB), Tab(TAB)), ignore_limits=True, **asked)
+    return StripSpec(scaled, sheet, section=law, ends=(Tab(TAB), Tab(TAB)), ignore_limits=True, **options)
 
 
 TAPERED: Mapping[str, StripSpec] = {

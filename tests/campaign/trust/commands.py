@@ -62,7 +62,7 @@ def value(rng, kind, sound):
 def words(rng, commands):
     """The words of one run."""
     name = rng.choice(list(SOUND))
-    command, said = commands[name], list(SOUND[name])
+    command, text = commands[name], list(SOUND[name])
     options = [
         one
         for one in command.params
@@ -70,15 +70,15 @@ def words(rng, commands):
     ]
     sound = rng.random() < 0.5
     for option in rng.sample(options, min(len(options), rng.choice((1, 1, 2, 3, 5)))):
-        said.append(rng.choice((*option.opts, *option.secondary_opts)))
+        text.append(rng.choice((*option.opts, *option.secondary_opts)))
         if not option.is_flag:
             kinds = (
                 option.type.types if isinstance(option.type, click.Tuple) else [option.type] * option.nargs
             )
-            said += [value(rng, kind, sound) for kind in kinds]
-    if rng.random() < 0.1 and said:
-        said.pop(rng.randrange(len(said)))
-    return [name, *said]
+            text += [value(rng, kind, sound) for kind in kinds]
+    if rng.random() < 0.1 and text:
+        text.pop(rng.randrange(len(text)))
+    return [name, *text]
 
 
 def prepared(folder, rng):
@@ -104,7 +104,7 @@ def begin(folder, *kinds):
         os.chdir(here)
 
 
-def run(said, folder, typed):
+def run(text, folder, typed):
     """Exit code, standard output, standard error, processor seconds, MiB, longest silence in seconds."""
     streams = [(folder / name).open("w+b") for name in (".out", ".err")]
     copy = os.fork()
@@ -116,8 +116,8 @@ def run(said, folder, typed):
             os.dup2(stream.fileno(), number)
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
         if typed:
-            os.execv(sys.executable, [sys.executable, "-m", "elastica_cad", *said])
-        _as_typed(said)
+            os.execv(sys.executable, [sys.executable, "-m", "elastica_cad", *text])
+        _as_typed(text)
     end, silence, printed, size = time.monotonic() + 6 * LONGEST_S, 0.0, time.monotonic(), 0
     while not (done := os.wait4(copy, os.WNOHANG))[0]:
         if time.monotonic() > end:
@@ -138,7 +138,7 @@ def run(said, folder, typed):
     return os.waitstatus_to_exitcode(done[1]), *texts, seconds, mib, silence
 
 
-def _as_typed(said):
+def _as_typed(text):
     """The command in this copy, which ends with it."""
     import traceback
     import warnings
@@ -148,7 +148,7 @@ def _as_typed(said):
     warnings.simplefilter("ignore")  # as the program does where it is typed
     code = 0
     try:
-        elastica.main(args=said, prog_name="elastica")
+        elastica.main(args=text, prog_name="elastica")
     except SystemExit as ended:
         code = ended.code if isinstance(ended.code, int) else 1
     except BaseException:
@@ -159,7 +159,7 @@ def _as_typed(said):
     os._exit(code)
 
 
-def judged(said, folder, ended):
+def judged(text, folder, ended):
     """What is wrong with a run."""
     code, out, err, seconds, mib, silence = ended
     found = []
@@ -171,7 +171,7 @@ def judged(said, folder, ended):
         found.append("Python's warning: " + err[-300:])
     if seconds > (LONGEST_REFUSAL_S if code == 2 else LONGEST_S):
         found.append(f"{seconds:.0f} s of the processor")
-    if silence > LONGEST_SILENCE_S and not {"--json", "-q", "--quiet"} & set(said):
+    if silence > LONGEST_SILENCE_S and not {"--json", "-q", "--quiet"} & set(text):
         found.append(f"nothing printed for {silence:.0f} s")
     if mib > MOST_MIB:
         found.append(f"{mib} MiB")
@@ -182,7 +182,7 @@ def judged(said, folder, ended):
     hidden = [path.name for path in folder.rglob(".*") if path.name not in (".out", ".err")]
     if hidden:
         found.append(f"left behind: {hidden}")
-    if "--json" in said and out.strip():
+    if "--json" in text and out.strip():
         try:
             json.loads(out)
         except ValueError:
@@ -199,33 +199,33 @@ def main():
     parser.add_argument("--minutes", type=float, default=120.0)
     parser.add_argument("--only", type=int, help="one run, by its number")
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     from elastica_cad.cli.commands import elastica
 
     codes, faults, since, longest, most = Counter(), [], time.monotonic(), 0.0, 0
-    for number in range(asked.runs) if asked.only is None else [asked.only]:
-        rng = random.Random(f"{asked.seed} {number}")
+    for number in range(arguments.runs) if arguments.only is None else [arguments.only]:
+        rng = random.Random(f"{arguments.seed} {number}")
         with TemporaryDirectory() as base:
             folder = Path(base)
             prepared(folder, rng)
-            said = words(rng, elastica.commands)
-            if any("\x00" in word for word in said):
+            text = words(rng, elastica.commands)
+            if any("\x00" in word for word in text):
                 continue
-            ended = run(said, folder, typed=number % 10 == 0)
-            wrong = judged(said, folder, ended)
+            ended = run(text, folder, typed=number % 10 == 0)
+            wrong = judged(text, folder, ended)
         codes[ended[0]] += 1
         longest, most = max(longest, ended[3]), max(most, ended[4])
         if wrong:
-            faults.append({"n": number, "words": said, "wrong": wrong})
+            faults.append({"n": number, "words": text, "wrong": wrong})
             print(json.dumps(faults[-1])[:2500], flush=True)
-        if time.monotonic() - since > 60 * asked.minutes:
+        if time.monotonic() - since > 60 * arguments.minutes:
             break
     sums = {
-        "runs": sum(codes.values()), "seed": asked.seed, "codes": dict(codes), "faults": len(faults),
+        "runs": sum(codes.values()), "seed": arguments.seed, "codes": dict(codes), "faults": len(faults),
         "longest_s": round(longest, 1), "most_mib": most, "minutes": round((time.monotonic() - since) / 60, 1),
     }  # fmt: skip
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / f"commands-{asked.seed}.json").write_text(
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    (arguments.out / f"commands-{arguments.seed}.json").write_text(
         json.dumps({"sums": sums, "faults": faults}, indent=1) + "\n"
     )
     print(json.dumps(sums))

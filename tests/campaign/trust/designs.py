@@ -55,11 +55,11 @@ class Schema:
         if isinstance(kind, list):
             kind = kind[0] if rng.random() < 0.8 else rng.choice(kind)
         if kind == "object":
-            asked = part.get("required", ())
+            request = part.get("required", ())
             return {
                 key: self.drawn(rng, value)
                 for key, value in part.get("properties", {}).items()
-                if key in asked or rng.random() < KEY_SHARE
+                if key in request or rng.random() < KEY_SHARE
             }
         if kind == "array":
             items, least = part.get("items", {}), part.get("minItems", 1)
@@ -141,11 +141,11 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
     changes = [change(rng, design, schema) for _ in range(rng.choice((1, 1, 2, 2, 3, 4)))]
     lines = [f"{json.dumps(key)} = {toml(value)}\n" for key, value in design.items()]
     (folder / "design.toml").write_text("".join(lines), encoding="utf-8")
-    said = ["model", "design.toml", "-o", "out", "--no-pictures"]
-    said += ["--no-step"] if rng.random() < 0.75 else []
-    said += ["--no-effects"] if rng.random() < 0.3 else []
-    ended = commands.run(said, folder, typed=False)
-    wrong = commands.judged(said, folder, ended)
+    text = ["model", "design.toml", "-o", "out", "--no-pictures"]
+    text += ["--no-step"] if rng.random() < 0.75 else []
+    text += ["--no-effects"] if rng.random() < 0.3 else []
+    ended = commands.run(text, folder, typed=False)
+    wrong = commands.judged(text, folder, ended)
     # without a margin pieces lie edge to edge, as it was asked
     close = any(table.get("margin") == 0 for table, _ in schema.tables(design, schema.whole))
     for file in sorted((folder / "out").rglob("*.dxf")) if ended[0] == 0 else ():
@@ -155,9 +155,9 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
 
 
 def main() -> None:
-    asked = arguments(__doc__ or "", "designs", 2000, minutes=60.0)
+    request = arguments(__doc__ or "", "designs", 2000, minutes=60.0)
     with TemporaryDirectory() as folder:
-        run_cases(asked, "designs", "designs", lambda seed, number: made(seed, number, Path(folder)))
+        run_cases(request, "designs", "designs", lambda seed, number: made(seed, number, Path(folder)))
 
 
 if __name__ == "__main__":

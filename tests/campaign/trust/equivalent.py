@@ -61,12 +61,14 @@ def difference(one: object, other: object, place: str = "") -> str:
     if isinstance(one, dict) and isinstance(other, dict):
         if one.keys() != other.keys():
             return f"{place}: {sorted(one.keys() ^ other.keys())}"
-        return next((told for key in one if (told := difference(one[key], other[key], f"{place}/{key}"))), "")
+        return next(
+            (result for key in one if (result := difference(one[key], other[key], f"{place}/{key}"))), ""
+        )
     if isinstance(one, list) and isinstance(other, list):
         if len(one) != len(other):
             return f"{place}: {len(one)} and {len(other)}"
         pairs = enumerate(zip(one, other, strict=True))
-        return next((told for n, pair in pairs if (told := difference(*pair, f"{place}/{n}"))), "")
+        return next((result for n, pair in pairs if (result := difference(*pair, f"{place}/{n}"))), "")
     if isinstance(one, str) and isinstance(other, str):
         if one == other:
             return ""
@@ -155,9 +157,9 @@ def _asked(bank: Bank, names: list[str], record: Path) -> int:
         with TemporaryDirectory() as folder:
             given = json.loads(json.dumps(answer(requests()[name], Path(folder))))
             os.chdir("/")
-        told = difference(bank.answer(name), given)
-        if told:
-            record.write_text(f"{name}: {told}")
+        result = difference(bank.answer(name), given)
+        if result:
+            record.write_text(f"{name}: {result}")
             return DIFFERENT
     return EQUAL
 

@@ -190,14 +190,14 @@ def full_disks(count, rng, folder):
         process = quietly(
             command(*STRIP), folder, preexec_fn=shrink, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
         )
-        said, _ = process.communicate()
-        if process.returncode != 2 or "Traceback" in said or contents(folder) != old or left(folder):
+        text, _ = process.communicate()
+        if process.returncode != 2 or "Traceback" in text or contents(folder) != old or left(folder):
             wrong.append(
                 {
                     "full": number,
                     "size": size,
                     "code": process.returncode,
-                    "said": said[-600:],
+                    "said": text[-600:],
                     "left": left(folder),
                 }
             )
@@ -215,12 +215,12 @@ def two_writers(count, folder):
         other = [*STRIP]
         other[1] = "b/bow.txt"
         runs = [quietly(command(*words), base) for words in (STRIP, other)]
-        said = [run.communicate()[0] for run in runs]
+        text = [run.communicate()[0] for run in runs]
         lengths = {
             json.loads(data)["length"] for name, data in contents(base).items() if name.endswith(".json")
         }
         if any(run.returncode for run in runs) or len(lengths) != 1 or left(base):
-            wrong.append({"pair": number, "said": [one[-300:] for one in said], "left": left(base)})
+            wrong.append({"pair": number, "said": [one[-300:] for one in text], "left": left(base)})
     return {"two writers": count, "wrong": wrong}
 
 
@@ -261,21 +261,21 @@ def main():
     for name, usual in (("kills", 200), ("days", 40), ("full", 20), ("pairs", 20), ("lost", 20), ("seed", 1)):
         parser.add_argument(f"--{name}", type=int, default=usual)
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    asked = parser.parse_args()
-    rng, found = random.Random(asked.seed), []
+    arguments = parser.parse_args()
+    rng, found = random.Random(arguments.seed), []
     for part in (
-        lambda folder: lost_workers(asked.lost, rng),
-        lambda folder: full_disks(asked.full, rng, folder),
-        lambda folder: two_writers(asked.pairs, folder),
-        lambda folder: kills(asked.kills, rng, folder),
-        lambda folder: kills_of_new_kits(asked.kills, rng, folder),
-        lambda folder: kills_and_a_day(asked.days, folder),
+        lambda folder: lost_workers(arguments.lost, rng),
+        lambda folder: full_disks(arguments.full, rng, folder),
+        lambda folder: two_writers(arguments.pairs, folder),
+        lambda folder: kills(arguments.kills, rng, folder),
+        lambda folder: kills_of_new_kits(arguments.kills, rng, folder),
+        lambda folder: kills_and_a_day(arguments.days, folder),
     ):
         with TemporaryDirectory() as folder:
             found.append(part(Path(folder)))
         print(json.dumps(found[-1])[:3000], flush=True)
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / "faults.json").write_text(json.dumps(found, indent=1) + "\n")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    (arguments.out / "faults.json").write_text(json.dumps(found, indent=1) + "\n")
     sys.exit(any(one["wrong"] for one in found))
 
 

@@ -76,7 +76,7 @@ def verdict(path: Path) -> tuple[str, str]:
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
         try:
-            said = read(path)
+            text = read(path)
         except Hang:
             return "hang", "".join(traceback.format_exc().splitlines(keepends=True)[-8:])
         except MemoryError:
@@ -85,11 +85,11 @@ def verdict(path: Path) -> tuple[str, str]:
             return "traceback", traceback.format_exc(limit=-6)
     if warned:
         return "warning", f"{warned[0].filename}:{warned[0].lineno}: {warned[0].message}"
-    if PYTHON.search(said):
-        return "speaks Python", said
-    if "\n" in said or len(said) > LONGEST_SENTENCE:
-        return "sentence too long", said[:2000]
-    return ("curves", "") if said == "curves" else ("sentence", said)
+    if PYTHON.search(text):
+        return "speaks Python", text
+    if "\n" in text or len(text) > LONGEST_SENTENCE:
+        return "sentence too long", text[:2000]
+    return ("curves", "") if text == "curves" else ("sentence", text)
 
 
 def work(seed: int, first: int, cases: int, folder: Path) -> None:
@@ -114,19 +114,19 @@ def work(seed: int, first: int, cases: int, folder: Path) -> None:
         since = time.process_time()
         signal.setitimer(signal.ITIMER_PROF, LONGEST_S)
         try:
-            ended, said = verdict(path)
+            ended, text = verdict(path)
         except Hang:
-            ended, said = "hang", ""
+            ended, text = "hang", ""
         signal.setitimer(signal.ITIMER_PROF, 0)
         if (size := os.fstat(1).st_size) and ended in ("curves", "sentence"):
             os.lseek(1, 0, os.SEEK_SET)
-            ended, said = "chatter", os.read(1, 300).decode(errors="replace")
+            ended, text = "chatter", os.read(1, 300).decode(errors="replace")
         if size:
             os.ftruncate(1, 0)
             os.lseek(1, 0, os.SEEK_SET)
         record = {"n": number, "kind": kind, "ended": ended, "s": round(time.process_time() - since, 3)}
         if ended not in ("curves", "sentence"):
-            record["said"] = said
+            record["said"] = text
         record["mib"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
         records.write(json.dumps(record) + "\n")
         records.flush()
@@ -157,9 +157,9 @@ def watched(
                     break
             else:
                 if first < cases:  # the process itself ended: the kernel of STEP files, or no memory
-                    said = (folder / "chatter").read_bytes()[-400:].decode(errors="replace")
+                    text = (folder / "chatter").read_bytes()[-400:].decode(errors="replace")
                     kind, _ = case(seed, first)
-                    faults.append({"n": first, "kind": kind, "ended": "process ended", "said": said})
+                    faults.append({"n": first, "kind": kind, "ended": "process ended", "said": text})
                     ends["process ended"] += 1
                     first += 1
     took = round((time.monotonic() - since) / 60, 1)
@@ -181,17 +181,17 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help=argparse.SUPPRESS)
     parser.add_argument("--work", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--folder", type=Path, help=argparse.SUPPRESS)
-    asked = parser.parse_args()
-    if asked.work:
-        work(asked.seed, asked.first, asked.cases, asked.folder)
+    arguments = parser.parse_args()
+    if arguments.work:
+        work(arguments.seed, arguments.first, arguments.cases, arguments.folder)
         return
-    asked.out.mkdir(parents=True, exist_ok=True)
+    arguments.out.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory() as folder:
-        faults, sums = watched(asked.seed, asked.cases, Path(folder), asked.minutes)
+        faults, sums = watched(arguments.seed, arguments.cases, Path(folder), arguments.minutes)
     for fault in faults:
-        kind, data = case(asked.seed, int(str(fault["n"])))
-        (asked.out / f"fault-{asked.seed}-{fault['n']}.{kind}").write_bytes(data)
-    (asked.out / f"files-{asked.seed}.json").write_text(
+        kind, data = case(arguments.seed, int(str(fault["n"])))
+        (arguments.out / f"fault-{arguments.seed}-{fault['n']}.{kind}").write_bytes(data)
+    (arguments.out / f"files-{arguments.seed}.json").write_text(
         json.dumps({"sums": sums, "faults": faults}, indent=1) + "\n"
     )
     for fault in faults[:50]:

@@ -164,8 +164,8 @@ def judged(seed, number):
 
 
 def main():
-    asked = arguments(__doc__, "curves", 200, minutes=120.0)
-    run_cases(asked, "held", "curves", judged)
+    request = arguments(__doc__, "curves", 200, minutes=120.0)
+    run_cases(request, "held", "curves", judged)
 
 
 if __name__ == "__main__":

@@ -33,8 +33,8 @@ def build(folder):
     """The package with loops built under the sanitizers, in `folder`."""
     leave_out = shutil.ignore_patterns("__pycache__", "*.so")
     shutil.copytree(ROOT / "elastica_cad", folder / "elastica_cad", ignore=leave_out)
-    asked = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    (extension,) = asked["tool"]["setuptools"]["ext-modules"]
+    request = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (extension,) = request["tool"]["setuptools"]["ext-modules"]
     macros = [f"-D{name}={value}" for name, value in extension["define-macros"]]
     include = f"-I{sysconfig.get_path('include')}"
     target = "elastica_cad/_native/loops.abi3.so"
@@ -94,11 +94,11 @@ def ask_programs(rng, case):
         H[0, 0] = np.inf
     lower, upper, given = -rng.random(p), rng.random(p), rng.random(p) < 0.2
     upper[given] = lower[given]
-    asked = programs.QuadraticProgram(
+    request = programs.QuadraticProgram(
         H, rng.normal(size=p) * 10 ** rng.uniform(-6, 6), lower, upper, A, rng.normal(size=m),
         10 ** rng.uniform(-3, 5, m), rng.random(m) < 0.5,
     )  # fmt: skip
-    programs.solve_quadratic(asked)
+    programs.solve_quadratic(request)
 
 
 def odd(rng, case, *shape):
@@ -151,10 +151,10 @@ def refused_calls(compiled):
         np.ones(9, dtype=">f8"),
     ]  # fmt: skip
     sizes = [-(2**63), -1, 0, 8, 10, 2**31, 2**61, 2**62 + 1, 2**63 - 1, 2**64, 9.0, None]
-    asked = [(place, array) for place in (1, 2, 3, 4, 8, 9) for array in wrong] + [(8, locked)]
-    asked += [(0, size) for size in sizes]
+    request = [(place, array) for place in (1, 2, 3, 4, 8, 9) for array in wrong] + [(8, locked)]
+    request += [(0, size) for size in sizes]
     refused = 0
-    for place, value in asked:
+    for place, value in request:
         arguments = [
             9,
             np.ones(9),
@@ -176,7 +176,7 @@ def refused_calls(compiled):
     ]  # fmt: skip
     compiled.interior_points(4, 3, *program)
     refused += sum(is_refused(compiled.interior_points, [*pair, *program]) for pair in pairs)
-    return refused, len(asked) + len(pairs)
+    return refused, len(request) + len(pairs)
 
 
 def is_refused(function, arguments):
@@ -194,12 +194,12 @@ def main():
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--here", action="store_true")
-    asked = parser.parse_args()
-    if asked.here:
-        refused, count = ask_here(asked.cases, asked.seed)
-        print(f"{asked.cases} cases; {refused} of {count} wrong calls refused")
+    arguments = parser.parse_args()
+    if arguments.here:
+        refused, count = ask_here(arguments.cases, arguments.seed)
+        print(f"{arguments.cases} cases; {refused} of {count} wrong calls refused")
         sys.exit(refused < count)
-    found = ask_apart(asked.cases, asked.seed)
+    found = ask_apart(arguments.cases, arguments.seed)
     print(found.stdout, found.stderr)
     sys.exit(found.returncode)
 

@@ -227,9 +227,9 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
 
 
 def main() -> None:
-    asked = arguments(__doc__ or "", "files", 500, minutes=20.0)
+    request = arguments(__doc__ or "", "files", 500, minutes=20.0)
     with TemporaryDirectory() as folder:
-        run_cases(asked, "lost_curves", "files", lambda seed, number: made(seed, number, Path(folder)))
+        run_cases(request, "lost_curves", "files", lambda seed, number: made(seed, number, Path(folder)))
 
 
 if __name__ == "__main__":

@@ -170,8 +170,8 @@ def solved(seed, number):
 
 
 def main():
-    asked = arguments(__doc__, "solves", 10_000, minutes=120.0)
-    run_cases(asked, "mets", "solves", solved)
+    query = arguments(__doc__, "solves", 10_000, minutes=120.0)
+    run_cases(query, "mets", "solves", solved)
 
 
 if __name__ == "__main__":

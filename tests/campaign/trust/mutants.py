@@ -119,26 +119,28 @@ def tried(copy, file, number, known, look=FIRST_S, named=()):
     node, field = list(places(tree))[number]
     lines = lines_of(ROOT, file.relative_to(ROOT), tree, node)
     tests = known.covering.of(file.relative_to(ROOT), lines)
-    told = changed(node, field, at_top=any(node in ast.walk(one) for one in tree.body if _is_constant(one)))
+    message = changed(
+        node, field, at_top=any(node in ast.walk(one) for one in tree.body if _is_constant(one))
+    )
     path.write_text(ast.unparse(tree))
     try:
         first = [*named, *known.covering.within(tests, look)]
-        verdict, said = _judged(copy, first, look + NAMED_S * bool(named), tests, known, lines)
+        verdict, result = _judged(copy, first, look + NAMED_S * bool(named), tests, known, lines)
     finally:
         path.write_text(text)
-    place = {"file": str(file.relative_to(ROOT)), "number": number, "change": told}
-    return {**place, "tests": len(tests), "verdict": verdict, **({"bank": said} if said else {})}
+    place = {"file": str(file.relative_to(ROOT)), "number": number, "change": message}
+    return {**place, "tests": len(tests), "verdict": verdict, **({"bank": result} if result else {})}
 
 
 def _judged(copy, first, seconds, tests, known, lines):
     """The verdict, and what the bank said where it was asked."""
     if first and (verdict := asked_tests(copy, first, seconds)) != "survived":
         return verdict, ""
-    equal, said = asked_bank(copy, known.bank, lines)
+    equal, text = asked_bank(copy, known.bank, lines)
     more = [test for test in known.covering.within(tests, LONG_S) if test not in first]
     if more and (verdict := asked_tests(copy, more, LONG_S)) != "survived":
-        return verdict, said
-    return "equivalent" if equal else "survived", said
+        return verdict, text
+    return "equivalent" if equal else "survived", text
 
 
 def asked_tests(copy, tests, seconds):
@@ -203,32 +205,32 @@ def main():
         "--again", nargs="+", metavar="VERDICT", help="ask those of the record anew: survived ..."
     )
     parser.add_argument("--tests", nargs="*", default=(), help="with --again: tests that are asked first")
-    asked = parser.parse_args()
-    asked.out.mkdir(parents=True, exist_ok=True)
-    log, since = asked.out / f"mutants-{asked.seed}.json", time.monotonic()
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    log, since = arguments.out / f"mutants-{arguments.seed}.json", time.monotonic()
     found = json.loads(log.read_text()) if log.exists() else []
     for library in LIBRARIES:
         import_module(library)
     with TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv*", "out", "__pycache__"))
-        known = known_of(copy, (asked.known or Path(folder)).resolve())
+        known = known_of(copy, (arguments.known or Path(folder)).resolve())
         covering = known.covering
         sound = covering.within(sorted(covering.seconds, key=covering.seconds.__getitem__), LONG_S)
         rooms = [*ROOMS, *(f"elastica_cad/{floor}" for floor in FLOORS)]
         in_copy(
             copy, lambda: int(pytest.main(["-q", "-n", "0", "--collect-only", *rooms])), 60.0, compiled=True
         )
-        if asked_tests(copy, [*asked.tests, *sound], NAMED_S) != "survived":
+        if asked_tests(copy, [*arguments.tests, *sound], NAMED_S) != "survived":
             sys.exit("tests fail without any change: mend them first")
-        if asked.again:
-            turns = asked_again(copy, found, known, asked.tests, asked.again)
+        if arguments.again:
+            turns = asked_again(copy, found, known, arguments.tests, arguments.again)
         else:
-            turns = asked_first(copy, found, known, asked.count, asked.seed)
+            turns = asked_first(copy, found, known, arguments.count, arguments.seed)
         for one in turns:
             print(json.dumps(one), flush=True)
             log.write_text(json.dumps(found, indent=1) + "\n")
-            if time.monotonic() - since > 60 * asked.minutes:
+            if time.monotonic() - since > 60 * arguments.minutes:
                 break
     print(summary(found))
 

@@ -157,19 +157,19 @@ def answer_to(call):
     except ElasticaError as error:
         return "" if str(error).strip() else "an empty sentence"
     except TypeError as error:  # Python's own words about arguments are clear
-        return "" if "argument" in str(error) and "()" in str(error) else told(error)
+        return "" if "argument" in str(error) and "()" in str(error) else message_of(error)
     except ValueError as error:  # and those about build123d's enumerations
-        return "" if re.search(r" is not a valid [A-Z]\w*$", str(error)) else told(error)
+        return "" if re.search(r" is not a valid [A-Z]\w*$", str(error)) else message_of(error)
     except TooLongError as error:
-        return told(error)
+        return message_of(error)
     except Exception as error:
-        return told(error)
+        return message_of(error)
     finally:
         signal.alarm(0)
     return ""
 
 
-def told(error):
+def message_of(error):
     place = traceback.extract_tb(error.__traceback__)[-1]
     ours = [one for one in traceback.extract_tb(error.__traceback__) if "elastica_cad" in one.filename]
     at = ours[-1] if ours else place
@@ -182,10 +182,10 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=int)
     parser.add_argument("--match", default="")
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     sys.modules.setdefault("__main__", sys.modules[__name__])
     os.chdir(tempfile.mkdtemp())
-    callables = {name: one for name, one in public().items() if asked.match in name}
+    callables = {name: one for name, one in public().items() if arguments.match in name}
     sound = sound_calls({codes_of(one) for one in callables.values()} - {None})
     # a method needs something sound that it is a method of
     names = sorted(
@@ -195,11 +195,11 @@ def main():
         f"{len(names)} public callables, {sum(codes_of(callables[n]) in sound for n in names)} with a sound call"
     )
     wrong, first = Counter(), {}
-    for number in range(asked.calls) if asked.only is None else [asked.only]:
-        dice = random.Random(f"{asked.seed} {number}")
+    for number in range(arguments.calls) if arguments.only is None else [arguments.only]:
+        dice = random.Random(f"{arguments.seed} {number}")
         name = names[number % len(names)]
         call, odd = nonsense_call(callables[name], sound.get(codes_of(callables[name]), ()), dice)
-        if asked.only is not None:
+        if arguments.only is not None:
             print(name, odd)
             call()
             return
@@ -210,7 +210,7 @@ def main():
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     for key, count in sorted(wrong.items()):
         print(f"{count:5} {key} {first[key]}")
-    print(f"{asked.calls} calls; {sum(wrong.values())} wrong; {most:.0f} MiB of memory")
+    print(f"{arguments.calls} calls; {sum(wrong.values())} wrong; {most:.0f} MiB of memory")
     sys.exit(bool(wrong) or most > MOST_MIB)
 
 

@@ -25,21 +25,21 @@ def arguments(doc: str, what: str, count: int, minutes: float) -> argparse.Names
     return parser.parse_args()
 
 
-def run_cases(asked: argparse.Namespace, name: str, what: str, case: Case) -> None:
+def run_cases(options: argparse.Namespace, name: str, what: str, case: Case) -> None:
     """Run the cases, write NAME-SEED.json, and end the process with 1 where anything is wrong."""
     ends, wrong, since = Counter[str](), [], time.monotonic()
-    for number in range(asked.count):
-        ended, found = case(asked.seed, number)
+    for number in range(options.count):
+        ended, found = case(options.seed, number)
         ends[ended] += 1
         if found:
             wrong.append({"n": number, "ended": ended, "wrong": found})
             print(json.dumps(wrong[-1])[:LONGEST_PRINTED], flush=True)
-        if time.monotonic() - since > 60 * asked.minutes:
+        if time.monotonic() - since > 60 * options.minutes:
             break
-    sums = {what: sum(ends.values()), "seed": asked.seed, "ends": dict(ends), "wrong": len(wrong),
+    sums = {what: sum(ends.values()), "seed": options.seed, "ends": dict(ends), "wrong": len(wrong),
             "minutes": round((time.monotonic() - since) / 60, 1)}  # fmt: skip
-    asked.out.mkdir(parents=True, exist_ok=True)
+    options.out.mkdir(parents=True, exist_ok=True)
     record = {"sums": sums, "wrong": wrong}
-    (asked.out / f"{name}-{asked.seed}.json").write_text(json.dumps(record, indent=1) + "\n")
+    (options.out / f"{name}-{options.seed}.json").write_text(json.dumps(record, indent=1) + "\n")
     print(json.dumps(sums))
     sys.exit(bool(wrong))

@@ -84,8 +84,8 @@ def answer(request: Request, folder: Path) -> object:
             given = f"{type(problem).__name__}: {problem}"
     files = [path for path in sorted(folder.rglob("*")) if path.is_file() and path.suffix not in PICTURES]
     left = {str(path.relative_to(folder)): content(path) for path in files}
-    told = [str(one.message) for one in warned]
-    return {"given": given, "warned": told, "files": left}
+    result = [str(one.message) for one in warned]
+    return {"given": given, "warned": result, "files": left}
 
 
 def content(path: Path) -> str:
@@ -149,15 +149,15 @@ def typed_page(page: Path) -> object:
     """A page of the manual as its reader types it: its files saved, its `elastica` commands, its Python."""
     from tests.manual.run_page import blocks
 
-    told, names = [], {"__name__": "manual"}
+    result, names = [], {"__name__": "manual"}
     for block in blocks(page.read_text(encoding="utf-8")):
         if block.file:
             Path(block.file).write_text(block.body, encoding="utf-8")
         elif block.kind == "sh":
-            told += [typed(words) for words in commands(block.body)]
+            result += [typed(words) for words in commands(block.body)]
         elif block.kind == "python":
-            told.append(run_block(block.body, names))
-    return told
+            result.append(run_block(block.body, names))
+    return result
 
 
 def commands(body: str) -> Iterator[list[str]]:
@@ -187,16 +187,16 @@ def example(name: str) -> object:
     made = runpy.run_path(str(ROOT / "examples" / name / f"{name}.py"))["build"]()
     parts = list(made.values()) if isinstance(made, dict) else made
     models = parts if isinstance(parts, list | tuple) else [parts]
-    told: list[object] = []
+    result: list[object] = []
     for number, model in enumerate(models):
         if not isinstance(model, ec.Model):
-            told.append(plain(model))
+            result.append(plain(model))
             continue
         for part, placed in enumerate(model.parts):
             for layer, drawing in enumerate(placed.strip.drawings()):
                 ec.save(drawing, f"{number}-{part}-{layer}.dxf")
-            told.append(strip_numbers(placed.strip))
-    return told
+            result.append(strip_numbers(placed.strip))
+    return result
 
 
 def rod_numbers(rod) -> object:
@@ -219,11 +219,11 @@ def rod(rng: random.Random) -> object:
     gravity = None if weight is None else ec.Gravity(weight, (0, -1))
     curve = ec.PlaneCurve.spline(points, degree=3)
     near = ec.nearest_rod(curve, ec.Limits(**limits), ec.Keep(**keep), gravity, measure=measure)
-    told = [near.status, near.deviation, near.mean_deviation, str(near), [str(one) for one in near.binding]]
-    told += [str(ec.check_equilibrium(curve))]
+    result = [near.status, near.deviation, near.mean_deviation, str(near), [str(one) for one in near.binding]]
+    result += [str(ec.check_equilibrium(curve))]
     if near.found is not None:
-        told += [rod_numbers(near.rod), str(ec.stability(near.rod))]
-    return told
+        result += [rod_numbers(near.rod), str(ec.stability(near.rod))]
+    return result
 
 
 def strip(rng: random.Random) -> object:
@@ -265,11 +265,11 @@ def file(kind: str, number: int) -> object:
     if kind in ("obj", "stl", "ply"):
         return plain(read_surface(path, unit="mm"))
     drawn = read_drawing(path)
-    told: list[object] = [drawn.skipped]
+    result: list[object] = [drawn.skipped]
     for one in drawn.curves[:LOOKED_AT]:
-        told.append([one.number, one.name, one.layer, one.problem])
+        result.append([one.number, one.name, one.layer, one.problem])
         if not one.problem:
-            told.append([plain(one.curve.sample(50).position), str(ec.check_equilibrium(one.curve))])
+            result.append([plain(one.curve.sample(50).position), str(ec.check_equilibrium(one.curve))])
     for suffix in ("svg", "dxf", "json"):
         ec.write_curves([one.curve for one in drawn.curves if not one.problem], f"again.{suffix}")
-    return told
+    return result

@@ -69,16 +69,16 @@ def main():
     parser.add_argument("--solves", type=int, default=10_000)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--out", type=Path, default=Path("out/campaign"))
-    asked = parser.parse_args()
+    arguments = parser.parse_args()
     rng, since, first, done = random.Random(1), time.monotonic(), {}, 0
     with TemporaryDirectory() as folder:
-        for done in range(1, asked.solves + 1):
+        for done in range(1, arguments.solves + 1):
             round_of(rng, Path(folder))
             if done % EVERY == EVERY - 1:
                 built(EXAMPLES[done // EVERY % len(EXAMPLES)], Path(folder))
             if done == WARM:
                 first = held()
-            if time.monotonic() - since > 60 * asked.minutes:
+            if time.monotonic() - since > 60 * arguments.minutes:
                 break
         last = held()
     if not first:
@@ -88,8 +88,8 @@ def main():
     grown = {key: round(last[key] - first[key], 1) for key in last}
     leaks = grown["mib"] > MOST_GROWTH_MIB or grown["threads"] > 0 or grown["files"] > 2
     record = {"solves": done, "first": first, "last": last, "grown": grown, "leaks": bool(leaks)}
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / "soak.json").write_text(json.dumps(record, indent=1) + "\n")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    (arguments.out / "soak.json").write_text(json.dumps(record, indent=1) + "\n")
     print(json.dumps(record))
     sys.exit(bool(leaks))
 

@@ -93,10 +93,10 @@ def made(seed: int, number: int, folder: Path) -> tuple[str, list[str]]:
 
 
 def main() -> None:
-    asked = arguments(__doc__ or "", "files", 2000, minutes=60.0)
+    request = arguments(__doc__ or "", "files", 2000, minutes=60.0)
     written()
     with TemporaryDirectory() as folder:
-        run_cases(asked, "typed", "files", lambda seed, number: made(seed, number, Path(folder)))
+        run_cases(request, "typed", "files", lambda seed, number: made(seed, number, Path(folder)))
 
 
 if __name__ == "__main__":

@@ -11,14 +11,14 @@ def summary(record: Record) -> str:
     killed = sum(one["verdict"] in NOTICED for one in record)
     first = sum(one.get("first", one["verdict"]) in NOTICED for one in record)
     equal = sum(one["verdict"] == "equivalent" for one in record)
-    told = f"{killed} of {len(record)} errors noticed"
+    result = f"{killed} of {len(record)} errors noticed"
     if first != killed:
-        told += f" ({first} at the first look)"
+        result += f" ({first} at the first look)"
     if not equal:
-        return told
+        return result
     rest = len(record) - equal
     share = 100 * killed / rest if rest else 100.0
-    return f"{told}; {equal} change no result, of the other {rest} {share:.1f} % are noticed"
+    return f"{result}; {equal} change no result, of the other {rest} {share:.1f} % are noticed"
 
 
 def together(records: list[Record]) -> Record:

@@ -154,9 +154,9 @@ def drawn(seed, number, folder):
 
 
 def main():
-    asked = arguments(__doc__, "strips", 3000, minutes=60.0)
+    request = arguments(__doc__, "strips", 3000, minutes=60.0)
     with TemporaryDirectory() as folder:
-        run_cases(asked, "written", "strips", lambda seed, number: drawn(seed, number, Path(folder)))
+        run_cases(request, "written", "strips", lambda seed, number: drawn(seed, number, Path(folder)))
 
 
 if __name__ == "__main__":

@@ -25,9 +25,9 @@ from inside import (
     press_button,
     report,
     run,
+    shown_message,
     sketch,
     suggestions,
-    told,
     trigger,
     typed,
     until,
@@ -105,10 +105,10 @@ def deleted():
     button()
     strip = document.getObject("Strip")
     choose(drawn)
-    asked = Dialog(lambda _: keys("alt+y"))
+    request = Dialog(lambda _: keys("alt+y"))
     trigger("Std_Delete")
     until(lambda: document.getObject("Sketch") is None)
-    asked.stop()
+    request.stop()
     until(lambda: "Invalid" in strip.State)
     answers["without its sketch"] = [strip.State, strip.Visibility]
     trigger("Std_Undo")
@@ -192,9 +192,12 @@ def export():
         typed("folder", words)
         press_button("Ok")
         until(
-            lambda: told() or ":" in panel().form.message.text() or "path" in panel().form.message.text(), 10
+            lambda: (
+                shown_message() or ":" in panel().form.message.text() or "path" in panel().form.message.text()
+            ),
+            10,
         )
-        answers[f"export {name}"] = told() or panel().form.message.text()
+        answers[f"export {name}"] = shown_message() or panel().form.message.text()
         for box in dialogs._open_boxes:
             box.close()
         if Gui.Control.activeDialog():

@@ -46,7 +46,7 @@ def spline_of(drawn):
     return next(g for g in drawn.Geometry if "BSpline" in g.TypeId)
 
 
-def told(drawn):
+def measured(drawn):
     curve = spline_of(drawn)
     ends = [tuple(round(x, 2) for x in p[:2]) for p in (curve.StartPoint, curve.EndPoint)]
     return [len(drawn.Geometry), round(curve.length(), 3), *ends]
@@ -69,16 +69,16 @@ def pull(tool, handle, dx, dy):
     solved = []
     usual = tool._solve
     tool._solve = lambda: (solved.append(1), usual())
-    before = told(tool.sketch)
+    before = measured(tool.sketch)
     mouse("mousemove", x - 3, y, "sleep", 0.1, "mousemove", x, y, "sleep", 0.1, "mousedown", 1)
     for i in range(1, 11):
         seen = len(solved)
         mouse("mousemove", x + dx * i / 10, y + dy * i / 10)
         until(lambda seen=seen: len(solved) > seen, 2)
-    held = told(tool.sketch) == before
+    held = measured(tool.sketch) == before
     picture(f"pulled-{handle}.png")
     mouse("mouseup", 1)
-    until(lambda: told(tool.sketch) != before)
+    until(lambda: measured(tool.sketch) != before)
     wait(300)
     tool._solve = usual
     return [len(solved) >= 5, held]
@@ -98,27 +98,27 @@ def work():
     edit(drawn)
     answers["grey"] = not toolbar_button("Elastica_Between").isEnabled()
     tool = opened()
-    answers["new"] = told(drawn)
+    answers["new"] = measured(drawn)
     answers["length"] = tool.length
     answers["words"] = tool.card.words.text()
     picture("new.png")
     steps = document.UndoCount
-    answers["end pulled"] = [*pull(tool, 0, 60, -40), told(drawn), document.UndoCount - steps]
-    answers["tangent pulled"] = [*pull(tool, 2, 40, 60), told(drawn), spline_of(drawn).NbPoles]
+    answers["end pulled"] = [*pull(tool, 0, 60, -40), measured(drawn), document.UndoCount - steps]
+    answers["tangent pulled"] = [*pull(tool, 2, 40, 60), measured(drawn), spline_of(drawn).NbPoles]
     before = tool.card.words.text()
     click(tool.card.side)
     until(lambda: tool.card.words.text() != before)
     wait(300)
-    answers["other side"] = [before, tool.card.words.text(), told(drawn)]
+    answers["other side"] = [before, tool.card.words.text(), measured(drawn)]
     type_into(tool.card.length, "320 mm")
-    until(lambda: abs(told(drawn)[1] - 320) < 0.1)
-    answers["longer"] = told(drawn)
+    until(lambda: abs(measured(drawn)[1] - 320) < 0.1)
+    answers["longer"] = measured(drawn)
     type_into(tool.card.length, "20 mm")
     until(lambda: "make the strip longer" in tool.card.words.text())
-    answers["too short"] = [tool.card.words.text(), told(drawn)]
+    answers["too short"] = [tool.card.words.text(), measured(drawn)]
     picture("short.png")
     type_into(tool.card.length, "300 mm")
-    until(lambda: abs(told(drawn)[1] - 300) < 0.1)
+    until(lambda: abs(measured(drawn)[1] - 300) < 0.1)
     live_at_rest()
     from freecad.elastica_wb.live import session as live
 
@@ -126,7 +126,7 @@ def work():
     click(tool.card.done)
     answers["done"] = until(lambda: between_clamps.running() is None)
     tool = opened()
-    answers["taken again"] = [tool.number is not None, round(tool.length, 2), tool.side, told(drawn)]
+    answers["taken again"] = [tool.number is not None, round(tool.length, 2), tool.side, measured(drawn)]
     picture("again.png")
     trigger("Std_Undo")
     until(lambda: between_clamps.running() is None and abs(spline_of(drawn).length() - 320) < 0.1)
@@ -150,13 +150,13 @@ def work():
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, line.Name, "Edge1")
     opened()
-    answers["over a line"] = told(line)
+    answers["over a line"] = measured(line)
     Gui.ActiveDocument.resetEdit()
     arch = sketch(document, ARCH, name="Arch")
     edit(arch)
     opened()
-    answers["with poles"] = told(arch)
-    answers["poles go"] = [*pull(between_clamps.running(), 0, 20, 10), told(arch)]
+    answers["with poles"] = measured(arch)
+    answers["poles go"] = [*pull(between_clamps.running(), 0, 20, 10), measured(arch)]
     App.closeDocument(document.Name)
     answers["closed with its document"] = until(lambda: between_clamps.running() is None)
 

@@ -208,7 +208,7 @@ def bend_command(document, strip):
     assert document.getObject("Bent") is None
     choose(strip)
     open_panel("Elastica_Bend").reject()
-    asked = strip.Sheet, strip.MaxWidth
+    options = strip.Sheet, strip.MaxWidth
     strip.Sheet, strip.MaxWidth = "pom-1", 5.0
     document.recompute()
     choose(strip)
@@ -218,7 +218,7 @@ def bend_command(document, strip):
         at_rest()
     answers["bend sideways"] = panel.form.message.text()
     panel.reject()
-    strip.Sheet, strip.MaxWidth = asked
+    strip.Sheet, strip.MaxWidth = options
     document.recompute()
 
 

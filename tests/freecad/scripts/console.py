@@ -23,7 +23,7 @@ def redraw(sketch, points, degree=4):
     sketch.addGeometry(spline(points, degree), False)
 
 
-def said(doing):
+def printed(doing):
     """What FreeCAD writes to the console meanwhile."""
     kept, file = [os.dup(1), os.dup(2)], (OUT / "said.txt").open("w+")
     for number in (1, 2):
@@ -40,13 +40,13 @@ def report(document, feature):
 
     width = feature.MaxWidth.Value
     feature.MaxWidth = 0
-    answers["said"] = [line for line in said(document.recompute).splitlines() if "MaxWidth" in line]
+    answers["said"] = [line for line in printed(document.recompute).splitlines() if "MaxWidth" in line]
     answers["traceback"] = (OUT / "said.txt").read_text().count("Traceback")
     answers["status"] = feature.getStatusString()
     answers["limit"] = hasattr(sys, "tracebacklimit")
     feature.MaxWidth = width
     good, strip.bent_shape = strip.bent_shape, lambda _: 1 / 0
-    answers["mistake"] = said(document.recompute)
+    answers["mistake"] = printed(document.recompute)
     strip.bent_shape = good
     feature.touch()
     document.recompute()

@@ -23,8 +23,8 @@ from inside import (
     picture,
     press,
     run,
+    shown_message,
     sketch,
-    told,
     typed,
     until,
     window,
@@ -53,14 +53,14 @@ def followed(document, strip):
     cut.Base, cut.Tool = strip, box
     document.recompute()
     open_panel("Elastica_Export", strip)
-    said = panel().form.message.text()
+    text = panel().form.message.text()
     picture("followed.png")
     button("Cancel")
     for one in (cut, box):
         document.removeObject(one.Name)
     strip.ViewObject.Visibility = True
     document.recompute()
-    return said
+    return text
 
 
 def outlines(nest):
@@ -163,7 +163,7 @@ def work():
     choose(clone)
     press("Elastica_Export")
     at_rest()
-    answers["scaled"] = told()
+    answers["scaled"] = shown_message()
 
 
 run(work)

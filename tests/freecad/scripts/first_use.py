@@ -24,8 +24,8 @@ from inside import (
     press,
     press_button,
     run,
+    shown_message,
     still,
-    told,
     type_into,
     typed,
     until,
@@ -104,9 +104,9 @@ def work():
     (OUT / "files").mkdir()
     type_into(field, str(OUT / "files"))
     press_button("Ok")
-    until(told)
+    until(shown_message)
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
-    answers["told"] = told()
+    answers["told"] = shown_message()
     picture("7-exported.png")
     answers["seconds"] = time.monotonic() - began
     answers["comb of FreeCAD"] = App.ParamGet(

@@ -18,8 +18,8 @@ from inside import (
     picture,
     press,
     run,
+    shown_message,
     sketch,
-    told,
     trigger,
     until,
     wait,
@@ -36,10 +36,10 @@ def names(document):
 def pasted(document):
     """Copy the strip with its sketch, paste it, and take that back."""
     choose(document.Strip)
-    asked = Dialog(lambda box: box.accept())
+    request = Dialog(lambda box: box.accept())
     trigger("Std_Copy")
     wait(600)
-    asked.stop()
+    request.stop()
     before = names(document)
     trigger("Std_Paste")
     until(lambda: len(document.Objects) > len(before) and document.Objects[-1].Shape.Volume > 0)
@@ -105,8 +105,8 @@ def work():
     until(lambda: names(document).count("Flat") == 2)
     choose(document.Strip)
     press("Elastica_Flat")
-    until(told)
-    answers["again"] = told()
+    until(shown_message)
+    answers["again"] = shown_message()
     for box in list(dialogs._open_boxes):
         box.close()
     answers["edges"] = drawn(document)

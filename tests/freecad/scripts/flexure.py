@@ -25,9 +25,9 @@ from inside import (
     press_button,
     run,
     scroll_to,
+    shown_message,
     sketch,
     still,
-    told,
     tree_row,
     trigger,
     type_into,
@@ -78,8 +78,8 @@ def work():
     picture("drawn.png")
     picked(first)
     press("Elastica_Flexure")
-    until(told)
-    answers["one curve"] = told()
+    until(shown_message)
+    answers["one curve"] = shown_message()
     from freecad.elastica_wb.host import dialogs
 
     for box in dialogs._open_boxes:
@@ -122,7 +122,7 @@ def work():
     answers["pieces"] = [piece.name for piece in panel().pieces]
     type_into(panel().form.folder, str(OUT / "files"))
     button()
-    until(lambda: (OUT / "files").is_dir() and told())
+    until(lambda: (OUT / "files").is_dir() and shown_message())
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
     wait(300)
     for box in dialogs._open_boxes:

@@ -27,9 +27,9 @@ from inside import (
     report,
     run,
     scroll_to,
+    shown_message,
     sketch,
     still,
-    told,
     trigger,
     type_into,
     until,
@@ -51,10 +51,10 @@ def deleted(obj):
     """The key Delete, and yes to what FreeCAD asks."""
     document, name = obj.Document, obj.Name
     choose(obj)
-    asked = Dialog(lambda _: keys("alt+y"))
+    request = Dialog(lambda _: keys("alt+y"))
     trigger("Std_Delete")
     until(lambda: document.getObject(name) is None)
-    asked.stop()
+    request.stop()
 
 
 def project():
@@ -124,7 +124,7 @@ def exported(document):
     scroll_to(panel().form.folder)
     type_into(panel().form.folder, str(folder))
     press_button("Ok")
-    until(told)
+    until(shown_message)
     for box in dialogs._open_boxes:
         box.close()
     return sorted(file.name for file in folder.iterdir())
@@ -166,8 +166,8 @@ def in_error():
     cancel() if Gui.Control.activeDialog() else None
     choose(narrow)
     press("Elastica_Nest")
-    until(told, 10)
-    found.append(told())
+    until(shown_message, 10)
+    found.append(shown_message())
     for box in dialogs._open_boxes:
         box.close()
     open_panel("Elastica_Interlock", narrow, document.Strip001)
@@ -179,8 +179,8 @@ def in_error():
     document.recompute()
     choose(document.Strip001)
     press("Elastica_Nest")
-    until(told, 10)
-    found.append(told())
+    until(shown_message, 10)
+    found.append(shown_message())
     App.closeDocument(document.Name)
     return found
 

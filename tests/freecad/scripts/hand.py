@@ -31,9 +31,9 @@ from inside import (
     press_on_card,
     run,
     scroll_to,
+    shown_message,
     sketch,
     still,
-    told,
     tree_row,
     trigger,
     until,
@@ -228,8 +228,8 @@ def export(strip):
     panel().form.folder.setText(str(OUT / "files"))
     dialogs._open_boxes.clear()
     press_button("Ok")
-    until(told)
-    answers["told"] = told()
+    until(shown_message)
+    answers["told"] = shown_message()
     button = dialogs._open_boxes[0].findChild(QtWidgets.QPushButton, "openFolder")
     still(lambda: (button.isVisible(), button.mapToGlobal(button.rect().center()).toTuple()))
     click(button)

@@ -46,7 +46,7 @@ PANELS = {
 answers["trouble"] = []
 
 
-def told():
+def box_text():
     from freecad.elastica_wb.host import dialogs as base
 
     words = [box.text() for box in base._open_boxes]
@@ -69,9 +69,9 @@ def watched(name, work):
         answers["trouble"].append(f"{name}: {error!r} {traceback.format_exc()[-900:]}")
     wait(80)
     took = time.process_time() - began
-    said = report()[seen:]
-    if "Traceback" in said or "Error:" in said:
-        answers["trouble"].append(f"{name}: {said[-1500:]}")
+    text = report()[seen:]
+    if "Traceback" in text or "Error:" in text:
+        answers["trouble"].append(f"{name}: {text[-1500:]}")
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
         answers["trouble"].append(f"{name}: a dialog stays open")
@@ -80,7 +80,7 @@ def watched(name, work):
         answers["trouble"].append(f"{name}: {App.getActiveTransaction()} stays open")
         App.closeActiveTransaction(True)
     answers.setdefault("times", {})[name] = round(took, 2)
-    told()
+    box_text()
 
 
 def scene(name="Doc"):
@@ -114,7 +114,7 @@ def opened(command, parts):
     Panel.opened = None
     trigger(command)
     until(lambda: Panel.opened is not None)
-    assert Panel.opened is not None, f"{command} opened no panel: {told()}"
+    assert Panel.opened is not None, f"{command} opened no panel: {box_text()}"
     return Panel.opened
 
 
@@ -211,7 +211,7 @@ def nonsense(command):
         wait(20)
         if Panel.opened is not None and Gui.Control.activeDialog() and not Panel.opened.accept():
             Panel.opened.reject()
-        told()
+        box_text()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(box, "Face1")
     Gui.Selection.addSelection(box, "Vertex1")
@@ -289,10 +289,10 @@ def copies():
     document = parts["document"]
     choose(*parts["strips"])
 
-    asked = Dialog(lambda box: box.accept())  # whether what the strips hang on is copied with them
+    request = Dialog(lambda box: box.accept())  # whether what the strips hang on is copied with them
     trigger("Std_Copy")
     wait(600)
-    asked.stop()
+    request.stop()
     trigger("Std_Paste")
     wait(300)
     other = App.newDocument("Pasted")

@@ -40,9 +40,9 @@ def preferences_page():
         picture("preferences.png")
         box.accept()
 
-    asked = Dialog(fill_in)
+    request = Dialog(fill_in)
     Gui.showPreferences("Elastica", 0)
-    asked.stop()
+    request.stop()
 
 
 def typed_into(box, words, changed):

@@ -219,10 +219,10 @@ def type_into(widget, words):
     keys("Tab")
     until(lambda: not has_focus(widget), 10)
     wait(250)
-    said = report()[before:]
+    text = report()[before:]
     # to what we say FreeCAD adds lines of its own; FreeCAD 1.1 prints the state of failed objects itself
     failed = [one.getStatusString() for one in App.ActiveDocument.Objects if "Invalid" in one.State]
-    assert not said or any(words in said for words in ["Elastica", *failed]), said
+    assert not text or any(words in text for words in ["Elastica", *failed]), text
 
 
 def has_focus(widget):
@@ -420,7 +420,7 @@ def suggested(words):
     return button
 
 
-def told():
+def shown_message():
     """What a window of the workbench says."""
     from freecad.elastica_wb.host import dialogs
 

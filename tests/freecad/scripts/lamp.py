@@ -24,7 +24,7 @@ from inside import (
     press_button,
     run,
     scroll_to,
-    told,
+    shown_message,
     trigger,
     type_into,
     typed,
@@ -110,7 +110,7 @@ def work():
     (OUT / "files").mkdir()
     type_into(panel().form.folder, str(OUT / "files"))
     press_button("Ok")
-    until(told)
+    until(shown_message)
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
     answers["list"] = (OUT / "files" / "cut-list.csv").read_text().splitlines()
     texts = [path.read_text() for path in (OUT / "files").glob("*.step")]

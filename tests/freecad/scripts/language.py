@@ -86,9 +86,9 @@ def work():
         answers["preferences"] = [shown, field.currentText()]
         box.accept()
 
-    asked = Dialog(read)
+    request = Dialog(read)
     Gui.showPreferences("Elastica", 0)
-    asked.stop()
+    request.stop()
     answers["kept preferences"] = [preferences.get(name) for name in ("DefaultSheet", "Kerf", "DxfVersion")]
 
 

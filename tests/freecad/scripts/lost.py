@@ -27,9 +27,9 @@ from inside import (
     report,
     run,
     scroll_to,
+    shown_message,
     sketch,
     still,
-    told,
     trigger,
     until,
     window,
@@ -46,10 +46,10 @@ def state(document):
 
 def refreshed(document):
     """Recompute by the button; what it says in the report view."""
-    said = len(report())
+    text = len(report())
     trigger("Std_Refresh")
     still(report)
-    return [line.split("Elastica, ")[1] for line in report()[said:].splitlines() if "Elastica, " in line]
+    return [line.split("Elastica, ")[1] for line in report()[text:].splitlines() if "Elastica, " in line]
 
 
 def everything_on(document, curve, *others):
@@ -91,8 +91,8 @@ def lost_file():
     answers["panels"] = [panel_of("Nest"), panel_of("Strip")]
     choose(document.Strip)
     press("Elastica_Export")
-    until(told)
-    answers["export"] = told()
+    until(shown_message)
+    answers["export"] = shown_message()
     click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
     away.rename(file)
     answers["file found, told"] = refreshed(document)
@@ -119,8 +119,8 @@ def lost_numbers():
     answers["panel of the formula"] = panel_of("Strip")
     choose(document.Strip)
     press("Elastica_Export")
-    until(told)
-    answers["export of the formula"] = told()
+    until(shown_message)
+    answers["export of the formula"] = shown_message()
     click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
     trigger("Std_Undo")
     until(lambda: all(state(document)[0].values()), 10)
@@ -209,12 +209,12 @@ def unwritable():
             box.findChild(QtWidgets.QLineEdit).setText(path)
             box.accept()
 
-        asked = Dialog(named)
+        request = Dialog(named)
         scroll_to(panel().form.write)
         click(panel().form.write)
-        until(lambda: asked.done, 10)
+        until(lambda: request.done, 10)
         still(panel().form.message.text)
-        asked.stop()
+        request.stop()
         return panel().form.message.text()
 
     answers["coupon refused"] = into("/proc/coupon.dxf")
@@ -226,9 +226,9 @@ def unwritable():
 def work():
     window()
     for one in (lost_file, lost_numbers, lost_document, picked_through_a_link, unwritable):
-        said = len(report())
+        text = len(report())
         one()
-        answers["tracebacks"] = answers.get("tracebacks", 0) + report()[said:].count("Traceback")
+        answers["tracebacks"] = answers.get("tracebacks", 0) + report()[text:].count("Traceback")
 
 
 run(work)

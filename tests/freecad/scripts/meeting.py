@@ -24,8 +24,8 @@ from inside import (
     report,
     run,
     scroll_to,
+    shown_message,
     sketch,
-    told,
     trigger,
     until,
     window,
@@ -65,8 +65,8 @@ def broken_link(document):
     document.recompute()
     choose(document.Strip, link)
     press("Elastica_Export")
-    until(told)
-    answers["broken link"] = [told(), bool(Gui.Control.activeDialog())]
+    until(shown_message)
+    answers["broken link"] = [shown_message(), bool(Gui.Control.activeDialog())]
     from freecad.elastica_wb.host import dialogs
 
     for box in dialogs._open_boxes:

@@ -25,9 +25,9 @@ from inside import (
     picture,
     press,
     run,
+    shown_message,
     sketch,
     still,
-    told,
     trigger,
     typed,
     until,
@@ -143,9 +143,9 @@ def curves_of_other_hands():
         "<!-- Created with Inkscape (http://www.inkscape.org/) -->"
         '<circle id="ring" cx="80" cy="70" r="60" fill="#cccccc"/></svg>'
     )
-    asked = Dialog(lambda box: box.button(QtWidgets.QMessageBox.Yes).click())  # 96 dots in an inch?
+    request = Dialog(lambda box: box.button(QtWidgets.QMessageBox.Yes).click())  # 96 dots in an inch?
     importSVG.insert(str(drawing), document.Name)
-    asked.stop()
+    request.stop()
     filled = document.Objects[0]
     answers["filled"] = filled.Shape.ShapeType
     open_panel("Elastica_Strip", filled)
@@ -159,10 +159,10 @@ def curves_of_other_hands():
     before = len(document.Objects)
     choose(*lines)
     press("Elastica_Strip")
-    until(told)
-    answers["lines"] = [told(), len(document.Objects) - before]
+    until(shown_message)
+    answers["lines"] = [shown_message(), len(document.Objects) - before]
     click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
-    until(lambda: not told())
+    until(lambda: not shown_message())
     polygon = document.addObject("Part::Feature", "Polygon")
     polygon.Shape = Part.makePolygon([App.Vector(*place, 0) for place in corners])
     open_panel("Elastica_Strip", polygon)

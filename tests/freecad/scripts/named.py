@@ -22,8 +22,8 @@ from inside import (
     picture,
     press_button,
     run,
+    shown_message,
     sketch,
-    told,
     tree_row,
     typed,
     until,
@@ -108,7 +108,7 @@ def exported(document):
     open_panel("Elastica_Export", document.Model, document.BasePlate)
     typed("folder", str(folder))
     press_button("Ok")
-    until(told)
+    until(shown_message)
     for box in dialogs._open_boxes:
         box.close()
     step = (folder / "Lamp.step").read_text(encoding="utf-8")

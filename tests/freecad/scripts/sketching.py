@@ -59,15 +59,15 @@ def new_sketch(plane="XY"):
         still(lambda: ok_of(box).mapToGlobal(ok_of(box).rect().center()).toTuple())
         click(ok_of(box))
 
-    asked = Dialog(accept)
+    request = Dialog(accept)
     press("Sketcher_NewSketch")
     for _ in range(60):
         if until(lambda: Gui.ActiveDocument.getInEdit() is not None, 1):
             break
-        if dialog_button("Ok") is not None and not asked.done:  # 1.1 asks in a panel
+        if dialog_button("Ok") is not None and not request.done:  # 1.1 asks in a panel
             choose_plane()
             press_button("Ok")
-    asked.stop()
+    request.stop()
     assert Gui.ActiveDocument.getInEdit() is not None, "no sketch is open"
 
 

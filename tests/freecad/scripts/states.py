@@ -21,9 +21,9 @@ from inside import (
     picture,
     report,
     run,
+    shown_message,
     sketch,
     still,
-    told,
     toolbar_button,
     until,
     wait,
@@ -89,7 +89,7 @@ def press_all(state, prepare):
 
             def seen_of_it(document=document, before=before):
                 after = (len(document.Objects), live.session() is not None)
-                return Gui.Control.activeDialog() or told() or after != before
+                return Gui.Control.activeDialog() or shown_message() or after != before
 
             if not until(seen_of_it):
                 answers["trouble"].append(f"{name} in {state}: nothing is seen")

@@ -31,8 +31,8 @@ from inside import (
     press_button,
     run,
     scroll_to,
+    shown_message,
     sketch,
-    told,
     tree_row,
     trigger,
     until,
@@ -52,11 +52,11 @@ def edited(obj):
 
 def dismissed():
     """The sentences of the window that tells something, which is closed."""
-    until(told)
-    said = told()
+    until(shown_message)
+    text = shown_message()
     click(QtWidgets.QApplication.activeWindow().findChild(QtWidgets.QPushButton))
-    until(lambda: not told())
-    return said
+    until(lambda: not shown_message())
+    return text
 
 
 def bent_blank(document, strip):
@@ -166,21 +166,21 @@ def body_in_hand():
     body = document.addObject("PartDesign::Body", "Body")
     document.recompute()
 
-    def asked():
+    def dialog():
         tree, item = tree_row(body)
         choose()
         click(tree.viewport(), at=tree.visualItemRect(item).center())
         assert until(lambda: Gui.Selection.getSelection() == [body])
         press("Elastica_Strip")
 
-    asked()
+    dialog()
     answers["body without a sketch"] = dismissed()
     drawn = sketch(document, ARCH, name="Drawn")
     profile = document.addObject("Sketcher::SketchObject", "Profile")
     profile.addGeometry(Part.Circle(App.Vector(0, -50, 0), App.Vector(0, 0, 1), 20), False)
     body.addObjects([drawn, profile])
     document.recompute()
-    asked()
+    dialog()
     answers["body with two sketches"] = dismissed()
     from freecad.elastica_wb.commands.selection import chosen_curves
 
@@ -189,7 +189,7 @@ def body_in_hand():
     pad = body.newObject("PartDesign::Pad", "Pad")
     pad.Profile = profile
     document.recompute()
-    asked()
+    dialog()
     assert until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
     button()
     answers["body"] = [document.Strip.Curve[0].Name, document.Strip.Verdict, document.Strip.State]
@@ -213,9 +213,9 @@ def left_behind():
         App.setActiveDocument(document.Name)
         Gui.ActiveDocument = Gui.getDocument(document.Name)
         choose(document.Strip)
-        asked = Dialog(chosen)
+        request = Dialog(chosen)
         trigger("Std_Copy")
-        assert until(lambda: asked.done)
+        assert until(lambda: request.done)
         wait(200)
         other = App.newDocument("Taker")
         other.UndoMode = 1

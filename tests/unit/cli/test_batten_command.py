@@ -19,10 +19,10 @@ from tests.command_line import run
 ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 
 
-def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
-    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
-    assert "Camber      233.9 mm (10 % of the chord) at 935.5 mm (40 %) along the chord" in told.output
-    assert "Weight      with its ends level and its bulge down, the batten has a camber of" in told.output
+def test_the_files_say_what_is_reported(tmp_path, check_drawing_file):
+    result = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
+    assert "Camber      233.9 mm (10 % of the chord) at 935.5 mm (40 %) along the chord" in result.output
+    assert "Weight      with its ends level and its bulge down, the batten has a camber of" in result.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
     assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])
@@ -37,19 +37,19 @@ def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
         assert (tmp_path / f"batten.{kind}").stat().st_size > 1000
 
 
-def test_what_cannot_be_written_is_told(tmp_path, monkeypatch):
+def test_what_cannot_be_written_is_reported(tmp_path, monkeypatch):
     """No CAD kernel and no matplotlib: the other files, and how to get these."""
     for module in ("OCP", "matplotlib"):
         monkeypatch.setitem(sys.modules, module, None)
-    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
-    assert re.search("not written: STEP; .*build123d", told.output)
-    assert re.search("not written: PDF; .*matplotlib", told.output)
+    result = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
+    assert re.search("not written: STEP; .*build123d", result.output)
+    assert re.search("not written: PDF; .*matplotlib", result.output)
     assert sorted(one.suffix for one in tmp_path.iterdir()) == [".csv", ".dxf", ".json", ".svg"]
 
 
 @pytest.mark.parametrize("law", ["strip", "rod", "tube"])
 @pytest.mark.parametrize(("camber", "place"), [(0.08, 0.45), (0.12, 0.38), (0.1, 0.6)])
-def test_an_independent_solver_finds_the_camber_where_it_is_asked_for(law, camber, place):
+def test_an_independent_solver_finds_the_camber_where_it_is_requested(law, camber, place):
     """Hinged ends at the chord's distance, E I of the sizes by the book."""
     glass = Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.012)
     stock = ThicknessLaw(glass, 1.5, 8.0, width=25.0)
@@ -176,7 +176,7 @@ def test_a_batten_that_lies_is_planed_otherwise(bulging):
     assert abs(light - heavy) > 0.2
 
 
-def test_what_is_too_heavy_to_bulge_is_told():
+def test_what_is_too_heavy_to_bulge_is_reported():
     soft = Sheet("soft", 2.0, 60.0, density=1300.0, max_strain=0.2)
     with pytest.raises(
         NotConvergedError, match=r"snaps over under its own weight|no taper was found|no equilibrium"
@@ -185,8 +185,8 @@ def test_what_is_too_heavy_to_bulge_is_told():
 
 
 def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
-    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
-    assert "4 plies of 2 mm" in told.output
+    result = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
+    assert "4 plies of 2 mm" in result.output
     report = json.loads((tmp_path / "batten.json").read_text())
     assert report["camber"] == pytest.approx(0.1, abs=2e-3)
     assert report["camber_place"] == pytest.approx(0.4, abs=1e-2)
@@ -202,13 +202,13 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
 
 
 @pytest.mark.parametrize(("place", "towards"), [(25, "at least"), (80, "at most")])
-def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
-    asked = ("--sheet", "pom-1", "--length", 2400, "--camber", 10, "--stock", 25, 8, "-o", tmp_path)
-    refused = run("batten", *asked, "--at", place, code=1)
-    told = re.search(rf"Move the largest camber to {towards} (\d\d\.\d) %", refused.output)[1]
-    made = run("batten", *asked, "--at", told)
+def test_the_place_that_is_reported_instead_can_be_made(place, towards, tmp_path):
+    options = ("--sheet", "pom-1", "--length", 2400, "--camber", 10, "--stock", 25, 8, "-o", tmp_path)
+    refused = run("batten", *options, "--at", place, code=1)
+    result = re.search(rf"Move the largest camber to {towards} (\d\d\.\d) %", refused.output)[1]
+    made = run("batten", *options, "--at", result)
     assert re.search(
-        rf"Camber      [\d.]+ mm \(10 % of the chord\) at [\d.]+ mm \({float(told):g} %\)", made.output
+        rf"Camber      [\d.]+ mm \(10 % of the chord\) at [\d.]+ mm \({float(result):g} %\)", made.output
     )
 
 
@@ -248,10 +248,10 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     ],
 )
 def test_a_slip_is_one_sentence(arguments, said, tmp_path):
-    told = run(
+    result = run(
         "batten", *ASKED, *arguments, "-o", tmp_path, code=1 if "thinner" in said or "Move" in said else 2
     )
-    assert re.search(said, told.output), told.output
+    assert re.search(said, result.output), result.output
     assert not list(tmp_path.iterdir())
 
 
@@ -275,8 +275,8 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
     )
     ticks = [text.text for text in bench_drawing(result.strip).texts]
     assert ticks[1] == f"{float(rows[1]['from_tip_mm']):.1f}: {sizes[1]:.2f}"
-    told = " ".join(ticks[len(rows) :])
-    assert told.startswith("sheer Glass fibre (GFRP), 20 mm wide: plane both faces alike hold the ends 30")
+    message = " ".join(ticks[len(rows) :])
+    assert message.startswith("sheer Glass fibre (GFRP), 20 mm wide: plane both faces alike hold the ends 30")
     along = np.array([[float(row[key]) for key in ("s_mm", "from_tip_mm", "from_tip_inch")] for row in rows])
     (first, *_), (last, *_) = along[[0, -1]]
     assert (first, last - result.strip.rod.length) == pytest.approx((-10.0, 10.0), abs=0.005)
@@ -290,8 +290,8 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
 @pytest.mark.parametrize("camber", [9, 33])
 def test_a_batten_of_constant_size_needs_no_wider_limits(camber, tmp_path):
     """The sizes of the fitted shape differ from the limit by 1e-5."""
-    told = run(
+    result = run(
         "batten", "--sheet", "glass-rod-4", "--length", 900, "--camber", camber, "--rod", 4, "--least", 4,
         "--every", 300, "-o", tmp_path,
     )  # fmt: skip
-    assert f"({camber} % of the chord)" in told.stdout
+    assert f"({camber} % of the chord)" in result.stdout

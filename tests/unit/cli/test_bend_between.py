@@ -214,8 +214,8 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
     (tmp_path / "shelf.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{path}</svg>')
     line = "strip shelf.svg --sheet birch-plywood-6 --max-width 100 --rail 311 --no-step --no-pictures -o"
     warned = run(f"{line} clamped", cwd=tmp_path).stderr
-    told = r"so it may become slack .* Let the end slide \(set (.*) to (slide-x)\)"
-    option, support = re.search(told, " ".join(warned.split())).groups()
+    result = r"so it may become slack .* Let the end slide \(set (.*) to (slide-x)\)"
+    option, support = re.search(result, " ".join(warned.split())).groups()
     printed = run(f"{line} sliding {option} {support}", cwd=tmp_path).stdout
     assert "become slack" not in printed
     assert re.search(r"rail 311 mm from the start pushes the strip upward with 1\d0 N", printed)
@@ -225,7 +225,7 @@ def test_the_end_that_slides_loads_a_rail_that_is_not_in_the_middle(tmp_path):
     design.write_text(table)
     line = "model shelf.toml --no-step --no-pictures -o"
     warned = run(f"{line} clamped-model", cwd=tmp_path).stderr
-    assert re.search(told, " ".join(warned.split())).groups() == ("the second value of supports", support)
+    assert re.search(result, " ".join(warned.split())).groups() == ("the second value of supports", support)
     design.write_text(f"{table}supports = ['clamped', '{support}']\n")
     assert "become slack" not in run(f"{line} sliding-model", cwd=tmp_path).stderr
 

@@ -34,7 +34,7 @@ def test_bend_leads_the_ends(drawn, tmp_path):
     assert "stable in its plane at every step" in result.output
 
 
-def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
+def test_a_straight_strip_buckles_to_the_side_requested(tmp_path):
     arguments = ("bend", "--straight", 100, "--to", 70, 0, "--hold-start", "pinned", "--hold-end", "pinned")
     for side, sign in (("left", 1), ("right", -1)):
         run(*arguments, "--side", side, "-o", tmp_path / side)
@@ -69,7 +69,7 @@ def test_bend_refuses_in_words(arguments, message, tmp_path):
 
 
 @pytest.mark.parametrize(("distance", "tips"), [(5, True), (200, False)])
-def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path):
+def test_a_strip_that_tips_sideways_on_its_way_is_reported(distance, tips, tmp_path):
     """Nearly a loop (an elastica of modulus 0.9) it leaves its plane in CalculiX too: docs/finite_elements.md."""
     result = run(
         "bend --straight 300 --to",
@@ -86,9 +86,9 @@ def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path)
         "-o",
         tmp_path,
     )
-    said = re.search(r"! Stability at ([\d.]+) mm of travel, the strip tips over sideways", result.stderr)
-    assert bool(said) == tips
-    assert said is None or float(said[1]) == pytest.approx(295.0)
+    text = re.search(r"! Stability at ([\d.]+) mm of travel, the strip tips over sideways", result.stderr)
+    assert bool(text) == tips
+    assert text is None or float(text[1]) == pytest.approx(295.0)
 
 
 @pytest.mark.parametrize("end", [820, 820.05])

@@ -31,23 +31,23 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
     assert (tmp_path / "out" / "straight-travel.png").stat().st_size > 10_000
 
 
-def test_a_strain_beyond_the_sheet_is_told(tmp_path):
+def test_a_strain_beyond_the_sheet_is_reported(tmp_path):
     line = "bend --straight 60 --sheet acrylic-3 --max-width 10 --to 30 0 -o out"
     made = run(line, cwd=tmp_path)
     assert "the strain exceeds the limit of the material beyond" in made.stderr
 
 
-def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(tmp_path):
+def test_where_it_snaps_and_where_its_strain_is_too_much_is_reported_between_steps(tmp_path):
     (tmp_path / "arch.csv").write_text(ARCH)
     line = "bend arch.csv --sheet pom-1 --max-width 10 --to -100 0 --steps 4 -o out --json"
     made = run(line, cwd=tmp_path)
-    told, sheet = json.loads(made.stdout), Sheet.named("pom-1")
+    answer, sheet = json.loads(made.stdout), Sheet.named("pom-1")
     strip = make_strip(read_curves(tmp_path / "arch.csv")[0], sheet, max_width=10.0)
     limit = stability_limit(strip.rod_to_bend, [(-100.0, 0.0)])
-    assert told["snaps_at"] == pytest.approx(460 * limit.parameter, rel=1e-3)
-    strained = bend(strip.rod_to_bend, end=(360 - told["strained_at"], 0.0))
+    assert answer["snaps_at"] == pytest.approx(460 * limit.parameter, rel=1e-3)
+    strained = bend(strip.rod_to_bend, end=(360 - answer["strained_at"], 0.0))
     assert np.abs(strained.curvature).max() * sheet.thickness / 2 == pytest.approx(sheet.max_strain, rel=1e-3)
-    assert any("the strip snaps into another shape at" in note for note in told["notes"])
+    assert any("the strip snaps into another shape at" in note for note in answer["notes"])
     assert str(limit) == "stable up to 0.9085 on the path, where end is (-57.91, 0) mm: it buckles there"
     way = bend_strip(strip, [(-100.0, 0.0)])
     assert len(str(way).splitlines()) == 5, "titles, one step, where it snaps, crosses itself and is strained"
@@ -88,10 +88,10 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
 def test_other_keys_of_the_strip_are_set(tmp_path):
     (tmp_path / "arch.csv").write_text(ARCH)
     line = "bend arch.csv --sheet pom-1 --to 300 0 --set max_width=12 --set samples=301 -o out --json"
-    told = json.loads(run(line, cwd=tmp_path).stdout)
+    answer = json.loads(run(line, cwd=tmp_path).stdout)
     strip = make_strip(read_curves(tmp_path / "arch.csv")[0], "pom-1", max_width=12.0, samples=301)
     moved = bend_strip(strip, [(300.0, 0.0)])
-    assert told["travel"]["force_along_N"] == pytest.approx(moved.force_along.tolist(), rel=1e-4)
+    assert answer["travel"]["force_along_N"] == pytest.approx(moved.force_along.tolist(), rel=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -136,16 +136,16 @@ def test_the_share_at_which_it_snaps_is_of_the_whole_movement(tmp_path, to):
 def test_places_of_a_turn_are_in_degrees(tmp_path):
     (tmp_path / "low.csv").write_text(LOW)
     made = run(f"bend low.csv {TURNED} --steps 6 -o out --json", cwd=tmp_path)
-    told = json.loads(made.stdout)
-    assert sum("snaps into another shape" in note for note in told["notes"]) == 1
+    answer = json.loads(made.stdout)
+    assert sum("snaps into another shape" in note for note in answer["notes"]) == 1
     printed = run("bend low.csv --start-angle -40 --end-angle 40 -o out --force", cwd=tmp_path).output
     (share,) = re.findall(r"the strip snaps into another shape after ([\d.]+) %", printed)
-    whole = told["travel"]["turn_deg"][-1]
-    assert told["unit"] == "deg"
-    assert set(told["travel"]["travel_mm"]) == {0.0}
-    assert told["snaps_at"] == pytest.approx(float(share) / 100 * whole, rel=0.01)
-    assert any(f"shape at {told['snaps_at']:.4g} degrees of turn" in one for one in told["notes"])
-    assert not any("of travel" in one or "force falls" in one for one in told["notes"])
+    whole = answer["travel"]["turn_deg"][-1]
+    assert answer["unit"] == "deg"
+    assert set(answer["travel"]["travel_mm"]) == {0.0}
+    assert answer["snaps_at"] == pytest.approx(float(share) / 100 * whole, rel=0.01)
+    assert any(f"shape at {answer['snaps_at']:.4g} degrees of turn" in one for one in answer["notes"])
+    assert not any("of travel" in one or "force falls" in one for one in answer["notes"])
     step = bend_strip(make_strip(read_curves(tmp_path / "low.csv")[0], "pom-0.5", max_width=10.0), [{}])
     assert not step.is_turn
     assert step.unit == "%"

@@ -61,24 +61,24 @@ def test_a_report_holds_all_of_its_strip(tmp_path, made):
     (tmp_path / "arch.csv").write_text(ARCH)
     run(f"strip arch.csv {made} --no-step --no-pictures -o out", cwd=tmp_path)
     report = json.loads((tmp_path / "out" / "arch.json").read_text())
-    told = bent("bend out/arch.json -o bent", tmp_path)
+    answer = bent("bend out/arch.json -o bent", tmp_path)
     (rest,), (again,) = (read_curves(tmp_path / name) for name in ("out/arch.json", "bent/arch-bent.json"))
     off = np.abs(rest.sample(101).position - again.sample(101).position).max()
     assert off < 1e-6 * rest.length
-    assert told["ratio"] == pytest.approx(report["ratio"], rel=1e-6)
-    assert told["travel"]["end_moment_Nmm"] == pytest.approx([report["reactions"]["end_moment"]], rel=0.01)
+    assert answer["ratio"] == pytest.approx(report["ratio"], rel=1e-6)
+    assert answer["travel"]["end_moment_Nmm"] == pytest.approx([report["reactions"]["end_moment"]], rel=0.01)
 
 
 def test_supports_are_those_of_the_report_unless_an_option_says_others(tmp_path):
     spec = StripSpec(SINE, "pom-0.5", max_width=30, supports=Supports("pinned", "pinned"))
     report(spec, tmp_path / "sine.json")
-    told = bent("bend sine.json -o bent", tmp_path)
-    assert not any("designed" in one for one in told["notes"])
-    assert told["travel"]["end_moment_Nmm"] == pytest.approx([0.0], abs=1e-9)
+    answer = bent("bend sine.json -o bent", tmp_path)
+    assert not any("designed" in one for one in answer["notes"])
+    assert answer["travel"]["end_moment_Nmm"] == pytest.approx([0.0], abs=1e-9)
     turned = bent("bend sine.json --hold-end clamped --end-angle -70 -o bent", tmp_path)
     assert turned["shapes"][0]["angles"][1] == pytest.approx(np.radians(-70))
-    said = run("bend sine.json --hold-end clamped -o bent --force", cwd=tmp_path).stdout
-    assert "with its ends held otherwise, and here bent with its end clamped" in said
+    text = run("bend sine.json --hold-end clamped -o bent --force", cwd=tmp_path).stdout
+    assert "with its ends held otherwise, and here bent with its end clamped" in text
 
 
 def test_an_option_replaces_what_the_report_says(tmp_path):
@@ -190,8 +190,8 @@ def test_a_report_under_another_load_comes_to_rest(loaded, more):
 
 
 def test_a_mass_that_no_width_carries_bends_the_strip_of_a_report(loaded):
-    told = run("bend light.json --gravity --set loads=[{at=90,mass=9e4}] -o bent --force", cwd=loaded)
-    assert "the strip snaps" in told.output
+    result = run("bend light.json --gravity --set loads=[{at=90,mass=9e4}] -o bent --force", cwd=loaded)
+    assert "the strip snaps" in result.output
 
 
 def test_a_law_replaces_the_widths_of_a_report(loaded):

@@ -29,21 +29,21 @@ def ratio_of(folder):
 
 def test_a_strip_of_a_drawn_blank(drawn, monkeypatch):
     monkeypatch.chdir(drawn)
-    asked = ("arch.json", "--natural-curvature", "blank.json")
-    told = run("strip", *asked, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", "out")
+    options = ("arch.json", "--natural-curvature", "blank.json")
+    result = run("strip", *options, "--sheet", "birch-plywood-0.8", "--max-width", 20, "-o", "out")
     strip = make_strip(ARCH, "birch-plywood-0.8", natural_curvature=RestCurvature.of(BLANK), max_width=20.0)
     assert ratio_of(drawn / "out") == pytest.approx(strip.rod.ratio, rel=1e-6)
-    assert "the smallest radius is" in told.output
+    assert "the smallest radius is" in result.output
     assert json.loads((drawn / "out" / "arch.json").read_text())["blank"]["curvature"]
-    run("check", *asked)
+    run("check", *options)
 
 
 def test_the_unloaded_curve_of_many_strips_is_read_once(drawn, monkeypatch):
     monkeypatch.chdir(drawn)
     (drawn / "two.json").write_text(curves_json([ARCH, ARCH.transformed([[1, 0, 0], [0, 1, 90], [0, 0, 1]])]))
-    asked = ("two.json", "--all", "--natural-curvature", "blank.json", "--sheet", "birch-plywood-0.8")
-    told = run("strip", *asked, "--max-width", 20, "-o", "out")
-    assert len([line for line in told.output.splitlines() if line.startswith("Read")]) == 2
+    options = ("two.json", "--all", "--natural-curvature", "blank.json", "--sheet", "birch-plywood-0.8")
+    result = run("strip", *options, "--max-width", 20, "-o", "out")
+    assert len([line for line in result.output.splitlines() if line.startswith("Read")]) == 2
 
 
 def test_a_design_file_draws_the_blank(drawn):
@@ -67,7 +67,7 @@ def test_a_design_file_draws_the_blank(drawn):
     ],
 )
 def test_no_blank_is_refused_in_a_sentence(drawn, given, words):
-    told = run(
+    result = run(
         "strip",
         drawn / "arch.json",
         "--sheet",
@@ -80,6 +80,6 @@ def test_no_blank_is_refused_in_a_sentence(drawn, given, words):
         drawn / "out",
         code=2,
     )
-    assert told.exit_code != 0
-    assert words in " ".join(told.output.split())
+    assert result.exit_code != 0
+    assert words in " ".join(result.output.split())
     assert not (drawn / "out").exists()

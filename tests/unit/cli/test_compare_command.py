@@ -48,15 +48,15 @@ def test_a_page_and_readings_to_fill_in(report):
     run("compare", report, code=2)  # they are there
     filled = re.sub(r"^# (\w+ = [\d.]+)", r"\1", readings.read_text(), flags=re.MULTILINE)
     readings.write_text(filled)
-    told = run("compare", report, readings)
-    verdict, *values = told.output.splitlines()
+    result = run("compare", report, readings)
+    verdict, *values = result.output.splitlines()
     assert verdict.startswith("Verdict     All differences are within")
     assert [value[:11].strip() for value in values] == [
         "Readings", "Chord", "Height 1", "Height 2", "Height 3", "Start angle", "End angle"
     ]  # fmt: skip
 
 
-def test_a_clamp_that_gives_way_is_told(report, tmp_path):
+def test_a_clamp_that_gives_way_is_reported(report, tmp_path):
     record = json.loads(report.read_text())["measuring"]
     turned = record["causes"]["clamp at the end"][0]
     readings = tmp_path / "measured.toml"
@@ -105,15 +105,15 @@ def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path)
 def test_readings_that_are_none(report, tmp_path, text, said):
     readings = tmp_path / "measured.toml"
     readings.write_text(text)
-    told = run("compare", report, readings, code=2)
-    assert said in told.output
+    result = run("compare", report, readings, code=2)
+    assert said in result.output
 
 
 def test_a_file_that_is_no_report(tmp_path):
     path = tmp_path / "other.json"
     path.write_text("{}")
-    told = run("compare", path, code=2)
-    assert "is not a report with quantities to measure" in told.output
+    result = run("compare", path, code=2)
+    assert "is not a report with quantities to measure" in result.output
 
 
 def test_a_strip_with_a_rail_names_the_reason(tmp_path):

@@ -67,7 +67,7 @@ def test_soft_and_stiff_sheets_are_printed_with_three_digits(
     assert f"Young's modulus {modulus}\n" in run("coupon", *sizes, "-o", tmp_path).output
 
 
-def test_what_nobody_measured_is_told(tmp_path):
+def test_what_nobody_measured_is_reported(tmp_path):
     words = ("coupon", "--thickness", 1.1, "--density", 720, "--name", "felt", "--measured", 150, 41)
     guessed = run(*words, "-o", tmp_path / "guessed").output
     assert "The largest strain, 0.4 %, is a guess" in guessed
@@ -81,7 +81,7 @@ def test_what_nobody_measured_is_told(tmp_path):
 
 
 @pytest.mark.parametrize("grain", ["along", "across"])
-def test_a_strain_of_the_other_grain_is_told(tmp_path, grain):
+def test_a_strain_of_the_other_grain_is_reported(tmp_path, grain):
     """Plywood across its face grain bears two thirds more: a strip along it would break at that."""
     words = ("coupon", "--sheet", "finnish-birch-plywood-across-3.6", "--measured", 300, 20, "--grain", grain)
     result = run(*words, "-o", tmp_path / "own")
@@ -128,15 +128,15 @@ def test_what_is_typed_next_keeps_what_was_measured(tmp_path, monkeypatch):
     assert sheet.max_strain == listed.max_strain < ec.Sheet.named("birch-plywood-0.8").max_strain
 
 
-def test_a_name_with_spaces_is_told_as_it_is_typed(tmp_path, monkeypatch):
+def test_a_name_with_spaces_is_reported_as_it_is_typed(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     made = run("coupon --sheet birch-plywood-0.8 --measured 300 38 --name", "my/ply", "-o", "o m")
-    (told,) = (
+    (result,) = (
         line
         for line in made.output.splitlines()
         if line.startswith("Next        use the sheet in any command: ")
     )
-    words = shlex.split(told.removeprefix("Next        use the sheet in any command: "))
+    words = shlex.split(result.removeprefix("Next        use the sheet in any command: "))
     assert words == ["--sheet", "o m/my-ply.toml"]
     run("sheets", words[1])
 
@@ -157,9 +157,9 @@ def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, mon
     for kept, name in ((), "felt.toml"), (("--keep",), "felt"):
         made = run(*words, *kept)
         assert f"Next        use the sheet in any command: --sheet {name}\n" in made.output
-        told = run("sheets", name).output
-        assert "0.2 mm" in told
-        assert "across" in told
+        message = run("sheets", name).output
+        assert "0.2 mm" in message
+        assert "across" in message
     sheet = ec.Sheet.named("felt.toml")
     assert sheet == ec.Sheet.named("felt")
     assert (sheet.grain, sheet.kerf) == ("across", 0.2)
@@ -196,7 +196,7 @@ def test_a_density_in_g_per_cm3_is_refused_before_a_sheet_is_written(tmp_path):
 
 
 @pytest.mark.parametrize(("droops", "contradict"), [((11.6, 25), True), ((24, 25), False)])
-def test_readings_that_contradict_each_other_are_told(tmp_path, droops, contradict):
+def test_readings_that_contradict_each_other_are_reported(tmp_path, droops, contradict):
     readings = [word for droop in droops for word in ("--measured", 150, droop)]
     result = run("coupon", "--sheet", "card-200gsm", *readings, "-o", tmp_path)
     assert ("contradict each other: a droop of 25 mm over 150 mm" in result.stderr) == contradict

@@ -32,13 +32,13 @@ def drawing(tmp_path):
 @pytest.mark.campaign
 def test_every_curve_is_judged_for_itself(drawing):
     done = run("check", drawing, code=2)
-    said, told = done.stdout, done.stderr
+    text, message = done.stdout, done.stderr
     assert done.exit_code == 2
-    assert "curve 1 (arch, layer Cut) of 3:\nVerdict     A flat strip can take this curve" in said
-    assert "curve 3 (bow, layer Notes) of 3:\nVerdict     A flat strip can take this curve" in said
-    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told
-    assert "(30, 20) mm" in told  # y down, as in the drawing
-    assert "left out because they are not curves: 1 text" in told
+    assert "curve 1 (arch, layer Cut) of 3:\nVerdict     A flat strip can take this curve" in text
+    assert "curve 3 (bow, layer Notes) of 3:\nVerdict     A flat strip can take this curve" in text
+    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in message
+    assert "(30, 20) mm" in message  # y down, as in the drawing
+    assert "left out because they are not curves: 1 text" in message
 
 
 def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
@@ -47,9 +47,9 @@ def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
     (tmp_path / "five.svg").write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">{paths}</svg>'
     )
-    said = run("check", tmp_path / "five.svg").stdout
-    assert "curve 1 (a0) to curve 5 (a240) of 5:" in said
-    assert said.count("A flat strip can take this curve") == 1
+    text = run("check", tmp_path / "five.svg").stdout
+    assert "curve 1 (a0) to curve 5 (a240) of 5:" in text
+    assert text.count("A flat strip can take this curve") == 1
 
 
 @pytest.mark.parametrize("choice", [("--curve", "bow"), ("--curve", "3"), ("--layer", "Notes")])
@@ -64,16 +64,16 @@ def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
     alone.write_text(
         drawing.read_text().replace("<path", "<desc").replace('<desc id="bow"', '<path id="bow"')
     )
-    said, expected = (run("check", *words).stdout for words in ((drawing, *choice), (alone,)))
+    text, expected = (run("check", *words).stdout for words in ((drawing, *choice), (alone,)))
     assert "Widths      the strip varies in width" in expected
     read, verdict = expected.split("\n", maxsplit=1)
     assert read == "Read        100.0 x 30.0 mm (unit from the file), 1 spline, read without approximation"
-    assert said == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
-    told = run("check", drawing, "--curve", "corner", code=2)
-    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told.stderr
+    assert text == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
+    result = run("check", drawing, "--curve", "corner", code=2)
+    assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in result.stderr
 
 
-def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
+def test_a_choice_that_is_not_there_is_listed_with_those_that_are(drawing):
     done = run("check", drawing, "--curve", "nix", code=2)
     assert "but not nix" in done.stderr
     assert "1 (arch, layer Cut), 2 (corner, layer Cut), 3 (bow, layer Notes)" in done.stderr
@@ -90,8 +90,8 @@ def test_a_drawing_comes_through_a_pipe(drawing):
 @pytest.mark.campaign
 def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     out = tmp_path / "out"
-    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
-    done = run("strip", drawing, "--all", *wishes, code=2)
+    options = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
+    done = run("strip", drawing, "--all", *options, code=2)
     assert {"drawn-arch.dxf", "drawn-bow.dxf"} <= {path.name for path in out.iterdir()}
     assert not (out / "drawn-corner.dxf").exists()
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
@@ -101,12 +101,12 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
 
 def test_no_file_of_one_curve_replaces_a_file_of_another(drawing, tmp_path):
     drawing.write_text(drawing.read_text().replace('id="bow"', 'id="arch-holding"'))
-    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step", "--force")
-    done = run("strip", drawing, "--all", *wishes, "-o", tmp_path, code=2)
+    options = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step", "--force")
+    done = run("strip", drawing, "--all", *options, "-o", tmp_path, code=2)
     template = tmp_path / "drawn-arch-holding.dxf"
     assert f"{template} is already a file of another curve" in done.stderr
     alone = tmp_path / "alone"
-    run("strip", drawing, "--curve", "arch", *wishes, "-o", alone)
+    run("strip", drawing, "--curve", "arch", *options, "-o", alone)
     drawn = [path.read_text().splitlines()[2:] for path in (template, alone / template.name)]
     assert drawn[0] == drawn[1], "apart from the comment with the command"
 
@@ -115,8 +115,8 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     """When a pupil draws her curve anew it is the last of the file; the numbers of all others change."""
     drawing.write_text(drawing.read_text().replace('id="bow"', 'id="path9" inkscape:label="Böw"'))
     design = tmp_path / "class.toml"
-    wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
-    done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=2)
+    options = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
+    done = run("strip", drawing, "--all", *options, "--save-design", design, "-o", tmp_path / "out", code=2)
     assert f"1 of 3 curves cannot be made with these options; {design} leaves them out" in done.stderr
     assert "has all strips in one plane, as drawn. Set `origin`" in done.stdout
     saved = tomllib.loads(design.read_text())["strips"]
@@ -126,7 +126,7 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     moved = f"<path{moved}"
     drawing.write_text(drawing.read_text().replace(moved, "").replace("</svg>", f"{moved}</svg>"))
     assert lengths_of(design, tmp_path / "after") == before
-    run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "again", code=2)
+    run("strip", drawing, "--all", *options, "--save-design", design, "-o", tmp_path / "again", code=2)
     assert not (tmp_path / "again").exists(), "refused before anything is made"
 
 
@@ -141,8 +141,8 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     """Nor is a straight one said to change with noise by nan %."""
     rows = "\n".join(f"0,1,{5 + k}" for k in range(5))
     (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
-    wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
-    done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=2)
+    options = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
+    done = run("strip", tmp_path / "lines.csv", "--all", *options, "-o", tmp_path / "out", code=2)
     assert "curve 1 (A) of 2: a curve has fewer than two different points" in done.stderr
     assert "1 of 2 curves cannot be made with these options" in done.stderr
     assert "nan" not in done.stderr
@@ -180,7 +180,7 @@ def test_one_of_several_curves_is_made_stable(tmp_path):
 
 
 @pytest.mark.campaign
-def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path):
+def test_pen_curves_are_faired_reported_and_left_alone_when_requested(drawing, tmp_path):
     ratios = {}
     for smooth in (None, 0, 1.5):
         out = tmp_path / f"out{smooth}"
@@ -241,26 +241,26 @@ def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
 ARCH = [(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)]
 
 
-def test_a_gap_between_two_curves_is_told(tmp_path):
+def test_a_gap_between_two_curves_is_reported(tmp_path):
     drawing = tmp_path / "gap.svg"
     drawing.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="100mm" viewBox="0 0 300 100">'
         '<path d="M10 80 C 40 20 60 20 100 40"/><path d="M100.2 40 C 140 60 160 60 200 20"/></svg>'
     )
-    told = run("check", drawing).stderr
-    assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm, so they become two strips" in told
+    message = run("check", drawing).stderr
+    assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm, so they become two strips" in message
 
 
-def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
+def test_of_many_refusals_the_first_are_reported_and_the_others_counted(tmp_path):
     """At most ten lines; programs have all of them, and so has -v."""
     corners = "".join(f'<path d="M0 {9 * k}h10v10"/>' for k in range(30))
     path = tmp_path / "a.svg"
     path.write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{corners}</svg>'
     )
-    told = run("check", path, code=2).stderr.splitlines()
-    assert len(told) <= 10
-    assert told[-1].startswith("30 of 30 curves have faults and cannot be checked; the first 7 are listed")
+    result = run("check", path, code=2).stderr.splitlines()
+    assert len(result) <= 10
+    assert result[-1].startswith("30 of 30 curves have faults and cannot be checked; the first 7 are listed")
     assert len(run("check", path, "-v", code=2).stderr.splitlines()) > 30
 
 
@@ -275,7 +275,7 @@ def test_strips_of_a_dxf_are_named_by_its_order_and_say_their_distances(tmp_path
     for k in range(3):
         document.modelspace().add_spline([(x, y + 300 * k, 0) for x, y in points])
     document.saveas(tmp_path / "wall.dxf")
-    wishes = (
+    options = (
         "--sheet",
         "birch-plywood-0.8",
         "--max-width",
@@ -288,7 +288,7 @@ def test_strips_of_a_dxf_are_named_by_its_order_and_say_their_distances(tmp_path
     )
     design = tmp_path / "wall.toml"
     done = run(
-        "strip", tmp_path / "wall.dxf", "--all", *wishes, "--save-design", design, "-o", tmp_path / "out"
+        "strip", tmp_path / "wall.dxf", "--all", *options, "--save-design", design, "-o", tmp_path / "out"
     )
     saved = tomllib.loads(design.read_text())["strips"]
     print(done.stdout, done.stderr)
@@ -307,8 +307,8 @@ def test_rounded_corners_are_named_by_their_angle_and_moved_as_far_as_the_file_w
     path = '<path d="M 20 150 C 40 60, 120 20, 150 100 L 200 160 C 230 195, 270 160, 280 60"/>'
     size = 'width="300mm" height="200mm" viewBox="0 0 300 200"'
     (tmp_path / "drawn.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{path}</svg>')
-    wishes = "--sheet pom-0.5 --max-width 37 --no-step --no-pictures --set curve.split_corners=true"
-    said = " ".join(run(f"strip drawn.svg {wishes} -v -o out", cwd=tmp_path).stdout.split())
-    read = re.search(r"small corners at joints rounded, within (\S+) mm of the drawing", said)[1]
-    told = r"Corners of at most (\d+) degrees, at which .* moved the curve by at most (\S+) mm\. Ends"
-    assert re.search(told, said).groups() == ("5", read)
+    options = "--sheet pom-0.5 --max-width 37 --no-step --no-pictures --set curve.split_corners=true"
+    text = " ".join(run(f"strip drawn.svg {options} -v -o out", cwd=tmp_path).stdout.split())
+    read = re.search(r"small corners at joints rounded, within (\S+) mm of the drawing", text)[1]
+    result = r"Corners of at most (\d+) degrees, at which .* moved the curve by at most (\S+) mm\. Ends"
+    assert re.search(result, text).groups() == ("5", read)

@@ -28,8 +28,8 @@ def typed_to(stream, *words, cwd):
 def test_a_full_disk_at_standard_output_is_a_sentence(tmp_path):
     """It had ended in a traceback."""
     with open("/dev/full", "w") as full, typed_to(full, "sheets", cwd=tmp_path) as process:
-        said = process.communicate()[1]
-    assert said == "Error: the answer can't be written: No space left on device\n"
+        text = process.communicate()[1]
+    assert text == "Error: the answer can't be written: No space left on device\n"
     assert process.returncode == 2
 
 

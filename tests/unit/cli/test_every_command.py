@@ -91,9 +91,9 @@ def test_a_refusal_is_a_record_too(folder):
     record = json.loads(done.stdout)
     assert set(record) == KEYS["error"] | {"schema"}
     assert record["exit_code"] == done.exit_code == 2
-    told = record["error"]
-    assert f"! Error     {told['message']}" == done.stderr.strip()
-    assert set(told) == {"kind", "severity", "text", "values", "where", "changes", "message", "details"}
+    answer = record["error"]
+    assert f"! Error     {answer['message']}" == done.stderr.strip()
+    assert set(answer) == {"kind", "severity", "text", "values", "where", "changes", "message", "details"}
 
 
 @pytest.mark.campaign
@@ -107,7 +107,7 @@ def test_quiet_says_nothing_and_verbose_every_step(folder):
 
 
 @pytest.mark.campaign
-def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
+def test_a_width_meant_in_mm_is_reported_where_lengths_are_inches(folder):
     words = ("--units", "inch", "--max-width", "40", "-o", "out")
     made = run("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
     assert "1016 mm wide" in made.stderr
@@ -128,18 +128,18 @@ def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     ],
 )
 def test_lengths_may_be_inches(folder, words):
-    said = run("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout
-    (report,) = json.loads(said)["strips"]
+    text = run("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout
+    (report,) = json.loads(text)["strips"]
     assert report["width"]["largest"] == pytest.approx(38.1)
 
 
 @pytest.mark.campaign
-def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
+def test_what_stays_in_mm_is_reported_where_lengths_are_inches(folder):
     """A slot meant 2 inches along, of 0.05 inch, came out at 2 mm and 0.05 mm wide without a word."""
     words = ("strip", "bow.txt", *SHEET, "--max-width", "1", "--units", "inch", "--json")
     slot = ("--set", "slots = [{ at = 60, width = 1.27 }]", "--natural-curvature", "0")
-    told = json.loads(run(*words, *slot, "-o", "a", cwd=folder).stdout)
-    assert [text for text in told["notes"] if "not in --units" in text] == [
+    answer = json.loads(run(*words, *slot, "-o", "a", cwd=folder).stdout)
+    assert [text for text in answer["notes"] if "not in --units" in text] == [
         'Note: --set: lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
         "Note: --natural-curvature: the value is in 1/mm, not in --units; 1/inch is 0.03937",
     ]
@@ -170,9 +170,9 @@ def test_hints_name_the_program_that_runs(folder):
 
 @pytest.mark.campaign
 def test_a_shell_completes_commands_and_options(folder):
-    asked = {"_ELASTICA_COMPLETE": "bash_complete", "COMP_WORDS": "elastica re", "COMP_CWORD": "1"}
+    request = {"_ELASTICA_COMPLETE": "bash_complete", "COMP_WORDS": "elastica re", "COMP_CWORD": "1"}
     done = subprocess.run(
-        command(), cwd=folder, capture_output=True, text=True, check=False, env=os.environ | asked
+        command(), cwd=folder, capture_output=True, text=True, check=False, env=os.environ | request
     )
     assert "plain,reshape" in done.stdout
 
@@ -195,10 +195,10 @@ def test_watching_remakes_what_changes_and_survives_mistakes(folder):
     def length():
         return json.loads(file.read_text())["length"]
 
-    with log.open("w") as said:
+    with log.open("w") as text:
         # a runner in the background would hand down a Ctrl-C that is ignored
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
-        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said)
+        process = subprocess.Popen(command(*words), cwd=folder, stdout=text, stderr=text)
         signal.signal(signal.SIGINT, before)
         try:
             wait_for(lambda: log.read_text().count("save to run again") == 1, process)
@@ -227,8 +227,8 @@ def test_a_model_is_made_again_when_a_drawing_changes_that_it_names(folder):
     )
     log = folder / "said.txt"
     words = ("model", "one.toml", "-o", "kit", "--no-step", "--no-pictures", "--watch")
-    with log.open("w") as said:
-        process = subprocess.Popen(command(*words), cwd=folder, stdout=said, stderr=said)
+    with log.open("w") as text:
+        process = subprocess.Popen(command(*words), cwd=folder, stdout=text, stderr=text)
         try:
             wait_for(lambda: "watching one.toml, bow.txt" in log.read_text(), process)
             (folder / "bow.txt").write_text(BOW.replace("130", "150"))
@@ -265,7 +265,7 @@ LONG = "n" * 300
     ],
     ids=lambda words: " ".join(words)[:20],
 )
-def test_names_that_no_disk_takes_are_told(folder, words):
+def test_names_that_no_disk_takes_are_reported(folder, words):
     """Looking whether such a file is there had ended in a traceback."""
     run = subprocess.run(command(*words), cwd=folder, capture_output=True, text=True, check=False)
     assert run.returncode == 2, run.stderr

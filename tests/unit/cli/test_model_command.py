@@ -88,8 +88,8 @@ def test_a_model_becomes_one_folder(design, tmp_path):
         [f"parts/fixture-K{i}-{k}.stl" for i in (1, 2) for k in (1, 2)] if "model/kit.step" in names else []
     )
     assert sorted(name for name in names if name.endswith(".stl")) == blocks
-    told = f"{blocks[0]} to {blocks[-1]}, foot down" if blocks else "without STEP files they are left out"
-    assert f"4 blocks to print: {told}" in (out / "index.html").read_text()
+    message = f"{blocks[0]} to {blocks[-1]}, foot down" if blocks else "without STEP files they are left out"
+    assert f"4 blocks to print: {message}" in (out / "index.html").read_text()
 
 
 @pytest.mark.parametrize(("options", "cure"), [((), "build123d"), (("--no-step",), "leave out --no-step")])
@@ -97,8 +97,8 @@ def test_blocks_that_are_not_written_are_named(tmp_path, monkeypatch, options, c
     monkeypatch.setitem(sys.modules, "OCP", None)
     path, out = tmp_path / "kit.toml", tmp_path / "out"
     path.write_text(DESIGN.replace("K{i}", "K").replace(BASE, ""))
-    told = run("model", path, "-o", out, "--no-pictures", "--no-effects", "--no-parts", *options)
-    assert re.search(f"not written: .*STL of fixture K:1 and fixture K:2; .*{cure}", told.output)
+    result = run("model", path, "-o", out, "--no-pictures", "--no-effects", "--no-parts", *options)
+    assert re.search(f"not written: .*STL of fixture K:1 and fixture K:2; .*{cure}", result.output)
     with (out / "kit-cut-list.csv").open() as file:
         assert {row["file"] for row in csv.DictReader(file) if row["sheet"] == "printed"} == {"not written"}
 
@@ -138,7 +138,7 @@ def test_the_same_design_gives_the_same_files(design, tmp_path):
         assert path.read_bytes() == (tmp_path / "two" / path.relative_to(tmp_path / "one")).read_bytes()
 
 
-def test_parts_of_an_earlier_run_are_told(design, tmp_path):
+def test_parts_of_an_earlier_run_are_reported(design, tmp_path):
     """A folder goes to the workshop as it is: what the design no longer has must not be cut."""
     quick, out = ("--no-step", "--no-pictures", "--no-effects"), tmp_path / "out"
     assert "earlier run" not in run("model", design, "-o", out, *quick).output
@@ -181,7 +181,7 @@ def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
         (f"{'long' * 80}", "File name too long; choose another folder"),
     ],
 )
-def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
+def test_where_nothing_can_be_written_is_reported_before_the_model_is_made(
     design, tmp_path, monkeypatch, out, sentence
 ):
     made = []
@@ -266,7 +266,7 @@ def crossed(tmp_path):
     return path
 
 
-def test_what_slots_do_is_told(crossed, tmp_path):
+def test_what_slots_do_is_reported(crossed, tmp_path):
     out = tmp_path / "out"
     result = run("model", crossed, "-o", out, "--no-step", "--no-pictures")
     assert "deviates most: about" in result.output
@@ -280,7 +280,7 @@ def test_what_slots_do_is_told(crossed, tmp_path):
     assert f"B {held['B']['deviation']:.2g} mm" in note
 
 
-def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path):
+def test_strips_that_run_through_each_other_unslotted_are_reported(crossed, tmp_path):
     """Kits of such strips were written without a word."""
     crossed.write_text(crossed.read_text().replace("interlock = { clearance = 0.1 }", ""))
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
@@ -295,16 +295,16 @@ def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path
 
 
 @pytest.mark.campaign
-def test_widths_make_up_for_slots_when_asked(crossed, tmp_path):
+def test_widths_make_up_for_slots_when_requested(crossed, tmp_path):
     found = {}
-    for asked in ("false", "true"):
-        path = tmp_path / f"{asked}.toml"
+    for request in ("false", "true"):
+        path = tmp_path / f"{request}.toml"
         path.write_text(
-            crossed.read_text().replace("max_width = 24", f"max_width = 24\ncompensate = {asked}")
+            crossed.read_text().replace("max_width = 24", f"max_width = 24\ncompensate = {request}")
         )
-        run("model", path, "-o", tmp_path / asked, "--no-step", "--no-pictures")
-        (report,) = (tmp_path / asked).glob("**/crossed.json")
-        found[asked] = {
+        run("model", path, "-o", tmp_path / request, "--no-step", "--no-pictures")
+        (report,) = (tmp_path / request).glob("**/crossed.json")
+        found[request] = {
             name: held["deviation"] for name, held in json.loads(report.read_text())["held"].items()
         }
     for name in ("A", "B"):
@@ -458,13 +458,13 @@ def test_base_and_strips_carry_matching_numbers(design):
     assert steps[1].ends == ("slot K2:1 of base and block K2:1", "slot K2:2 of base and block K2:2")
 
 
-def test_a_nested_sheet_has_a_border_and_tells_its_share(design, tmp_path):
+def test_a_nested_sheet_has_a_border_and_reports_its_share(design, tmp_path):
     import ezdxf
 
     out = tmp_path / "out"
     design.write_text(DESIGN.replace('version = "R12"', ""))
-    said = run("model", design, "-o", out, "--no-step", "--no-pictures", "-v").output
-    assert "kit-nest-1-birch-plywood-0.8: 2 pieces, 8 % of the sheet" in said
+    text = run("model", design, "-o", out, "--no-step", "--no-pictures", "-v").output
+    assert "kit-nest-1-birch-plywood-0.8: 2 pieces, 8 % of the sheet" in text
     document = ezdxf.readfile(out / "sheets" / "kit-nest-1-birch-plywood-0.8.dxf")
     (border,) = (one for one in document.modelspace() if one.dxf.layer == "SHEET")
     assert border.closed
@@ -523,7 +523,7 @@ def test_a_slip_beside_braces_is_mended_too(tmp_path):
     assert "is not a valid TOML file" in done.output
 
 
-def test_what_twelve_ribs_share_is_told_once(tmp_path):
+def test_what_twelve_ribs_share_is_reported_once(tmp_path):
     """Of a lamp the same warning filled the screen, rib by rib, and hid the others."""
     (tmp_path / "rib.svg").write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">'
@@ -535,10 +535,10 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
         'label = "R{i}"\ncurve = "rib.svg"\nsmooth = 0.5\norigin = ["100 * i", 0, 0]\n'
         "[nest]\nsheet_size = [600, 300]\n"
     )
-    told = run(
+    result = run(
         "model", design, "-o", tmp_path / "kit", "--no-effects", "--no-pictures", "--no-step", "--no-parts"
     )
-    (note,) = (line for line in told.stderr.splitlines() if "curvature jumped" in line)
+    (note,) = (line for line in result.stderr.splitlines() if "curvature jumped" in line)
     assert note.startswith(
         "! Note      R1: The curvature jumped or had a kink where pieces of the curve meet."
     )
@@ -621,9 +621,9 @@ origin = [0, "300 * i", 0]
 
 def cut_only(design, out, *settings):
     options = [word for setting in settings for word in ("--set", setting)]
-    told = run("model", design, "-o", out, "--no-step", "--no-pictures", "--no-effects", *options)
-    assert told.exit_code == 0, told.output
-    return told.output
+    result = run("model", design, "-o", out, "--no-step", "--no-pictures", "--no-effects", *options)
+    assert result.exit_code == 0, result.output
+    return result.output
 
 
 def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
@@ -656,11 +656,11 @@ def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
 
 def test_the_cut_list_says_how_many_sheets_to_buy(tmp_path):
     (tmp_path / "kit.toml").write_text(DESIGN.replace("count = 2", "count = 3"))
-    told = cut_only(
+    message = cut_only(
         tmp_path / "kit.toml", tmp_path / "out", "nest.sheet_size=[450, 60]", "base.sheet_size=[500, 500]"
     )
     listed = (tmp_path / "out" / "kit-cut-list.txt").read_text()
     for line in ("2 sheets of Birch plywood 0.8 mm, 450 x 60 mm", "1 sheet of MDF 3 mm, 500 x 500 mm"):
         assert line in listed
-        assert line in told
+        assert line in message
     assert len([*(tmp_path / "out" / "sheets").glob("kit-nest*.dxf")]) == 2

@@ -39,10 +39,10 @@ def test_the_material_it_speaks_of_is_that_of_its_sheet(kind, tmp_path):
         assert names[word] in sheets
 
 
-def test_the_command_that_comes_next_can_be_typed_as_told(tmp_path):
+def test_the_command_that_comes_next_can_be_typed_as_reported(tmp_path):
     wrote = run("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
-    told = wrote.stdout.splitlines()[-1].removeprefix("Next        ")
-    words = shlex.split(told)
+    result = wrote.stdout.splitlines()[-1].removeprefix("Next        ")
+    words = shlex.split(result)
     assert words[-4:] == ["model", "my lamp's files/arch.toml", "-o", "my lamp's files/arch-kit"]
 
 

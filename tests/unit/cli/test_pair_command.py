@@ -28,11 +28,11 @@ def made(tmp_path_factory):
 
 
 def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
-    folder, said = made
-    assert said.exit_code == 0, said.output
-    assert "bistable" in said.output
-    assert "clip.dxf (cut, 0.2 mm kerf included)" in said.output
-    assert "clip-holder.dxf (holder, cut, 0.2 mm kerf included)" in said.output
+    folder, result = made
+    assert result.exit_code == 0, result.output
+    assert "bistable" in result.output
+    assert "clip.dxf (cut, 0.2 mm kerf included)" in result.output
+    assert "clip-holder.dxf (holder, cut, 0.2 mm kerf included)" in result.output
     assert {file.name for file in folder.iterdir()} == {
         *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json", "-force.csv")),
         "clip-up.step", "clip-down.step",
@@ -43,10 +43,10 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
     # the curves are drawn one above the other
     assert report["second_state_turned_deg"] == pytest.approx(0, abs=1e-6)
     assert report["second_state_moved_mm"] == pytest.approx(16, abs=0.1)
-    assert "Position" not in said.output
+    assert "Position" not in result.output
     assert report["force_direction_deg"] == pytest.approx(-90, abs=0.5)
-    assert "0.90 % (up) and 0.90 % (down)" in said.output
-    assert "bistable: pushed downward at 77.3 mm from the start" in said.output
+    assert "0.90 % (up) and 0.90 % (down)" in result.output
+    assert "bistable: pushed downward at 77.3 mm from the start" in result.output
     assert report["bistable"] is True
     assert report["strain_on_the_way"] <= report["max_strain"]
     assert report["reports"] == []
@@ -74,12 +74,12 @@ def test_the_printed_holder_is_the_plate_of_its_drawing(made):
     assert volume == pytest.approx(3 * area, rel=2e-4)
 
 
-def test_a_design_file_asks_for_the_same(made, tmp_path):
+def test_a_design_file_requests_the_same(made, tmp_path):
     """What a laser takes is told, where no kerf makes up for it."""
-    said = run("pair", EXAMPLES / "clip.toml", "-o", tmp_path)
+    result = run("pair", EXAMPLES / "clip.toml", "-o", tmp_path)
     assert (
         "A laser cut of 0.2 mm makes the thinnest place 0.75 mm wide instead of 0.95 mm and leaves 49 %"
-        in said.stderr
+        in result.stderr
     )
     reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
     assert reports[0]["states"] == reports[1]["states"]
@@ -92,14 +92,14 @@ LOW = """<svg xmlns="http://www.w3.org/2000/svg" width="170mm" height="90mm" vie
 </svg>"""
 
 
-def test_a_curve_that_was_changed_much_is_told(tmp_path):
+def test_a_curve_that_was_changed_much_is_reported(tmp_path):
     (tmp_path / "low.svg").write_text(LOW)
-    said = run(
+    result = run(
         "pair", tmp_path / "low.svg", "--sheet", "pom-3", "--kerf", "0.2", "-o", tmp_path / "out", "--json"
     )
-    report = json.loads(said.stdout)["pair"]
-    (told,) = report["reports"]
-    assert "moved by up to" in told
+    report = json.loads(result.stdout)["pair"]
+    (message,) = report["reports"]
+    assert "moved by up to" in message
     assert max(report["moved_mm"]) > 0.03 * 151.6  # the diagonal of the box of the larger one
 
 
@@ -112,10 +112,10 @@ sheet = "pom-3"
 least_thickness = 2.8
 """
     (tmp_path / "low.toml").write_text(design)
-    said = run("pair", tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
-    assert "not bistable: the part keeps one curve (second state) only while" in said.stdout
-    assert "snaps" not in said.stdout
-    assert "rests near one curve only (second state)" in said.stderr
+    result = run("pair", tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
+    assert "not bistable: the part keeps one curve (second state) only while" in result.stdout
+    assert "snaps" not in result.stdout
+    assert "rests near one curve only (second state)" in result.stderr
     report = json.loads((tmp_path / "out" / "low.json").read_text())
     assert (report["bistable"], report["reaches_second_state"]) == (False, False)
     assert max(report["rest_deviation_mm"]) > 3
@@ -132,8 +132,8 @@ HALVES = [f"<path{half}" for half in MEETING.removesuffix("</svg>").split("<path
 def test_curves_that_meet_in_their_drawing_begin_where_they_meet(tmp_path):
     """They are as thick as wider pads take."""
     (tmp_path / "finger.svg").write_text(MEETING)
-    said = run("pair", tmp_path / "finger.svg", "--sheet", "pom-3", "-o", tmp_path / "out", "--json")
-    report = json.loads(said.stdout)["pair"]
+    result = run("pair", tmp_path / "finger.svg", "--sheet", "pom-3", "-o", tmp_path / "out", "--json")
+    report = json.loads(result.stdout)["pair"]
     assert report["largest_thickness_mm"] > 5
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"] * (1 + 1e-9)
 
@@ -145,10 +145,10 @@ def test_the_order_in_the_file_decides_first_and_second(tmp_path, names, swapped
     paths = [path.replace("<path", f"<path {name}") for path, name in zip(HALVES, names, strict=True)]
     body = "".join(reversed(paths) if swapped else paths)
     (tmp_path / "finger.svg").write_text(f"{MEETING.splitlines()[0]}{body}</svg>")
-    said = run("pair", tmp_path / "finger.svg", "--sheet", "pom-3", "--match", "none", code=2).output
+    text = run("pair", tmp_path / "finger.svg", "--sheet", "pom-3", "--match", "none", code=2).output
     lengths = (159.828, 156.2) if swapped else (156.2, 159.828)  # of both Bezier curves, own sum
-    assert "the first curve is {:g} mm long, the second {:g} mm".format(*lengths) in said
-    assert "not joined" not in said
+    assert "the first curve is {:g} mm long, the second {:g} mm".format(*lengths) in text
+    assert "not joined" not in text
 
 
 @pytest.mark.parametrize("words", [("clip.toml",), pytest.param(
@@ -163,9 +163,9 @@ def test_other_keys_are_set(words, tmp_path):
 
 
 def test_a_printed_stand_has_two_settings(tmp_path):
-    said = run("pair", EXAMPLES / "stand.toml", "--set", "first_state=steep", "-o", tmp_path, "--json")
-    assert "laser" not in said.stderr
-    report = json.loads(said.output)["pair"]
+    result = run("pair", EXAMPLES / "stand.toml", "--set", "first_state=steep", "-o", tmp_path, "--json")
+    assert "laser" not in result.stderr
+    report = json.loads(result.output)["pair"]
     assert report["states"] == ["steep", "second state"]
     assert {"stand-steep.step", "stand-second-state.step"} <= {file.name for file in tmp_path.iterdir()}
     engraved = ezdxf.readfile(tmp_path / "stand-holder.dxf").modelspace().query('*[layer=="ENGRAVE"]')
@@ -202,15 +202,15 @@ def test_what_cannot_be_made_is_refused_in_one_sentence(words, told, tmp_path, m
     (tmp_path / "wrong.toml").write_text(wrong)
     (tmp_path / "model.toml").write_text("schema = 1\n")
     monkeypatch.chdir(tmp_path)
-    said = run("pair", *words, "-o", "out", code=2)
-    assert said.exit_code in (1, 2)
-    assert told in said.output
+    result = run("pair", *words, "-o", "out", code=2)
+    assert result.exit_code in (1, 2)
+    assert told in result.output
     assert not (tmp_path / "out").exists()
 
 
 def test_a_model_command_names_the_one_that_makes_pairs(tmp_path):
-    said = run("model", EXAMPLES / "clip.toml", "-o", tmp_path / "out", code=2)
-    assert "elastica pair" in said.output
+    result = run("model", EXAMPLES / "clip.toml", "-o", tmp_path / "out", code=2)
+    assert "elastica pair" in result.output
 
 
 def test_keys_at_the_top_of_a_design_apply_to_a_pair_or_are_refused(tmp_path):

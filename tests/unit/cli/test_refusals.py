@@ -176,7 +176,7 @@ def test_a_suggested_support_is_made_as_it_is_printed(seed, kind, tmp_path, monk
         shutil.rmtree("out")
 
 
-def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works(tmp_path, monkeypatch):
+def test_what_is_nearest_to_working_is_reported_where_no_change_of_the_request_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
@@ -235,7 +235,7 @@ def test_ctrl_c_ends_the_search_and_keeps_what_was_found(monkeypatch):
     assert cure["text"].endswith(" (within 1 mm of the drawn curve, 50 % of the strain limit): `it`.")
 
 
-def test_a_mistyped_command_is_told_the_near_one():
+def test_a_mistyped_command_is_reported_the_near_one():
     refused = run("chekc", "arch.dxf", code=2)
     assert "Did you mean 'check'?" in refused.output
 
@@ -274,7 +274,7 @@ def test_stability_of_a_bent_strip_is_a_word(tmp_path):
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("out", ["taken", "taken/below"])
-def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(out, desk, tmp_path):
+def test_a_file_where_files_should_go_is_reported_and_no_command_that_fails_as_well(out, desk, tmp_path):
     """Trials write elsewhere: `--nearest` was told to work, into the same file."""
     taken = tmp_path / "taken"
     taken.write_text("mine")
@@ -295,8 +295,8 @@ def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(
 
 
 def test_an_option_is_no_folder(tmp_path):
-    asked = run("new", "lamp", "-o", "--json", cwd=tmp_path, code=2)
-    assert "'--json' looks like an option: name a folder before it" in asked.stderr
+    result = run("new", "lamp", "-o", "--json", cwd=tmp_path, code=2)
+    assert "'--json' looks like an option: name a folder before it" in result.stderr
     assert not (tmp_path / "--json").exists()
 
 
@@ -307,9 +307,9 @@ def test_an_option_is_no_folder(tmp_path):
         ("9e5", "is larger than the stock of", 1),
     ],
 )
-def test_an_absurd_width_is_told_at_once(width, told, code, desk):
-    asked = ["strip", "wide.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
-    refused = run(*asked, cwd=desk, code=code)
+def test_an_absurd_width_is_reported_at_once(width, told, code, desk):
+    options = ["strip", "wide.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
+    refused = run(*options, cwd=desk, code=code)
     assert told in refused.stderr
 
 
@@ -366,7 +366,7 @@ def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
     assert refused.stderr.startswith(("! Error ", "Usage: "))
 
 
-def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
+def test_no_command_is_reported_where_the_folder_reads_as_an_option(tmp_path):
     """Trials write elsewhere, so one had been told that is refused as well."""
     write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / "a.dxf")
     words = ["strip", "a.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "-o"]
@@ -407,7 +407,7 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
         ("batten --sheet pom-1", "Missing option '--length': give --length MM. Length of the batten."),
     ],
 )  # fmt: skip
-def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
+def test_what_is_missing_is_listed_with_what_to_give(tmp_path, words, told):
     refused = run(words, cwd=tmp_path, code=2)
     assert f"! Error     {told}" in refused.stderr
 
@@ -509,8 +509,16 @@ def test_an_option_is_explained_like_a_key(tmp_path):
 )
 def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path):
     (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
-    asked = ["strip", str(tmp_path / "arch.csv"), "--sheet", "pom-0.5", "--max-width", "20", *words.split()]
-    refused = run(*asked, "-o", tmp_path / "out", code=2)
+    arguments = [
+        "strip",
+        str(tmp_path / "arch.csv"),
+        "--sheet",
+        "pom-0.5",
+        "--max-width",
+        "20",
+        *words.split(),
+    ]
+    refused = run(*arguments, "-o", tmp_path / "out", code=2)
     assert options in refused.output
 
 
@@ -541,17 +549,20 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     rows = [f"{x},{y}" for x, y in zip(stations, inches.split(","), strict=True)]
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bad.csv").write_text("\n".join(["Station,Half-breadth", *rows]))
-    told = run("check", "bad.csv", "--smooth", smooth, code=None)
-    assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm from")) == (code, 1)
-    assert f"this curve of {length} mm" in told.output
+    result = run("check", "bad.csv", "--smooth", smooth, code=None)
+    assert (result.exit_code, result.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm from")) == (
+        code,
+        1,
+    )
+    assert f"this curve of {length} mm" in result.output
     words = f"strip bad.csv --sheet pom-1 --max-width 60 --smooth {smooth} --ignore-limits --no-step --no-pictures"
     made = run(*words.split(), "-o", "out", code=code)
-    for one in (told, made):
-        said = one.stderr if one is made else one.stdout
+    for one in (result, made):
+        text = one.stderr if one is made else one.stdout
         assert re.match(
             r"(Read  .*\n|bad\.csv: the .*\n)?(! )?(Error +Not realizable:|Verdict|Warning) +The point at \(2134",
-            said,
-        ), said
+            text,
+        ), text
         assert "\nChange " not in one.output
     assert made.output.count("number 8 of 12") == 1
 
@@ -567,10 +578,10 @@ def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, f
     np.savetxt(
         tmp_path / "sheer.csv", np.column_stack([x, y, y]), delimiter=",", header="Station,A,B", comments=""
     )
-    told = run("check", tmp_path / "sheer.csv", "--json", code=None)
-    answers = json.loads(told.stdout)
-    assert all(one["advice"].startswith(first) for one in answers), told.stdout
-    assert all(not noise or any(said.startswith(smoothed) for said in one["notes"]) for one in answers)
+    result = run("check", tmp_path / "sheer.csv", "--json", code=None)
+    answers = json.loads(result.stdout)
+    assert all(one["advice"].startswith(first) for one in answers), result.stdout
+    assert all(not noise or any(text.startswith(smoothed) for text in one["notes"]) for one in answers)
 
 
 def test_a_check_of_points_of_very_many_pieces_smooths_nothing(tmp_path, monkeypatch):
@@ -587,7 +598,7 @@ def test_a_check_of_points_of_very_many_pieces_smooths_nothing(tmp_path, monkeyp
 def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     x = np.linspace(0.0, 400.0, 40)
-    told = []
+    result = []
     for name, noise in (("even", 0.0), ("wavy", 0.02)):
         y = 0.001 * x * (400 - x) + noise * np.random.default_rng(3).normal(size=40)
         np.savetxt(f"{name}.csv", np.column_stack([x, y]), delimiter=",", fmt="%.3f")
@@ -604,8 +615,8 @@ def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
             "-o",
             "out",
         )
-        told.append(len(json.loads(made.stdout)["strips"][0]["warnings"]))
-    assert told == [0, 2]
+        result.append(len(json.loads(made.stdout)["strips"][0]["warnings"]))
+    assert result == [0, 2]
 
 
 def test_the_command_that_enlarges_a_curve_keeps_the_strain_within_the_limit(tmp_path, monkeypatch):
@@ -636,10 +647,10 @@ def test_a_search_without_a_result_says_so(words, found, tmp_path, monkeypatch):
     write_curves([ec.PlaneCurve.spline(CURVES["wave"], degree=4)], tmp_path / "wave.dxf")
     first = suggestions.suggest
 
-    def found_changes(*asked):
-        yield from (change for change in list(first(*asked))[:1] if found)
+    def found_changes(*options):
+        yield from (change for change in list(first(*options))[:1] if found)
 
     monkeypatch.setattr(suggestions, "suggest", found_changes)
-    said = run(words, cwd=tmp_path, code=1)
-    assert ("No change that was tried makes the strip possible." in said.stderr) != found
-    assert ("Change" in said.output) == found
+    result = run(words, cwd=tmp_path, code=1)
+    assert ("No change that was tried makes the strip possible." in result.stderr) != found
+    assert ("Change" in result.output) == found

@@ -39,12 +39,12 @@ def torus():
     return sheet_of(r * np.cos(u), r * np.sin(u), 20 * np.sin(v))
 
 
-def test_metres_are_asked_for_and_strips_come_of_them(dome, tmp_path):
+def test_metres_are_requested_and_strips_come_of_them(dome, tmp_path):
     mesh = written(tmp_path / "dome.obj", *dome, 0.001)
-    asked = run("sections", mesh, "--radial", 5, code=2)
-    assert "is 0.294 from corner to corner" in asked.stderr
-    assert "--unit m" in asked.stderr
-    assert asked.stderr.count("\n") == 1
+    result = run("sections", mesh, "--radial", 5, code=2)
+    assert "is 0.294 from corner to corner" in result.stderr
+    assert "--unit m" in result.stderr
+    assert result.stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == [mesh]
     out = tmp_path / "out"
     made = run(
@@ -137,7 +137,7 @@ def test_closed_sections_are_split(torus, tmp_path):
     assert "only the longest line is used" in longest.stderr
 
 
-def test_corners_are_told_and_split(tmp_path):
+def test_corners_are_reported_and_split(tmp_path):
     """A trough of two flat sides and a round bottom: 90 degrees at both edges."""
     t = np.linspace(0, np.pi, 61)
     x = np.concatenate([[-100, -75], -50 * np.cos(t), [75, 100]])
@@ -166,9 +166,9 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
     )
     made = run("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
     assert "Model       sheet: 1 strip; " in made.output
-    (told,) = [line for line in made.stderr.splitlines() if "S2" in line]
-    assert "S2 (section 2, from (" in told
-    assert "This section is left out." in told
+    (message,) = [line for line in made.stderr.splitlines() if "S2" in line]
+    assert "S2 (section 2, from (" in message
+    assert "This section is left out." in message
     assert "section 3 at (0, 300, 0) mm: the plane misses the mesh by 200 mm" in made.stderr
     design.write_text(design.read_text().replace("10, ", ""))
     none = run("model", design, "-o", tmp_path / "none", code=1)
@@ -246,16 +246,16 @@ def test_every_section_without_a_strip_is_named(tmp_path):
     ball = sheet_of(100 * np.sin(u) * np.cos(v), 100 * np.sin(u) * np.sin(v), 100 * np.cos(u))
     mesh = written(tmp_path / "ball.obj", *ball)
     heights = [word for z in (0, 150, 50) for word in ("--offset", z)]
-    told = run("sections", mesh, *heights, "--axis", 0, 0, 1, "--point", 0, 0, 0, code=2)
-    assert "section 1: the section is a closed line" in told.stderr
-    assert "; section 2 at (0, 0, 150) mm: the plane misses the mesh by 50 mm" in told.stderr
-    assert "; section 3: the section is a closed line" in told.stderr
-    assert "(--split X Y Z NX NY NZ, a point and a normal)" in told.stderr
+    result = run("sections", mesh, *heights, "--axis", 0, 0, 1, "--point", 0, 0, 0, code=2)
+    assert "section 1: the section is a closed line" in result.stderr
+    assert "; section 2 at (0, 0, 150) mm: the plane misses the mesh by 50 mm" in result.stderr
+    assert "; section 3: the section is a closed line" in result.stderr
+    assert "(--split X Y Z NX NY NZ, a point and a normal)" in result.stderr
     many = [word for z in range(-90, 90, 9) for word in ("--offset", z)]
     assert "; and 14 more like these" in run("sections", mesh, *many, "--axis", 0, 0, 1, code=2).stderr
 
 
-def test_options_without_effect_are_told(dome, tmp_path):
+def test_options_without_effect_are_reported(dome, tmp_path):
     mesh = written(tmp_path / "dome.obj", *dome)
     counted = run("sections", mesh, "--radial", 3, "--count", 5, code=2)
     assert "--count has no effect without --along" in counted.stderr
@@ -303,7 +303,7 @@ def test_a_path_is_read_as_other_tables_are(tmp_path, rows):
     assert read_path_points(tmp_path / "path.csv") == pytest.approx(np.array(expected), abs=1e-3)
 
 
-def test_a_drawing_in_place_of_a_body_is_told_all_that_can_be_cut(tmp_path):
+def test_a_drawing_in_place_of_a_body_is_reported_all_that_can_be_cut(tmp_path):
     drawing = tmp_path / "plan.dxf"
     drawing.write_text("0\nEOF\n")
     result = run("sections", drawing, "--radial", 8, code=2)

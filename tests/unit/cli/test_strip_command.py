@@ -51,8 +51,8 @@ def test_no_strip_is_cut_from_a_rod(drawn, tmp_path):
 def test_step_and_picture_may_be_left_out(drawn, tmp_path):
     """Without a word of what they would need."""
     out = tmp_path / "out"
-    asked = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40, "--output", out)
-    result = run(*asked, "--no-step", "--no-pictures")
+    options = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40, "--output", out)
+    result = run(*options, "--no-step", "--no-pictures")
     assert "needs" not in result.stdout
     assert {path.suffix for path in out.iterdir()} == {".dxf", ".svg", ".json"}
 
@@ -62,12 +62,12 @@ def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
     pytest.importorskip("OCP")
     import trimesh
 
-    asked = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40)
-    result = run(*asked, "--set", "files.glb=true", "-o", tmp_path / "up")
+    options = ("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 40)
+    result = run(*options, "--set", "files.glb=true", "-o", tmp_path / "up")
     assert "bow.glb" in result.stdout
     assert json.loads((tmp_path / "up" / "bow.json").read_text())["files"]["glb"] == "bow.glb"
     lying = ("--set", "x_axis=[0,1,0]", "--set", "y_axis=[1,0,0]", "--set", "origin=[0,0,500]")
-    run(*asked, *lying, "--set", "files.glb=true", "-o", tmp_path / "lying")
+    run(*options, *lying, "--set", "files.glb=true", "-o", tmp_path / "lying")
     (curve,) = ec.read_curves(drawn)
     x, y = np.subtract(*curve.bounds[::-1])
     up, flat = (trimesh.load(tmp_path / folder / "bow.glb") for folder in ("up", "lying"))
@@ -78,7 +78,7 @@ def test_the_bent_strip_is_written_for_screens(drawn, tmp_path):
         assert np.all(size > np.array([along, high, across]) - 0.2)
         assert np.all(size < np.array([along, high, across]) + 2 * around)
     assert flat.bounds.mean(axis=0)[1] * 1000 == pytest.approx(500, abs=0.1)
-    run(*asked, "-o", tmp_path / "plain")
+    run(*options, "-o", tmp_path / "plain")
     assert not (tmp_path / "plain" / "bow.glb").exists()
 
 
@@ -182,7 +182,7 @@ def test_strain_warns_and_strict_makes_it_an_exit_code(tmp_path):
 
 
 @pytest.mark.campaign
-def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
+def test_the_layer_that_is_strained_most_is_reported_and_is_strict(tmp_path):
     """Of two sheets the thicker one bears less: 0.8 % is within the base's 0.87 %, beyond the backing's 0.74 %."""
     arch = np.array([(0, 0), (30, 120), (150, 190), (270, 120), (300, 0)]) * 1.36
     path = tmp_path / "arch.json"
@@ -200,10 +200,10 @@ def test_the_layer_that_is_strained_most_is_told_and_is_strict(tmp_path):
         tmp_path / "out",
         code=1,
     )
-    told = re.search(
+    result = re.search(
         r"^! Strain +The strain is (\S+) % .*birch-plywood-1\.5 allows (\S+) %", made.stderr, re.MULTILINE
     )
-    assert float(told[2]) < float(told[1]) < 100 * ec.Sheet.named("birch-plywood-0.8").max_strain
+    assert float(result[2]) < float(result[1]) < 100 * ec.Sheet.named("birch-plywood-0.8").max_strain
 
 
 @pytest.mark.campaign
@@ -268,8 +268,8 @@ def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
     drop = ec.PlaneCurve.spline([(0, 0), (90, 90), (-90, 90), (0, 0)], degree=3)
     path.write_text(curves_json([arc, drop]))
     options = ("--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path)
-    asked = run("check", path, code=2)
-    assert "several.json, curve 2 of 2: the closed curve has a corner" in asked.stderr
+    result = run("check", path, code=2)
+    assert "several.json, curve 2 of 2: the closed curve has a corner" in result.stderr
     run("strip", path, "--curve", 1, *options)
     assert "curve 2 of 2" in run("strip", path, "--curve", 2, *options, code=2).stderr
 
@@ -328,10 +328,10 @@ def test_output_folder_that_is_a_file(drawn, tmp_path):
 
 
 @pytest.mark.campaign
-def test_a_strip_that_strays_is_told_what_compensates(tmp_path, monkeypatch):
+def test_a_strip_that_strays_is_reported_what_compensates(tmp_path, monkeypatch):
     path = tmp_path / "arch.json"
     path.write_text(curves_json([ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])]))
-    asked = (
+    options = (
         "strip",
         path,
         "--sheet",
@@ -341,14 +341,14 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path, monkeypatch):
         "--set",
         "slots = [{ at = 70, width = 1 }]",
     )
-    told = run(*asked, "-o", tmp_path / "plain").stdout
+    result = run(*options, "-o", tmp_path / "plain").stdout
     left = float(
-        re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", told, re.MULTILINE)[1]
+        re.search(r"^Change +use --compensate .* accurate to about ([\d.]+) mm$", result, re.MULTILINE)[1]
     )
     monkeypatch.setattr(trials, "MOST_PIECES", 0)
-    untried = run(*asked, "-o", tmp_path / "untried").stdout
+    untried = run(*options, "-o", tmp_path / "untried").stdout
     assert re.search(r"^Change +Not tried, because the curve has \d pieces", untried, re.MULTILINE)
-    made_up = run(*asked, "--compensate", "-o", tmp_path / "made up").stdout
+    made_up = run(*options, "--compensate", "-o", tmp_path / "made up").stdout
     assert float(re.search(r"^Accuracy +about ([\d.]+) mm", made_up, re.MULTILINE)[1]) == left
     assert "--compensate" not in made_up
 
@@ -358,9 +358,9 @@ def test_a_strip_that_strays_is_told_what_compensates(tmp_path, monkeypatch):
 def test_compensation_is_not_suggested_if_it_hardly_improves_the_accuracy(tmp_path, weight):
     path = tmp_path / "hoop.json"
     path.write_text(curves_json([ec.PlaneCurve.ellipse((0, 0), (50, 120), 0, -0.4, np.pi + 0.4)]))
-    asked = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
-    told = run(*asked, "-o", tmp_path / "plain").stdout
-    assert "--compensate" not in told  # the sheet causes most of the deviation
+    options = ("strip", path, "--sheet", "card-200gsm", "--max-width", 30, *weight)
+    message = run(*options, "-o", tmp_path / "plain").stdout
+    assert "--compensate" not in message  # the sheet causes most of the deviation
 
 
 @pytest.mark.campaign
@@ -375,7 +375,7 @@ def test_compensation_is_not_suggested_if_it_hardly_improves_the_accuracy(tmp_pa
         ('kind = "rod"', "diameter", r"2\.\d\d to 3 mm in diameter"),
     ],
 )
-def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, tmp_path):
+def test_what_tapers_is_reported_in_words_numbers_and_picture(law, quantity, words, tmp_path):
     pytest.importorskip("matplotlib")
     from elastica_cad.plot import strip_sheet
 
@@ -444,7 +444,7 @@ def test_a_pen_curve_between_pins(tmp_path):
 )
 def test_of_two_options_none_is_ignored(drawn, tmp_path, options, message):
     """The larger strain had been kept within, the tangent of the other end too, without a word."""
-    told = run(
+    result = run(
         "strip",
         drawn,
         "--sheet",
@@ -457,7 +457,7 @@ def test_of_two_options_none_is_ignored(drawn, tmp_path, options, message):
         tmp_path,
         code=2,
     )
-    assert re.search(message, told.stderr)
+    assert re.search(message, result.stderr)
 
 
 @pytest.mark.parametrize("changes", [(), ("--nearest",), ("--ratio", "2.5"), ("--nearest", "--stable")])
@@ -482,8 +482,8 @@ def test_a_design_is_not_saved_over_the_folder_the_files_or_the_drawn_curve(tmp_
     drawn = tmp_path / "arch.csv"
     drawn.write_text("0,0\n40,30\n110,55\n190,40\n240,0\n")
     before = drawn.read_bytes()
-    wishes = "--sheet birch-plywood-0.8 --max-width 20 --no-step --no-pictures --force -o out"
-    done = run(f"strip arch.csv {wishes} --save-design {design}", cwd=tmp_path, code=2)
+    options = "--sheet birch-plywood-0.8 --max-width 20 --no-step --no-pictures --force -o out"
+    done = run(f"strip arch.csv {options} --save-design {design}", cwd=tmp_path, code=2)
     assert message in " ".join(done.stderr.split())
     assert [path.name for path in tmp_path.iterdir()] == ["arch.csv"]
     assert drawn.read_bytes() == before

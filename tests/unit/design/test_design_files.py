@@ -286,10 +286,10 @@ def test_rings_and_bases_for_some_of_the_strips(read):
 
 
 def test_bases_of_one_sheet_are_laid_on_the_same(read):
-    asked = (("left", "12", "hdf-1.5"), ("right", "34", "hdf-1.5"), ("back", "56", "card-200gsm"))
+    options = (("left", "12", "hdf-1.5"), ("right", "34", "hdf-1.5"), ("back", "56", "card-200gsm"))
     tables = "".join(
         f"[[base]]\nsheet = '{sheet}'\nstrips = 'R[{which}]'\nends = 'start'\nname = '{name}'\n"
-        for name, which, sheet in asked
+        for name, which, sheet in options
     )
     design = read(HEAD + f"ends.length = 12\n{AROUND}{tables}")
     kit = kit_contents(design.model(), design.kit)
@@ -317,7 +317,7 @@ def test_copies_with_different_labels_share_their_cuts(read):
 def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
     arches = f"[[strips]]\ncount = 3\nlabel = 'A{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
     turned = arches.replace("end = 2.9", "end = 2.9, rotation = '0.12 * i'")
-    for strips, said, names in (
+    for strips, text, names in (
         (arches, "stands on one plate", ["base"]),
         (AROUND, "held by two plates", ["ring-bottom", "ring-top"]),
         (turned, "held by a slotted frame", ["rail-start", "rail-end", "rib-1", "rib-2", "rib-3"]),
@@ -325,7 +325,7 @@ def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
         design = read(HEAD + f"ends.length = 9\n{strips}[stand]\nsheet = 'hdf-1.5'\n")
         plates, sentence = design.kit.holders[0].made(design.model())
         assert [plate.name for plate in plates] == names
-        assert sentence.endswith(said)
+        assert sentence.endswith(text)
     wave = "{x = 't', y = '40 * sin(t / 40)', t = [0, '80 * pi']}"  # one tab up, one down: a slot a plate
     alone = read(HEAD + f"ends.length = 9\n[[strips]]\ncurve = {wave}\n[stand]\nsheet = 'hdf-1.5'\n")
     blocks, sentence = alone.kit.holders[0].made(alone.model())
@@ -397,14 +397,14 @@ BAD = {
 
 
 @pytest.mark.parametrize("text", BAD)
-def test_bad_designs_are_told_in_one_sentence(read, text):
+def test_bad_designs_are_reported_in_one_sentence(read, text):
     with pytest.raises(InputError, match=BAD[text]) as caught:
         read(text)
     assert "design.toml" in str(caught.value)
     assert "\n" not in str(caught.value)
 
 
-def test_missing_designs_are_told(tmp_path):
+def test_missing_designs_are_reported(tmp_path):
     with pytest.raises(InputError, match="cannot be read"):
         read_design(tmp_path / "none.toml", read_curves)
 
@@ -414,7 +414,7 @@ def test_faults_of_a_strip_name_it(read):
         read(HEAD + f"min_width = 19.9\n[[strips]]\nlabel = 'thin'\n{ARC}\n").model()
 
 
-def test_faults_of_two_strips_are_told_together(read):
+def test_faults_of_two_strips_are_reported_together(read):
     faults = "".join(f"[[strips]]\nlabel = '{name}'\nmin_width = 19.9\n{ARC}\n" for name in ("thin", "lean"))
     with pytest.raises(InputError, match=r"(?s)thin: .*min_width.*lean: .*min_width"):
         read(HEAD + faults).model()
@@ -504,21 +504,21 @@ def test_files_are_read_below_the_folder_of_the_design(tmp_path, monkeypatch):
     monkeypatch.chdir(home)
     design = home / "design.toml"
 
-    def asked(lines, **options):
+    def request_of(lines, **options):
         design.write_text(HEAD + f"[[strips]]\n{lines}\n")
         return read_design(design, read_curves, **options)
 
-    assert asked('curve = "curves/arch.csv"').entries
+    assert request_of('curve = "curves/arch.csv"').entries
     for path in ("../yours/arch.csv", str(secret / "arch.csv"), "link.csv", "curves/../../yours/arch.csv"):
         with pytest.raises(
             InputError, match=r"is outside .*from elsewhere, but a design reads only files in"
         ):
-            asked(f'curve = "{path}"')
-        assert asked(f'curve = "{path}"', below=[secret]).entries
+            request_of(f'curve = "{path}"')
+        assert request_of(f'curve = "{path}"', below=[secret]).entries
     with pytest.raises(InputError, match="is outside"):
-        asked('curve = "curves/arch.csv"\nsheet = "../yours/mine.toml"')
+        request_of('curve = "curves/arch.csv"\nsheet = "../yours/mine.toml"')
     monkeypatch.chdir(tmp_path)
-    assert asked('curve = "../yours/arch.csv"').entries
+    assert request_of('curve = "../yours/arch.csv"').entries
 
 
 def test_a_pipe_is_no_file(tmp_path):
@@ -529,7 +529,7 @@ def test_a_pipe_is_no_file(tmp_path):
         read_curves(tmp_path / "arch.csv")
 
 
-def test_of_many_slips_the_first_are_told_and_the_others_counted():
+def test_of_many_slips_the_first_are_reported_and_the_others_counted():
     slips = Slips()
     for number in range(9):
         slips.add(f"strip {number} has no width; give one")
@@ -537,17 +537,17 @@ def test_of_many_slips_the_first_are_told_and_the_others_counted():
     assert slips.text.endswith(" Also: 4 more errors. Correct these first")
 
 
-def test_a_key_in_capitals_is_told_as_it_is_written(tmp_path):
+def test_a_key_in_capitals_is_reported_as_it_is_written(tmp_path):
     design = tmp_path / "loud.toml"
     design.write_text('SCHEMA = 1\nSHEET = "card-200gsm"\n' + "z" * 400 + " = 1\n")
     with pytest.raises(
         InputError, match=r"'SCHEMA'; did you mean schema\?.*'SHEET'; did you mean sheet"
-    ) as told:
+    ) as result:
         read_design(design, read_curves)
-    assert "z" * 61 not in str(told.value)
+    assert "z" * 61 not in str(result.value)
 
 
-def test_slips_that_hold_several_are_told_up_to_a_length():
+def test_slips_that_hold_several_are_reported_up_to_a_length():
     slips = Slips()
     for number in range(4):
         slips.add(f"strip {number}: " + "an unknown key of the curve; " * 12 + "leave it out")
@@ -559,7 +559,7 @@ def test_slips_that_hold_several_are_told_up_to_a_length():
     ("count", "told"),
     [(5, "strip 4 has no width"), (6, "strip 5 has no width"), (7, "2 more errors. Correct these first")],
 )
-def test_the_last_slip_that_is_not_told_is_counted_too(count, told):
+def test_the_last_slip_that_is_not_reported_is_counted_too(count, told):
     slips = Slips()
     for number in range(count):
         slips.add(f"strip {number} has no width")

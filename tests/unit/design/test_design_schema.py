@@ -411,19 +411,21 @@ def read(path, data):
 def test_reader_and_editor_agree_on_every_key(folder):
     designs = [tomllib.loads(text) for text in DESIGNS]
     root = {"$ref": "#/definitions/design"}
-    told, mutants = {}, {}
+    message, mutants = {}, {}
     for i, data in enumerate(designs):
         (folder / f"d-{i}.toml").write_text(written(data))
         read(folder / f"d-{i}.toml", data)
         for name, key, path in keys_in(root, data):
-            if (name, key) in told:
+            if (name, key) in message:
                 continue
-            told[name, key] = path
+            message[name, key] = path
             other = changed(data, (*path, "zzz"), 1) if key is None else changed(data, path, WRONG)
             mutants[f"d-{name.replace(' ', '-')}-{key}.toml"] = other
-    asked = {id(TABLES[name][key]) for name, key in told if key is not None}  # tables share entries
-    assert [(name, key) for name, keys in TABLES.items() for key in keys if id(keys[key]) not in asked] == []
-    assert set(TABLES) == {name for name, _ in told}
+    request = {id(TABLES[name][key]) for name, key in message if key is not None}  # tables share entries
+    assert [
+        (name, key) for name, keys in TABLES.items() for key in keys if id(keys[key]) not in request
+    ] == []
+    assert set(TABLES) == {name for name, _ in message}
     assert refused_by_editor(folder) == set()
     read_anyway = []
     for name, data in mutants.items():

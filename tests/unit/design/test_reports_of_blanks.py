@@ -36,7 +36,7 @@ def made(rest, curve=LEFT):
     return make_strip(curve, "birch-plywood-0.8", max_width=20, natural_curvature=rest)
 
 
-def test_a_flat_blank_is_not_told():
+def test_a_flat_blank_is_not_reported():
     assert report_blank(made(0.0)) is None
     assert pre_bend_message(made(0.0)) == ""
 
@@ -44,11 +44,11 @@ def test_a_flat_blank_is_not_told():
 @pytest.mark.parametrize(
     ("rest", "way"), [(0.004, "is also the inner face at"), (-0.004, "is the outer face at")]
 )
-def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
+def test_an_even_blank_is_named_by_its_radius_and_by_how_the_strip_stands(rest, way):
     assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
-    told = pre_bend_message(made(rest))
-    assert "to a radius of 250 mm along its whole length" in told
-    assert way in told
+    message = pre_bend_message(made(rest))
+    assert "to a radius of 250 mm along its whole length" in message
+    assert way in message
 
 
 def test_a_blank_that_varies_is_listed_along_the_strip():
@@ -61,7 +61,7 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     assert there in pre_bend_message(found)
 
 
-def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
+def test_kits_report_which_parts_are_bent_beforehand(tmp_path):
     (tmp_path / "two.toml").write_text(DESIGN)
     design = read_design(tmp_path / "two.toml", read_curves)
     kit = kit_contents(design.model(), design.kit, entries=design.entries)
@@ -70,9 +70,9 @@ def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
     blanks = {part["name"]: part["blank"] for part in report["parts"]}
     assert blanks["flat"] is None
     assert blanks["bent"]["curvature"] == [-0.004, -0.004]
-    (told,) = [line for line in report["reports"] if "Before assembly" in line]
+    (message,) = [line for line in report["reports"] if "Before assembly" in line]
     assert blanks["like2"] == blanks["bent"]
-    assert told.startswith(
+    assert message.startswith(
         "bent (and 2 more): Before assembly, bend the strip to a radius of 250 mm along its whole length. "
     )
-    assert told in (tmp_path / "kit" / "index.html").read_text()
+    assert message in (tmp_path / "kit" / "index.html").read_text()

@@ -24,9 +24,9 @@ GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
     ids=["thickness", "rod", "tube"],
 )
 def test_its_layer_weighs_what_it_weighs_and_is_as_thick_as_it_ever_is(law):
-    told = report_strip(make_strip(ARCH, GLASS, section=law), name="T", files={})
-    (layer,) = told["layers"]
-    assert layer["mass"] == told["mass"]
+    answer = report_strip(make_strip(ARCH, GLASS, section=law), name="T", files={})
+    (layer,) = answer["layers"]
+    assert layer["mass"] == answer["mass"]
     assert layer["thickness"] == pytest.approx(4.0, rel=1e-3)
     assert layer["sheet"] == "glass"
 

@@ -272,8 +272,8 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
     drawn = ec.PlaneCurve.fit(np.column_stack([50 + 15 * np.sin(2 * x), 60 * x / np.pi]))
     ec.write_curves([drawn], tmp_path / "profile.json")
     design = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n")
-    _, told = design.reports
-    assert "mm from the drawn curve" in told
+    _, message = design.reports
+    assert "mm from the drawn curve" in message
     assert design.model().reports == design.reports
     assert 0.1 < design.revolution.meridian.deviation < 3
 
@@ -315,14 +315,14 @@ def test_the_axis_is_where_it_is_drawn(read, tmp_path, axis):
     along = np.array([40, 160]) / np.hypot(40, 160) if "tilted" in axis else np.array([0, 1])
     radii = np.abs(ends @ [along[1], -along[0]])
     assert sorted(curve.at([0, curve.length]).position[:, 0]) == pytest.approx(sorted(radii), abs=0.5)
-    assert not any("axis" in said for said in design.reports)
+    assert not any("axis" in text for text in design.reports)
 
 
-def test_the_axis_that_is_assumed_is_told(read, tmp_path):
+def test_the_axis_that_is_assumed_is_reported(read, tmp_path):
     ec.write_curves([ec.PlaneCurve.fit([(50, 0), (62, 20), (64, 40), (55, 60)])], tmp_path / "profile.json")
-    (told, *_) = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n").reports
-    assert "x = 0 of the drawing" in told
-    assert "129 mm wide" in told
+    (message, *_) = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n").reports
+    assert "x = 0 of the drawing" in message
+    assert "129 mm wide" in message
 
 
 @pytest.mark.parametrize(
@@ -340,7 +340,7 @@ def test_the_axis_that_is_assumed_is_told(read, tmp_path):
         (f"{POINTS}\nstrip = 3", "did you mean strips"),
     ],
 )
-def test_what_makes_no_surface_is_told(read, text, sentence):
+def test_what_makes_no_surface_is_reported(read, text, sentence):
     with pytest.raises(InputError, match=sentence) as refused:
         read(f"[revolution]\n{text}\n")
     assert "vase.toml" in str(refused.value)

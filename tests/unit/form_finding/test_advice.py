@@ -78,8 +78,8 @@ def test_savings_are_those_of_rods_within_slightly_looser_limits(drawn, name, li
 
 
 def test_savings_follow_the_measure_and_the_weights():
-    asked = {"measure": "max", "weights": lambda s: 1 + (s > 100)}
-    near, other = (nearest_rod(ARCH, Limits(ratio=ratio), **asked) for ratio in (1.2, 1.212))
+    request = {"measure": "max", "weights": lambda s: 1 + (s > 100)}
+    near, other = (nearest_rod(ARCH, Limits(ratio=ratio), **request) for ratio in (1.2, 1.212))
     assert "reduces the largest distance by about" in near.advice[0]
     assert saving(near, "To come nearer to the drawn curve, relax the ratio limit") == pytest.approx(
         10 * (near.distance - other.distance), rel=0.1
@@ -187,7 +187,7 @@ def test_glued_plies_meet_a_new_limit():
     assert np.abs(near.rod.curvature).max() < 0.99 * np.abs(free.rod.curvature).max()
 
 
-def test_records_travel_with_what_was_asked():
+def test_records_travel_with_what_was_requested():
     near = pickle.loads(pickle.dumps(nearest_rod(ARCH, Limits(ratio=1.2), weights=lambda s: 1 + s)))
     again = near.relaxed()
     np.testing.assert_allclose(again.rod.position, near.rod.position, atol=1e-9)
@@ -205,37 +205,48 @@ def test_failures_speak_for_themselves():
 def test_the_command_line_passes_advice_on(tmp_path):
     drawn = tmp_path / "arch.json"
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
-    asked = ["strip", str(drawn), "--sheet", "card-200gsm", "--max-width", "20", "-o", str(tmp_path / "out")]
-    done = run(*asked, "--ratio", "1.2", "--no-step", "--no-pictures")
+    options = [
+        "strip",
+        str(drawn),
+        "--sheet",
+        "card-200gsm",
+        "--max-width",
+        "20",
+        "-o",
+        str(tmp_path / "out"),
+    ]
+    done = run(*options, "--ratio", "1.2", "--no-step", "--no-pictures")
     assert nearest_rod(ARCH, Limits(ratio=1.2)).advice[0] in done.stdout
 
 
 @pytest.mark.campaign
-def test_refused_limits_are_told_with_advice(tmp_path):
+def test_refused_limits_are_listed_with_advice(tmp_path):
     drawn = tmp_path / "arch.json"
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
-    asked = ["strip", str(drawn), "--sheet", "mdf-3", "--max-width", "20", "-o", str(tmp_path / "out")]
-    asked += ["--nearest", "--ratio", "1.2", "--keep-strain", "--keep-tangents", "--keep-length"]
+    options = ["strip", str(drawn), "--sheet", "mdf-3", "--max-width", "20", "-o", str(tmp_path / "out")]
+    options += ["--nearest", "--ratio", "1.2", "--keep-strain", "--keep-tangents", "--keep-length"]
     sheet = Sheet.named("mdf-3")
     radius = f"low the limit of {rounded_up(sheet.least_radius, 3):g} mm"
-    done = run(*asked, code=1)
+    done = run(*options, code=1)
     assert radius in done.stderr
     assert "Relax the strain limit of the sheet (use a thinner sheet), " in done.stderr
 
 
 @pytest.mark.campaign
-def test_what_is_missed_is_told_in_millimetres_and_degrees():
+def test_what_is_missed_is_reported_in_millimetres_and_degrees():
     """An arch of 120 mm that may hardly bend, with its ends, tangents and length kept."""
     arch = PlaneCurve.spline([(0, 0), (30, 60), (90, 60), (120, 0)], degree=3)
     near = nearest_rod(arch, Limits(curvature=1e-3), Keep(tangents=True, length=True))
     assert near.status is Status.NOT_MET
     broken = {binding.name: binding.broken for binding in near.binding}
-    told = list(near.advice)
+    message = list(near.advice)
     assert (
-        f"The strip violates a limit by {broken['end position'] * arch.length:.3g} mm: end position." in told
+        f"The strip violates a limit by {broken['end position'] * arch.length:.3g} mm: end position."
+        in message
     )
     assert (
-        f"The strip violates a limit by {np.degrees(broken['end tangent']):.3g} degrees: end tangent." in told
+        f"The strip violates a limit by {np.degrees(broken['end tangent']):.3g} degrees: end tangent."
+        in message
     )
 
 

@@ -20,15 +20,15 @@ def client():
 
 
 def test_the_cluster_answers_as_one_processor_does(client):
-    told = []
+    result = []
     limits = [Limits(ratio=1.3), Limits(ratio=1.4), Limits(ratio=1.5)]
     found = nearest_rods(
         ARCHES,
         limits,
         executor=client.get_executor(),
-        progress=lambda done, total: told.append((done, total)),
+        progress=lambda done, total: result.append((done, total)),
     )
-    assert told == [(1, 3), (2, 3), (3, 3)]
+    assert result == [(1, 3), (2, 3), (3, 3)]
     for near, alone in zip(found, nearest_rods(ARCHES, limits), strict=True):
         assert near.status is Status.MET
         np.testing.assert_allclose(near.rod.position, alone.rod.position, atol=1e-9)
@@ -42,7 +42,7 @@ def test_a_bad_curve_does_not_lose_the_others(client):
     assert "PlaneCurve" in found[1].message
 
 
-def test_an_executor_that_is_shut_down_is_told(client):
+def test_an_executor_that_is_shut_down_is_reported(client):
     executor = client.get_executor()
     executor.shutdown()
     found = nearest_rods(ARCHES, Limits(ratio=1.3), executor=executor)

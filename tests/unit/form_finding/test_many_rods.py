@@ -48,9 +48,9 @@ class Dying(Executor):
 
 
 def test_one_by_one_as_alone():
-    told = []
-    found = nearest_rods(ARCHES, Limits(ratio=1.3), progress=lambda done, total: told.append((done, total)))
-    assert told == [(1, 3), (2, 3), (3, 3)]
+    result = []
+    found = nearest_rods(ARCHES, Limits(ratio=1.3), progress=lambda done, total: result.append((done, total)))
+    assert result == [(1, 3), (2, 3), (3, 3)]
     for near, curve in zip(found, ARCHES, strict=True):
         assert near.target is curve
         np.testing.assert_array_equal(near.rod.position, nearest_rod(curve, Limits(ratio=1.3)).rod.position)
@@ -63,12 +63,12 @@ def test_one_by_one_as_alone():
     ids=["threads", "processes"],
 )
 def test_pools_answer_in_order(pool):
-    told = []
+    result = []
     with pool() as executor:
         found = nearest_rods(
-            ARCHES, Limits(ratio=1.3), executor=executor, progress=lambda done, total: told.append(done)
+            ARCHES, Limits(ratio=1.3), executor=executor, progress=lambda done, total: result.append(done)
         )
-    assert told == [1, 2, 3]
+    assert result == [1, 2, 3]
     alone = nearest_rods(ARCHES, Limits(ratio=1.3))
     for near, other in zip(found, alone, strict=True):
         np.testing.assert_allclose(near.rod.position, other.rod.position, atol=1e-9)

@@ -122,7 +122,7 @@ def test_a_corner_that_touches_is_no_line():
     )
 
 
-def test_misses_are_told_and_the_others_go_on():
+def test_misses_are_reported_and_the_others_go_on():
     vertices, faces = sphere()
     sections = mesh_sections(vertices, faces, parallel_planes((0, 0, 0), (0, 1, 0), (-60, 0, 60)))
     assert [len(s.lines) for s in sections] == [0, 1, 0]
@@ -133,7 +133,7 @@ def test_misses_are_told_and_the_others_go_on():
         _ = sections[2].line
 
 
-def test_open_meshes_run_upwards_and_several_lines_are_told():
+def test_open_meshes_run_upwards_and_several_lines_are_reported():
     u, v = np.meshgrid(np.linspace(0, np.pi, 30), np.linspace(0, 30, 5), indexing="ij")
     vertices, faces = grid(-20 * np.cos(u), v, 20 * np.sin(u) ** 2 + 0.0)
     vertices[:, 2] += 0.01 * vertices[:, 0]
@@ -312,21 +312,21 @@ def test_a_gentle_end_is_no_scatter():
     curves, reports = section_curves(sections)
     assert len(curves) == 2
     assert not any("scatter" in text for text in reports)
-    told = [text for text in reports if text.startswith("section 1: ") and "(212 to" in text]
-    assert told
-    assert told[0].endswith("was not changed")
+    result = [text for text in reports if text.startswith("section 1: ") and "(212 to" in text]
+    assert result
+    assert result[0].endswith("was not changed")
     assert curves[0].curve.inflections.size == 2
 
 
-def test_a_curve_far_from_its_section_is_told():
+def test_a_curve_far_from_its_section_is_reported():
     t = np.linspace(0, np.pi, 200)
     arch = SectionLine(100 * np.column_stack([-np.cos(t), np.sin(t)]), UPRIGHT, "arch")
     near, far = (section_curves([arch], wavelength=wavelength) for wavelength in (20.0, 1e6))
     assert near[1] == ()
     assert far[0][0].deviation > 1.0
-    (told,) = far[1]
-    assert told.startswith(f"arch: the curve is {far[0][0].deviation:.3g} mm from the section at (")
-    assert "waves shorter than 1000000 mm" in told
+    (message,) = far[1]
+    assert message.startswith(f"arch: the curve is {far[0][0].deviation:.3g} mm from the section at (")
+    assert "waves shorter than 1000000 mm" in message
 
 
 def test_waves_longer_than_the_line_leave_a_parabola():
@@ -338,12 +338,12 @@ def test_waves_longer_than_the_line_leave_a_parabola():
 def test_a_corner_that_cannot_be_followed_is_named():
     x = np.arange(1200) / 10
     saw = SectionLine(np.column_stack([x, np.where(np.arange(1200) % 4 < 2, 0.0, 0.1)]), UPRIGHT, "saw")
-    curves, (told,) = section_curves([saw], tolerance=1e-3)
+    curves, (message,) = section_curves([saw], tolerance=1e-3)
     assert curves == ()
-    assert told.startswith(
+    assert message.startswith(
         "saw: no smooth curve stays within the tolerance of 0.001 mm, because the section has a corner of 45 "
     )
-    assert "Split the section at its corners" in told
+    assert "Split the section at its corners" in message
 
 
 @pytest.mark.parametrize(
@@ -385,17 +385,17 @@ def test_bad_planes(call, words):
         call()
 
 
-def test_the_sharpest_corner_of_a_section_is_told_with_its_place():
+def test_the_sharpest_corner_of_a_section_is_listed_with_its_place():
     rng = np.random.default_rng(3)
     x = np.arange(400) / 10
     rough = np.column_stack([x, 0.02 * rng.random(400)])
     rough[200:, 1] += 3 * (x[200:] - 20)
-    curves, (told,) = section_curves([SectionLine(rough, UPRIGHT, "roof")], tolerance=1e-3)
+    curves, (message,) = section_curves([SectionLine(rough, UPRIGHT, "roof")], tolerance=1e-3)
     assert curves == ()
     step = np.diff(rough, axis=0)
     turns = np.abs(np.diff(np.arctan2(step[:, 1], step[:, 0])))
     x, y, z = UPRIGHT.point(rough[1 + turns.argmax()])
-    assert f"a corner of {np.degrees(turns.max()):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm" in told
+    assert f"a corner of {np.degrees(turns.max()):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm" in message
 
 
 @pytest.mark.parametrize("end", [(-60.0, 5.0), (60.0, 5.0), (20.0, 40.0), (-20.0, 40.0)])

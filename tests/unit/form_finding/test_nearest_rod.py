@@ -108,7 +108,7 @@ def test_a_rod_of_which_nothing_is_free():
     assert near.rod.ratio == pytest.approx(1.0)
 
 
-def test_largest_distance_is_least_when_asked_for():
+def test_largest_distance_is_least_when_requested():
     by = {m: nearest_rod(WAVE, Limits(ratio=2.0), measure=m).deviation for m in ("mean", "closest", "max")}
     assert by["max"] < by["mean"]
     assert by["max"] < by["closest"]
@@ -284,7 +284,7 @@ def test_weights_pull_where_they_are_heavy():
     assert first[1] < first[0]
 
 
-def test_what_binds_tells_the_slope():
+def test_what_binds_reports_the_slope():
     """The cost of the ratio is the derivative of the distance."""
     near = nearest_rod(WAVE, Limits(ratio=2.0))
     cost = next(b.cost for b in near.binding if b.name == "ratio")
@@ -310,7 +310,7 @@ def test_out_of_reach_is_said():
     assert near.status.value.endswith(".")
 
 
-def test_near_curve_is_realizable_and_asks_for_the_limit():
+def test_near_curve_is_realizable_and_requests_the_limit():
     for curve, limit in ((ARCH, 1.15), (WAVE, 2.0)):
         near = nearest_rod(curve, Limits(ratio=limit, margin=5.0), Keep(tangents=True))
         spline = near.curve
@@ -482,7 +482,7 @@ def test_a_failed_record_has_no_rod():
 
 
 @pytest.mark.parametrize("length", [1e-3, 1.0])
-def test_a_weight_beyond_all_rods_is_told_as_that(length):
+def test_a_weight_beyond_all_rods_is_reported_as_that(length):
     """No warning of numpy's, and no advice on the curve, which is well: weightless it is followed."""
     assert nearest_rod(ARCH).met
     with pytest.raises(

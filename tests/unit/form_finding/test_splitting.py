@@ -86,7 +86,7 @@ def test_realizable_curves_need_none():
     assert "needs no support" in str(found)
 
 
-def test_a_ratio_limit_asks_for_more():
+def test_a_ratio_limit_requests_more():
     arch = PlaneCurve.ellipse((0, 0), (100, 200), start=0, end=np.pi)
     found = split(arch, ratio=1.8)
     assert optimal_rod(arch).ratio > 3.3

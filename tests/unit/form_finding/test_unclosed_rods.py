@@ -48,7 +48,7 @@ def disturbed(problem, rod, size):
 
 
 @pytest.mark.parametrize("measure", ["mean", "max"])
-def test_a_place_tells_the_closed_rod_to_second_order(measure):
+def test_a_place_reports_the_closed_rod_to_second_order(measure):
     problem, rod = arch(measure)
     errors = []
     for size in (1e-2, 1e-3):

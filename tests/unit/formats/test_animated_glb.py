@@ -72,7 +72,7 @@ def test_every_frame_is_where_it_was_drawn(meshes, read):
         assert shape["weights"] == [0.0] * (len(mesh.points) - 1)
 
 
-def test_viewers_are_told_what_is_corners_and_what_is_triangles(read):
+def test_viewers_are_reported_what_is_corners_and_what_is_triangles(read):
     content, _ = read
     (skin,) = content["meshes"][0]["primitives"]
     views = [

@@ -112,7 +112,7 @@ def test_a_gap_of_one_step_is_closed_and_said_and_a_larger_one_is_not(tmp_path):
     for left_out, closed in ((1, True), (2, False), (4, False)):
         file = read_drawing(written(tmp_path / "c.csv", CIRCLE_12[:-left_out]))
         assert file.curves[0].curve.is_closed == closed
-        assert any("curve 1 is closed" in said for said in file.notes) == closed
+        assert any("curve 1 is closed" in text for text in file.notes) == closed
     halved = np.insert(CIRCLE_12[:-1], 1, CIRCLE_12[:2].mean(axis=0), axis=0)
     assert not read_curves(written(tmp_path / "c.csv", halved))[0].is_closed
 
@@ -132,7 +132,7 @@ def test_an_outline_with_one_corner_is_smooth_where_it_begins(tmp_path):
 
 
 @pytest.mark.parametrize("degree", [3, 4, 5])
-def test_a_closed_fit_is_smooth_all_round_and_as_near_as_told(degree):
+def test_a_closed_fit_is_smooth_all_round_and_as_near_as_reported(degree):
     points = around(np.linspace(0, 2 * np.pi, 200), 120, 90)
     points[-1] = points[0]
     curve = PlaneCurve.fit(points + 0.0, degree, tolerance=0.01)

@@ -46,9 +46,9 @@ def test_no_width_changes(name, suffix, tmp_path):
 def test_what_a_format_cannot_hold_is_reported(file, version, tmp_path):
     with pytest.warns(FitWarning) as caught:
         write_curves([QUINTIC], tmp_path / file, version=version)
-    (told,) = (str(one.message) for one in caught)
-    far, wide, change = map(float, re.findall(r"([\d.e-]+) mm", told))
-    assert told.startswith(f"The copy of curve 1 in {file} differs")
+    (message,) = (str(one.message) for one in caught)
+    far, wide, change = map(float, re.findall(r"([\d.e-]+) mm", message))
+    assert message.startswith(f"The copy of curve 1 in {file} differs")
     assert wide == WIDE
     (read,) = read_curves(tmp_path / file)
     if file != "a.svg":  # which is moved to the corner of its sheet

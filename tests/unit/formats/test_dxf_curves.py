@@ -293,10 +293,10 @@ def test_a_unit_that_the_file_does_not_name_is_assumed_and_reported(drawing, ver
 
     curves = drawing(draw, units=0, version=version)
     assert curves[0].length == pytest.approx(mm * np.hypot(size, 1))
-    (told,) = curves.notes
+    (message,) = curves.notes
     unit, other = ("in", "mm") if mm > 1 else ("mm", "in")
-    assert f"its unit is assumed to be {unit}, because the file has no unit" in told
-    assert f"set unit to the right unit, such as {other}" in told
+    assert f"its unit is assumed to be {unit}, because the file has no unit" in message
+    assert f"set unit to the right unit, such as {other}" in message
     for given in ("mm", "in"):
         assert not drawing(draw, units=0, version=version, unit=given).notes
 
@@ -469,7 +469,7 @@ def test_curve_at_any_height_over_the_plane(drawing):
     assert np.abs(np.hypot(*spaced(curve).T) - 50).max() < 1e-12
 
 
-def test_spline_off_its_plane_is_told_how_far(drawing):
+def test_spline_off_its_plane_is_reported_how_far(drawing):
     def draw(space, _):
         spline = space.add_spline()
         spline.dxf.degree = 4
@@ -552,7 +552,7 @@ def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path
     assert capfd.readouterr() == ("", "")
 
 
-def test_pieces_of_no_length_are_told(drawing):
+def test_pieces_of_no_length_are_reported(drawing):
     with pytest.raises(InputError, match=r"has no curve .*\(found only 1 LINE of no length\)"):
         drawing(lambda space, _: space.add_line((3, 3), (3, 3)))
 
@@ -595,7 +595,7 @@ def test_missing_library_is_said_in_one_sentence(drawing, tmp_path, monkeypatch)
         read_curves(tmp_path / "drawn.dxf")
 
 
-def test_what_a_drawing_hides_is_left_out_and_told(drawing):
+def test_what_a_drawing_hides_is_left_out_and_reported(drawing):
     """Guide lines on a layer that is off, or frozen, were curves among the others."""
 
     def draw(space, document):
@@ -691,7 +691,7 @@ def spaced_like(curve, points):
     ([(5, 5), (5, 5)], "fewer than two different fit points: draw the SPLINE again"),
     ([(5, 5), (9, 5), (5, 5)], "fewer than three different fit points: draw the SPLINE again"),
 ])  # fmt: skip
-def test_fit_points_that_do_not_differ_are_told(drawing, points, words):
+def test_fit_points_that_do_not_differ_are_reported(drawing, points, words):
     def draw(space, _):
         space.add_spline([(*p, 0) for p in points]).closed = len(points) > 2
 
@@ -712,7 +712,7 @@ def test_a_fit_point_drawn_twice_counts_once(drawing):
     (np.zeros(9), (), r"has no length: draw the spline again"),
     (np.linspace(0, 1, 9), (1, 1), r"needs 5 positive finite weights, or none: draw the spline again"),
 ])  # fmt: skip
-def test_numbers_of_a_spline_that_do_not_fit_are_told_with_what_to_do(drawing, knots, weights, words):
+def test_numbers_of_a_spline_that_do_not_fit_are_listed_with_what_to_do(drawing, knots, weights, words):
     def draw(space, _):
         spline = space.add_spline()
         spline.dxf.degree = 3

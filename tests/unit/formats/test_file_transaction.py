@@ -96,23 +96,23 @@ def test_a_folder_that_no_disk_takes_is_refused(tmp_path):
         pass
 
 
-@pytest.mark.parametrize("told", ["by ours", "by the system", "by another library"])
-def test_a_disk_that_is_full_is_told_by_the_folder_that_was_asked_for(tmp_path, told):
+@pytest.mark.parametrize("result", ["by ours", "by the system", "by another library"])
+def test_a_disk_that_is_full_is_named_by_the_folder_that_was_requested(tmp_path, result):
     """The sentences spoke of the workshop, which is gone then."""
 
     def full(path):
-        if told == "by another library":
+        if result == "by another library":
             raise OSError(f"Cannot open file '{path}'")
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(path))
 
     def write():
         with write_together(tmp_path, ["a.txt"]) as workshop:
             path = workshop / "a.txt"
-            write_atomically(path, lambda _: full(path)) if told == "by ours" else full(path)
+            write_atomically(path, lambda _: full(path)) if result == "by ours" else full(path)
 
     with pytest.raises(InputError) as refused:
         write()
-    why = "Cannot open file 'a.txt'" if told == "by another library" else "No space left on device"
+    why = "Cannot open file 'a.txt'" if result == "by another library" else "No space left on device"
     assert str(refused.value) == f"files cannot be written to {tmp_path}: {why}; choose another folder"
     assert list(tmp_path.iterdir()) == []
 

@@ -280,9 +280,9 @@ def test_mutated_files_give_curves_or_one_sentence(tmp_path, kind):
         path.write_text(head + (" " if kind == "svg" else "\n").join(lines), encoding="utf-8")
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            said = problem_of(path)
-        assert "\n" not in said
-        assert len(said) < 1500
+            text = problem_of(path)
+        assert "\n" not in text
+        assert len(text) < 1500
 
 
 def problem_of(path):
@@ -321,9 +321,9 @@ def test_a_long_text_is_quoted_in_part(tmp_path, name):
     path = tmp_path / name
     text = f"0 {words.replace(' ', '-')}\n" * 2
     path.write_text(text if name.endswith("txt") else f'{{"schema": "{words}", "curves": [1]}}')
-    said = problem_of(path)
-    assert "elastica" in said
-    assert len(said) < 400
+    message = problem_of(path)
+    assert "elastica" in message
+    assert len(message) < 400
 
 
 def test_knots_nearer_than_the_smallest_number_are_refused_without_a_warning(tmp_path):
@@ -341,7 +341,7 @@ def test_knots_nearer_than_the_smallest_number_are_refused_without_a_warning(tmp
         assert "no tangent" in problem_of(path)
 
 
-def test_a_number_that_holds_half_the_file_is_told_in_part(tmp_path):
+def test_a_number_that_holds_half_the_file_is_reported_in_part(tmp_path):
     path = tmp_path / "torn.dxf"
     rows = ("0", "SECTION", "2", "ENTITIES", "0", "LINE", "8", "0", "10", "1.5" + "\0uous" * 400, "20", "0.0")
     path.write_text("\n".join((*rows, "11", "9.0", "21", "4.0", "0", "ENDSEC", "0", "EOF", "")))
@@ -375,6 +375,6 @@ def test_of_many_kinds_that_are_left_out_the_first_are_named(tmp_path):
         document.layers.add(f"L{number}").off()
         space.add_line((0, 0), (9, 9), dxfattribs={"layer": f"L{number}"})
     document.saveas(tmp_path / "a.dxf")
-    (told,) = read_drawing(tmp_path / "a.dxf").notes
-    assert told.endswith("and 494 of other kinds")
-    assert len(told) < 300
+    (message,) = read_drawing(tmp_path / "a.dxf").notes
+    assert message.endswith("and 494 of other kinds")
+    assert len(message) < 300

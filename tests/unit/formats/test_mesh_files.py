@@ -55,7 +55,7 @@ def test_a_broken_mesh_is_one_sentence_and_nothing_else(tmp_path, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_metres_are_asked_for(tmp_path):
+def test_metres_are_requested(tmp_path):
     small = TENT.replace("90", "0.9").replace("50", "0.5")
     file = written(tmp_path, "tent.obj", small)
     with pytest.raises(InputError, match=r"tent\.obj: is 1\.37 .* --unit m .*\(m: 1367 mm\)"):

@@ -155,8 +155,8 @@ def test_a_spline_through_very_many_points_is_smoothed_as_its_note_says(drawing,
     (curve,) = drawing(lambda space: space.add_spline(fit_points=points.tolist()))
     assert optimal_rod(curve).ratio > 30
     smoothing = smooth_curve(curve)
-    (told,) = smoothing.notes
-    assert "so the curve was smoothed" in told
+    (message,) = smoothing.notes
+    assert "so the curve was smoothed" in message
     assert optimal_rod(smoothing.curve).ratio < 1.1
 
 
@@ -178,7 +178,7 @@ def test_points_read_with_a_ruler_have_its_noise(tmp_path):
     rows = [f"{a:.0f},{b:.0f}" for a, b in zip(x, 57 * np.sin(np.pi * x / 176), strict=True)]
     (tmp_path / "ruler.csv").write_text("\n".join(rows))
     (curve,) = read_curves(tmp_path / "ruler.csv")
-    (told,) = smooth_curve(curve).notes
+    (message,) = smooth_curve(curve).notes
     reach = curve.provenance.measured.reach
-    assert f"set smooth to about {reach:g} mm" in told
+    assert f"set smooth to about {reach:g} mm" in message
     assert optimal_rod(smooth_curve(curve, reach).curve).ratio < 0.7 * optimal_rod(curve).ratio

@@ -116,7 +116,7 @@ def test_after_a_closed_subpath_the_pen_is_at_its_start():
     ("M 0 0 C 1 2 3", "1 2 3"), ("L 5 5", "beginning"), ("M 0 0 L 5 x", "L 5"), ("M 0 0 A 5 5 0 2 1 9 9", "5 5 0"),
     ("M 0 0 L 1 2 3", "1 2 3"), ("M", "M"), ("0 0 L 5 5", "beginning"), ("M 0 0 R 5 5", "M 0 0"),
 ])  # fmt: skip
-def test_data_that_break_off_are_told_with_their_place(text, after):
+def test_data_that_break_off_are_listed_with_their_place(text, after):
     with pytest.raises(InputError, match="incomplete or invalid") as caught:
         path_data(text)
     assert after in str(caught.value)

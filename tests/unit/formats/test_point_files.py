@@ -181,8 +181,8 @@ def test_a_heading_says_columns_and_unit(tmp_path, heading):
     (plain,) = read_curves(tmp_path / "plain.csv", unit="in")
     assert named.length == pytest.approx(plain.length, rel=1e-12)
     assert named.length > 150
-    (asked,) = read_curves(tmp_path / "points.csv", unit="cm")  # what is asked for goes first
-    assert asked.length == pytest.approx(plain.length / 2.54, rel=1e-12)
+    (request,) = read_curves(tmp_path / "points.csv", unit="cm")  # what is asked for goes first
+    assert request.length == pytest.approx(plain.length / 2.54, rel=1e-12)
 
 
 def test_a_heading_with_two_units_is_refused(tmp_path):

@@ -88,6 +88,6 @@ def test_public_drawings_give_what_is_drawn_in_them(name):
         assert given(PUBLIC / name) == GIVES[name]
 
 
-def test_every_public_drawing_is_asked_about():
+def test_every_public_drawing_is_requested_about():
     files = [path for path in PUBLIC.rglob("*") if path.suffix in (".svg", ".dxf")]
     assert {f"{path.parent.name}/{path.name}" for path in files} == set(GIVES)

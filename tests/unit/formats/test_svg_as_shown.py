@@ -122,9 +122,9 @@ def test_a_clip_is_compared_with_each_clone_where_it_is(svg):
     clip = '<clipPath id="c"><rect width="170" height="100"/></clipPath>'
     clones = '<use id="u" href="#a" y="-9"/><use id="v" href="#a" transform="translate(0 30)"/>'
     arch = line(ARCH, 'id="a"')
-    (told,) = svg(f'{clip}<defs>{arch}</defs><g clip-path="url(#c)">{clones}</g>').notes
-    assert "v/a" in told
-    assert "u/a" not in told
+    (message,) = svg(f'{clip}<defs>{arch}</defs><g clip-path="url(#c)">{clones}</g>').notes
+    assert "v/a" in message
+    assert "u/a" not in message
 
 
 def test_a_clone_is_on_the_layer_where_it_is(svg):
@@ -154,13 +154,13 @@ def test_transforms_are_read_as_in_css(svg, transform, end):
     "transform", ["scale()", "matrix(1 0 0)", "translate(--1 5)", "rotate(5x)", "turn(3)"]
 )
 def test_a_transform_that_makes_no_sense_is_named(svg, transform):
-    (told,) = svg(line(ARCH) + line(WAVE, f'id="wave" transform="{transform}"')).notes
-    assert "path wave that has a transform with numbers that are not finite or too large" in told
+    (message,) = svg(line(ARCH) + line(WAVE, f'id="wave" transform="{transform}"')).notes
+    assert "path wave that has a transform with numbers that are not finite or too large" in message
 
 
 def test_what_a_transform_flattens_is_not_shown(svg):
-    (told,) = svg(line(ARCH) + line(WAVE, 'transform="rotate(30) scale(1 0)"')).notes
-    assert told.endswith("1 hidden or empty shape")
+    (message,) = svg(line(ARCH) + line(WAVE, 'transform="rotate(30) scale(1 0)"')).notes
+    assert message.endswith("1 hidden or empty shape")
 
 
 def test_a_mask_is_reported_and_a_reference_to_nothing_is_not(svg):
@@ -284,6 +284,6 @@ def drawn_points(d):
     ],
 )
 def test_the_outline_of_a_stroke_is_named(svg, d, width):
-    told = [note for note in svg(line(d)).notes if "outline of a stroke" in note]
-    assert len(told) == (width is not None)
-    assert all(f"about {width} mm wide" in note for note in told)
+    result = [note for note in svg(line(d)).notes if "outline of a stroke" in note]
+    assert len(result) == (width is not None)
+    assert all(f"about {width} mm wide" in note for note in result)

@@ -173,7 +173,7 @@ def test_handles_drawn_in_make_straight_lines(svg):
     assert curve.length == pytest.approx(40.0)
 
 
-def test_cusp_is_told_with_its_place(svg):
+def test_cusp_is_listed_with_its_place(svg):
     with pytest.raises(
         InputError, match=r"drawn\.svg: .*has a cusp, and the curve has no tangent at \(30, 45\) mm"
     ):
@@ -335,7 +335,7 @@ def test_a_symbol_is_shown_in_the_box_of_its_clone(tmp_path, symbol, clone, corn
     np.testing.assert_allclose(ends, corners, atol=1e-6)
 
 
-def test_the_pixels_of_affinity_are_told(tmp_path):
+def test_the_pixels_of_affinity_are_reported(tmp_path):
     """It writes no size; its pixels are those of the document, at 300 DPI a third of what is taken."""
     file = tmp_path / "affinity.svg"
     head = 'width="100%" height="100%" viewBox="0 0 2480 3508" xmlns:serif="http://www.serif.com/"'
@@ -421,8 +421,13 @@ def test_clones_are_found_by_their_own_id(tmp_path):
     )
     drawing = read_drawing(file)
     assert [one.name for one in drawing] == ["arch", "use1/arch", "arch", "use2/one", "use2/arch"]
-    for asked, start in (("use1", (200, 0)), ("one", (0, -300)), ("use2/arch", (0, -400)), ("4", (0, -300))):
-        assert drawing.one(asked, None, "--curve").curve.sample(2).position[0] == pytest.approx(start)
+    for request, start in (
+        ("use1", (200, 0)),
+        ("one", (0, -300)),
+        ("use2/arch", (0, -400)),
+        ("4", (0, -300)),
+    ):
+        assert drawing.one(request, None, "--curve").curve.sample(2).position[0] == pytest.approx(start)
     assert len(drawing.chosen("arch")) == 2
     with pytest.raises(
         InputError, match=r"contains 2 curves: choose a curve with --curve.*4 \(use2/one\), 5"
@@ -472,11 +477,11 @@ def test_touching_shapes_with_names_are_reported_in_one_line(svg):
     others = "".join(f'<path id="side{k}" d="M{end} {20 + 9 * k} 90"/>' for k, end in enumerate(ends))
     read = svg(f'<path id="rib" {rib}/><path id="twin" {rib}/>{others}', NAMESPACES)
     assert [one.name for one in read.file] == ["rib", "twin", "side0", "side1", "side2"]
-    told, twice = read.notes
-    assert "curve 1 (rib) and curve 2 (twin)" in told
+    message, twice = read.notes
+    assert "curve 1 (rib) and curve 2 (twin)" in message
     assert twice == "drawn twice with different layers or names, so both are used: twin lies on rib"
-    assert "and 2 more. To make one strip" in told
-    assert "combine them into one path in the drawing program, or remove their names" in told
+    assert "and 2 more. To make one strip" in message
+    assert "combine them into one path in the drawing program, or remove their names" in message
 
 
 def test_a_curve_is_chosen_by_label_and_by_id(svg):
@@ -485,8 +490,8 @@ def test_a_curve_is_chosen_by_label_and_by_id(svg):
         for k, label in enumerate(("3", "Rib 2", "1"))
     )
     file = svg(body, NAMESPACES).file
-    for asked, number in (("3", 1), ("1", 3), ("path8", 2), ("Rib 2", 2), ("2", 2)):
-        assert file.one(asked, None, "").number == number
+    for request, number in (("3", 1), ("1", 3), ("path8", 2), ("Rib 2", 2), ("2", 2)):
+        assert file.one(request, None, "").number == number
 
 
 def test_clones_of_a_shape_with_a_name_are_not_joined(svg):
@@ -537,7 +542,7 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
         ('style="width:300mm"', False),
     ],
 )
-def test_a_size_without_a_unit_is_told(tmp_path, size, told):
+def test_a_size_without_a_unit_is_reported(tmp_path, size, told):
     """A script's drawing in millimetres would be cut at a quarter of its size, within what is usual for a strip."""
     file = tmp_path / "arch.svg"
     file.write_text(
@@ -552,9 +557,9 @@ def test_a_size_without_a_unit_is_told(tmp_path, size, told):
 
 @pytest.mark.parametrize("size", ["60vw", "30ex", "20em", "7furlong"])
 def test_a_size_of_another_unit_is_named(svg, size):
-    (told,) = svg(path("M 0 0 C 30 50 70 0 100 50"), f'width="{size}" viewBox="0 0 300 200"').notes
-    assert f"its size, '{size}', is not in a unit of length" in told
-    assert "set unit to mm" in told
+    (message,) = svg(path("M 0 0 C 30 50 70 0 100 50"), f'width="{size}" viewBox="0 0 300 200"').notes
+    assert f"its size, '{size}', is not in a unit of length" in message
+    assert "set unit to mm" in message
 
 
 def test_lengths_of_shapes_have_units_in_any_writing(svg):

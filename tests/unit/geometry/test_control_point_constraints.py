@@ -119,14 +119,14 @@ def test_nothing_to_do():
     assert two.equations(curve)[0].size == 0
 
 
-def test_contradictions_are_told():
+def test_contradictions_are_reported():
     curve = curves()["clamped"]
     chord = float(np.hypot(*(curve.evaluate(1.0) - curve.evaluate(0.0))))
     with pytest.raises(NotConvergedError, match="leave out one constraint"):
         least_norm_newton(curve, [EndPositions.of(curve), FixedLength(0.9 * chord)])
 
 
-def test_lost_inflections_are_told():
+def test_lost_inflections_are_reported():
     arch = PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (40, 0), (45, -10)])
     with pytest.raises(NotConvergedError, match="inflections instead of 3"):
         CollinearInflections(np.array([0.2, 0.5, 0.8])).equations(arch)

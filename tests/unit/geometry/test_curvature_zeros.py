@@ -98,7 +98,7 @@ def test_a_zero_beside_a_knot_is_found_once(place, off):
         assert kinds(curve) == ["crossing"]
 
 
-def test_zeros_at_the_ends_are_told_apart():
+def test_zeros_at_the_ends_are_reported_apart():
     curve = graph(antiderivative2(0.0, 0.4, 1.0, scale=10.0), degree=5, pieces=2)
     assert kinds(curve) == ["end", "crossing", "end"]
     first, _, last = curve.curvature_zeros

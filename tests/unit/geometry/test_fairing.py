@@ -75,7 +75,7 @@ def test_distance_from_both_sides_sees_what_one_side_misses():
     assert two_sided_distance(line, longer) == pytest.approx(3.0)
 
 
-def test_what_cannot_be_faired_is_told():
+def test_what_cannot_be_faired_is_reported():
     corner = pen((0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (30, 20), (30, 30))
     with pytest.raises(InputError, match="corners"):
         fair_curve(corner, 0.1)
@@ -95,7 +95,7 @@ def kinked(degrees, handle=30.0):
 
 
 @pytest.mark.parametrize("degrees", [0.002, 0.05, 0.115, 0.2])
-def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
+def test_slight_corners_are_taken_out_within_what_was_requested(degrees):
     drawn = kinked(degrees)
     smooth = smooth_for_corners(drawn)
     assert smooth >= 0.9 * usual_tolerance(drawn)

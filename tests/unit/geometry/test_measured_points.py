@@ -80,7 +80,7 @@ def test_a_smoothed_curve_swings_no_more_between_its_points(smooth, mistyped):
     assert np.abs(beside - smoothed.sample(801).position[:, 1]).max() < 3 * smooth + 1
 
 
-def test_smoothing_within_what_is_told_takes_all_inflections_out():
+def test_smoothing_within_what_is_reported_takes_all_inflections_out():
     for mistyped in (0.0, 1.0):
         points = MeasuredPoints.of(offsets(mistyped))
         through = PlaneCurve.fit(points.points, tolerance=0.01).drawn_as(Provenance(measured=points))
@@ -88,7 +88,7 @@ def test_smoothing_within_what_is_told_takes_all_inflections_out():
         assert not round_corners(through, points.reach)[0].curvature_zeros
 
 
-def test_a_check_tells_of_them_before_all_else():
+def test_a_check_reports_them_before_all_else():
     """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
     noisy, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
     undecided = check_equilibrium(noisy)
@@ -96,16 +96,16 @@ def test_a_check_tells_of_them_before_all_else():
     assert "Set smooth" in str(undecided)
     assert undecided.details[1].endswith("the points have noise of about 0.3 mm.")
     assert noisy.provenance.measured.noise_message.endswith(": set smooth to about 0.77 mm to smooth them")
-    told = str(check_equilibrium(mistyped))
-    assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
-    assert "smooth" not in told
+    message = str(check_equilibrium(mistyped))
+    assert "number 8 of 12" in message.split(": ", maxsplit=1)[0]
+    assert "smooth" not in message
     smoothed = smooth_curve(noisy, 2.0).curve
     assert "have noise" not in str(check_equilibrium(smoothed))
 
 
 def test_the_mistyped_point_is_named():
-    (told,) = MeasuredPoints.of(offsets(1.0)).outlier
-    assert "(2134, 612.8) mm, number 8 of 12, is 27 mm from" in told
+    (message,) = MeasuredPoints.of(offsets(1.0)).outlier
+    assert "(2134, 612.8) mm, number 8 of 12, is 27 mm from" in message
     assert MeasuredPoints.of(offsets()).outlier == ()
     assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).outlier for seed in range(40))
 
@@ -121,10 +121,10 @@ BREADTHS = np.array([2.25, 7, 11, 14.375, 17.125, 19.375, 21, 22.125, 22.75, 23,
 def test_an_inch_wrong_is_named_at_every_station_but_the_ends(offsets, wrong):
     table = 25.4 * np.column_stack([13.0 * np.arange(13), offsets])
     for at in range(1, 12):
-        (told,) = MeasuredPoints(
+        (result,) = MeasuredPoints(
             table + np.outer(np.arange(13) == at, [0.0, 25.4 * wrong]), 0.92, 0.92
         ).outlier
-        assert told.values["number"] == at + 1
+        assert result.values["number"] == at + 1
 
 
 @pytest.mark.parametrize("count", [13, 24])

@@ -246,7 +246,7 @@ def test_projective_image_where_a_control_point_goes_beyond_infinity():
         curve.transformed([[1, 0, 0], [0, 1, 0], [0, -1 / (top * 0.95), 1]])
 
 
-def test_straight_and_closed_are_told():
+def test_straight_and_closed_are_reported():
     line = PlaneCurve.line((1, 2), (31, 42))
     assert line.is_straight
     bent_then = PlaneCurve([0, 0, 0, 2, 2, 6, 6, 6], [(0, 0), (1, 0), (2, 0), (4, 0), (5, 2)], 2)

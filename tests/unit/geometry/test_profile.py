@@ -225,10 +225,10 @@ def test_extremes_lie_at_ends_and_between_in_every_degree(coefficients, degree, 
         assert list(zip(profile.extreme_places, profile.extremes, strict=True)) == [lowest, highest]
 
 
-def test_where_a_function_is_not_finite_is_told():
-    with np.errstate(divide="ignore"), pytest.raises(InputError, match="not finite at") as told:
+def test_where_a_function_is_not_finite_is_reported():
+    with np.errstate(divide="ignore"), pytest.raises(InputError, match="not finite at") as result:
         Profile.fit(lambda s: 1 / np.maximum(s - 150.0, 0.0), 300.0)
-    assert 0 <= float(str(told.value).split(":")[0].split()[-1]) <= 150
-    with np.errstate(invalid="ignore"), pytest.raises(InputError, match="not finite at") as told:
+    assert 0 <= float(str(result.value).split(":")[0].split()[-1]) <= 150
+    with np.errstate(invalid="ignore"), pytest.raises(InputError, match="not finite at") as result:
         Profile.fit(lambda s: np.sqrt(299.9 - s), 300.0)
-    assert float(str(told.value).split(":")[0].split()[-1]) > 299.9
+    assert float(str(result.value).split(":")[0].split()[-1]) > 299.9

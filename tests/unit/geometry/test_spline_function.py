@@ -65,7 +65,7 @@ def test_lapack_is_that_of_scipy_and_leaves_it_whole():
     [lambda _: None, lambda places: PathFinder.find_spec("scipy.linalg._fblas", places)],
     ids=["no such file", "without these functions"],
 )
-def test_a_build_of_scipy_without_these_files_is_asked_as_a_whole(found, monkeypatch):
+def test_a_build_of_scipy_without_these_files_is_requested_as_a_whole(found, monkeypatch):
     monkeypatch.setattr(compiled_scipy, "PathFinder", Mock(find_spec=lambda _, places: found(places)))
     assert compiled_scipy.lapack.__wrapped__().__name__ == "scipy.linalg.lapack"
 

@@ -64,7 +64,7 @@ def test_a_corner_larger_than_rounding_explains_stays_to_the_bit():
     assert not healing.undecided
 
 
-def test_a_large_turn_that_rounding_explains_is_left_and_told():
+def test_a_large_turn_that_rounding_explains_is_left_and_reported():
     points = smooth_pair(1.0, 1.0)
     points[4] = points[3] + np.array([np.cos(np.radians(45)), np.sin(np.radians(45))])
     healing = heal_tangents(KNOTS, points, 3, rounding=0.05)

@@ -72,7 +72,7 @@ def test_a_support_is_a_name_or_an_end(end):
         (lambda: PointMass(5.0, -1.0), "a point mass is -1.0: give 0 or more"),
     ],
 )
-def test_told_in_one_sentence(call, message):
+def test_reported_in_one_sentence(call, message):
     with pytest.raises(InputError, match=message) as caught:
         call()
     assert "\n" not in str(caught.value)

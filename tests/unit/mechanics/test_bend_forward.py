@@ -134,7 +134,7 @@ def test_straight_rods_stay_straight_when_they_can():
         assert np.abs(rod.moment).max() == 0.0
 
 
-def test_rough_shapes_are_told():
+def test_rough_shapes_are_reported():
     """An arc of 3 rad between neighbouring edges is no arc any more."""
     fine, rough = (bend(Rod.straight(1.0, samples=n, supports=CANTILEVER), moment=10.0) for n in (51, 6))
     assert fine.warnings == ()
@@ -142,7 +142,7 @@ def test_rough_shapes_are_told():
     assert bend(rough).angle == pytest.approx(rough.angle)
 
 
-def test_snap_is_told():
+def test_snap_is_reported():
     arch = bend(Rod.straight(1.0, samples=201), end=(0.9, 0.0))
     turned = bend(arch, angles=(-0.9, 0.9))
     assert stability(turned).stable

@@ -233,10 +233,10 @@ def random_request(seed):
     rod, side = ec.Rod.straight(500.0, samples=201), 1
     if [type(element) for element in between] != [ec.Tie]:
         rod, side = ec.bend(rod, end=(430.0, 0.0), supports=ec.Supports("pinned", "pinned")), None
-    asked = {"supports": ec.Supports(*ends), "between": between, "loads": loads, "side": side}
+    request = {"supports": ec.Supports(*ends), "between": between, "loads": loads, "side": side}
     if not loads and random.integers(2):
-        asked["gravity"] = ec.Gravity(300.0)
-    return replace(rod, bending_stiffness=1e4), asked
+        request["gravity"] = ec.Gravity(300.0)
+    return replace(rod, bending_stiffness=1e4), request
 
 
 def point_of(rod, s):
@@ -264,12 +264,12 @@ def balance_of(rod):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_forces_and_moments_add_up_or_the_supports_are_refused(seed):
-    rod, asked = random_request(seed)
+    rod, request = random_request(seed)
     try:
-        bent = ec.bend(rod, **asked)
+        bent = ec.bend(rod, **request)
     except InputError as refused:
         held = ec.Supports(refused.refusal.values["start"], refused.refusal.values["end"])
-        assert ec.bend(rod, **asked | {"supports": held}).supports == held
+        assert ec.bend(rod, **request | {"supports": held}).supports == held
         return
     assert np.max(balance_of(bent)) < 1e-6
     for action in bent.between:
@@ -315,22 +315,26 @@ def test_supports_are_judged_together_with_rails_and_pins(between, supports):
 def test_a_rod_that_nothing_holds_is_refused_with_the_fewest_supports(between, loads, supports, expected):
     rod = replace(ec.Rod.straight(500.0, samples=101), bending_stiffness=1e4)
     load = () if loads is None else ec.PointForce(200.0, loads)
-    asked = {"between": between, "loads": load, "side": None if between == () else 1}
+    request = {"between": between, "loads": load, "side": None if between == () else 1}
     with pytest.raises(InputError, match="is free to") as refused:
-        ec.bend(rod, supports=ec.Supports(*supports), **asked)
+        ec.bend(rod, supports=ec.Supports(*supports), **request)
     values = refused.value.refusal.values
     assert (values["start"], values["end"]) == expected
-    assert np.max(balance_of(ec.bend(rod, supports=ec.Supports(*expected), **asked))) < 1e-6
+    assert np.max(balance_of(ec.bend(rod, supports=ec.Supports(*expected), **request))) < 1e-6
 
 
 def test_a_bow_needs_no_support_under_loads_that_balance_each_other():
     rod = replace(ec.Rod.straight(500.0, samples=101), bending_stiffness=1e4)
-    asked = {"supports": ec.Supports("free", "free"), "between": ec.Tie(0.0, 500.0, length=450.0), "side": 1}
+    request = {
+        "supports": ec.Supports("free", "free"),
+        "between": ec.Tie(0.0, 500.0, length=450.0),
+        "side": 1,
+    }
     loads = [ec.PointForce(at, (0, force)) for at, force in ((100, 0.005), (250, -0.01), (400, 0.005))]
-    bent = ec.bend(rod, loads=loads, **asked)
+    bent = ec.bend(rod, loads=loads, **request)
     assert np.max(balance_of(bent)) < 1e-6
     with pytest.raises(InputError, match="free to move"):
-        ec.bend(rod, loads=[*loads[:1], ec.PointForce(400, (0, -0.005))], **asked)
+        ec.bend(rod, loads=[*loads[:1], ec.PointForce(400, (0, -0.005))], **request)
 
 
 # pi^2, and the first root of tan x = x squared

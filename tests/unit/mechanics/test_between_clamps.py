@@ -88,9 +88,9 @@ def test_a_strip_of_even_width_is_drawn(angles):
     ],
 )
 def test_what_is_no_point_length_or_pair_is_named(given, says):
-    asked = {"start": (0, 0), "end": (70, 0), "length": 100.0} | given
+    request = {"start": (0, 0), "end": (70, 0), "length": 100.0} | given
     with pytest.raises(InputError, match=says):
-        elastica_between(**asked)
+        elastica_between(**request)
 
 
 class TestFreeEnd:

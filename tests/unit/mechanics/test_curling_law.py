@@ -40,7 +40,7 @@ def test_slope_energy_and_inverse_belong_to_the_moment(law):
         assert law.energy(BEND)[k] == pytest.approx(stored, rel=1e-3 if law.natural_curvature else 1e-8)
 
 
-def test_a_strip_turned_at_its_ends_has_the_bend_that_its_moment_asks_for():
+def test_a_strip_turned_at_its_ends_has_the_bend_that_its_moment_requests():
     """Between pins, by equal moments: an even bend up to the very ends, of kappa factor(kappa) = M / E I."""
     factor = partial(anticlastic_factor, np.full(41, 30.0), **SHEET)
     rod = replace(
@@ -48,11 +48,11 @@ def test_a_strip_turned_at_its_ends_has_the_bend_that_its_moment_asks_for():
         law=CurlingLaw(factor, np.ones(41)),
     )
     turned = Supports("pinned", replace(Supports("pinned", "pinned").ends[1], x=False))
-    asked = 0.012
-    bent = bend(replace(rod, supports=turned), moment=(-asked, asked))
+    request = 0.012
+    bent = bend(replace(rod, supports=turned), moment=(-request, request))
     assert np.ptp(bent.curvature) < 1e-10
-    assert bent.curvature[0] * factor(bent.curvature)[0] == pytest.approx(asked, rel=1e-9)
-    assert bent.curvature[0] < 0.95 * asked
+    assert bent.curvature[0] * factor(bent.curvature)[0] == pytest.approx(request, rel=1e-9)
+    assert bent.curvature[0] < 0.95 * request
 
 
 def test_as_it_is_bent_a_strip_has_a_stiffness_that_holds_it_there():

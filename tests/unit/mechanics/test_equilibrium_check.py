@@ -325,17 +325,17 @@ class TestNaturalCurvature:
 
     def test_no_flat_strip_is_spoken_of(self):
         ellipse = PlaneCurve.ellipse((0, 0), (200, 100), 0.0, 0.3, np.pi / 2)
-        told = [str(check_equilibrium(ellipse, natural_curvature=rest)) for rest in (-0.01, 0.01)]
-        told.append(str(check_equilibrium(ARC, natural_curvature=0.01)))
+        result = [str(check_equilibrium(ellipse, natural_curvature=rest)) for rest in (-0.01, 0.01)]
+        result.append(str(check_equilibrium(ARC, natural_curvature=0.01)))
         wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
-        told.append(str(check_equilibrium(wave, Supports("pinned", "clamped"), natural_curvature=0.001)))
+        result.append(str(check_equilibrium(wave, Supports("pinned", "clamped"), natural_curvature=0.001)))
         ways = [
             r"can take .*\. It is bent from its pre-bent shape to one side only",
             r"can take .*\. The side to which it is bent from its pre-bent shape changes at .* mm",
         ]
-        for said, way in zip(told, [*ways, "already has .* mm", "cannot take .* mm"], strict=True):
-            assert re.match(rf"The pre-bent strip {way}\.", said), said
-            assert "flat" not in said
+        for text, way in zip(result, [*ways, "already has .* mm", "cannot take .* mm"], strict=True):
+            assert re.match(rf"The pre-bent strip {way}\.", text), text
+            assert "flat" not in text
 
     def test_not_a_number(self):
         with pytest.raises(InputError, match="natural_curvature"):

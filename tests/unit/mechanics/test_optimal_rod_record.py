@@ -281,8 +281,8 @@ class TestWeight:
             rod = bend(rod)
             u = rod.length - rod.s
             at = (u > 1.0) & (u < 3.0)
-            asked = -np.cos(rod.angle[-1]) * u**2 / (2 * 80.0**3)
-            np.testing.assert_allclose(rod.curvature[at], asked[at], rtol=0.04)
+            request = -np.cos(rod.angle[-1]) * u**2 / (2 * 80.0**3)
+            np.testing.assert_allclose(rod.curvature[at], request[at], rtol=0.04)
 
     def test_sought_bending_stiffness_is_the_best(self):
         """Neither a stiffer nor a softer strip has a smaller ratio (without the smoothing of section 5.3)."""
@@ -355,11 +355,11 @@ def test_a_rod_says_whether_it_carries_its_weight():
 
 
 @pytest.mark.parametrize(("peak", "end"), [(60, 10), (70, 0)])
-def test_where_the_moment_acts_against_the_curvature_is_told(peak, end):
+def test_where_the_moment_acts_against_the_curvature_is_reported(peak, end):
     """Three inflections leave the moment of a given weight no choice: M0, F x r and the moment of what follows."""
     points = [(0, 0), (30, 60), (60, -60 if end else -50), (90, peak), (120, -60 if end else -50), (150, end)]
     curve = PlaneCurve.spline(points, degree=4)
-    with pytest.raises(NotRealizable) as told:
+    with pytest.raises(NotRealizable) as result:
         optimal_rod(curve, Gravity(100.0), weight=Weight(alpha=0.1), bending_stiffness=1e4)
     nodes = curve.sample(4001)
     s, (x, y), step = nodes.s, nodes.position.T, nodes.s[1]
@@ -373,7 +373,7 @@ def test_where_the_moment_acts_against_the_curvature_is_told(peak, end):
     wrong = (own - terms @ np.linalg.solve(terms[at], own[at])) * nodes.curvature < 0
     wrong[at] = wrong[np.array(at) + 3]
     edges = s[np.flatnonzero(np.diff(np.concatenate([[False], wrong, [False]]).astype(int))).clip(max=4000)]
-    (reason,) = told.value.check.reasons
+    (reason,) = result.value.check.reasons
     assert np.concatenate(reason.values["stretches"]) == pytest.approx(edges, abs=0.5)
     assert "-" not in f"{reason.values['stretches']}"
 

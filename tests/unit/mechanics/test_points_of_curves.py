@@ -61,9 +61,9 @@ def test_both_numbers_are_in_every_form_of_an_undecided_verdict(heights):
     assert str(check).startswith(UNDECIDED)
     assert check.details[0].startswith("The points are exact to 0.001 mm only. ")
     assert {int(one) for one in re.findall(r"inflections: (\d)", check.details[0])} == {can.inflections, 2}
-    told = json.loads(json.dumps(report_check(check)))["undecided"]
-    assert told["other"] == asdict(found.other)
-    assert check.as_dict()["undecided"] == told
+    answer = json.loads(json.dumps(report_check(check)))["undecided"]
+    assert answer["other"] == asdict(found.other)
+    assert check.as_dict()["undecided"] == answer
     assert "<b>undecided</b>" in check._repr_html_()
     assert repr(check).startswith("<EquilibriumCheck undecided")
 

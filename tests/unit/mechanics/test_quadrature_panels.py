@@ -83,7 +83,7 @@ def test_a_piece_far_shorter_than_its_coordinates_is_one_smooth_panel():
     assert cut_into_panels(piece, []).count < 8
 
 
-def test_a_zero_beside_a_knot_asks_for_a_few_panels_on_its_other_side():
+def test_a_zero_beside_a_knot_requests_a_few_panels_on_its_other_side():
     curve = PlaneCurve.spline([(0, 0), (50, 80), (90.1, 60), (120, -60), (160, -80), (210, 0)])
     zero, knot = curve.curvature_zeros[0].t, 0.5
     assert 0 < zero - knot < 1e-3

@@ -196,7 +196,7 @@ def test_bends_that_fail_are_counted(arch, monkeypatch):
     assert np.isfinite(effect.worst)
 
 
-def test_a_snap_is_told(arch):
+def test_a_snap_is_reported(arch):
     study = tolerance_study(arch, ranges=ToleranceRanges(angle=(1.9, 2.0)), samples=2)
     assert study["end angles"].snapped + study["end angles"].failed > 0
     assert "snapped" in str(study) or "no equilibrium" in str(study)

@@ -40,8 +40,8 @@ print((others() - before) / 20)
 def test_following_a_curve_wakes_no_thread_of_blas(pure):
     """Milliseconds of processor that other threads took for each strip."""
     threaded = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
-    told = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", FOLLOW], env=threaded | {"ELASTICA_PURE": pure}, capture_output=True, text=True,
         check=True, timeout=120,
     )  # fmt: skip
-    assert float(told.stdout) < 0.05
+    assert float(result.stdout) < 0.05

@@ -127,10 +127,12 @@ def test_where_no_longer_tab_fits_the_message_says_why():
         tabs = (Tab(length, width=10),) * 2
         return revolve(ball, 12, sheet="polypropylene-0.8", rings="birch-plywood-2", gap=gap, ends=tabs)
 
-    told = r"does not reach .*: with tabs ([\d.]+) mm long, there is another problem: .*: the load .* too far"
-    with pytest.raises(InputError, match=told) as refused:
+    result = (
+        r"does not reach .*: with tabs ([\d.]+) mm long, there is another problem: .*: the load .* too far"
+    )
+    with pytest.raises(InputError, match=result) as refused:
         rings(10.0)
-    longer = float(re.search(told, str(refused.value))[1])
+    longer = float(re.search(result, str(refused.value))[1])
     with pytest.raises(InputError, match="the load of the strip bends the tab of strip 1:1 too far"):
         rings(longer)
     single = rings(10.0, gap=None)

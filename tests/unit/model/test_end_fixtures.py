@@ -259,10 +259,10 @@ def test_least_slot_width_and_height_of_the_plate(arch):
         PlacedTab.of(one.strip, end, one.frame).tip[2] for one in model.placed for end in ("start", "end")
     ]
     least = min(tips) + 50
-    told = (
+    result = (
         f"lowest tip is {least:.1f} mm above .* Move the plate up by {np.ceil(least + 3):.0f} mm .base.height"
     )
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError, match=result):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
     with pytest.raises(InputError, match=r"come from below the plate. Move the plate down .base\.height"):
         base_plate(model.placed, MDF, frame=Frame((0, 0, 500)))

@@ -66,11 +66,11 @@ PLACES = {
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("place", PLACES)
-def test_strips_that_lie_in_each_other_are_told_and_others_are_not(place):
+def test_strips_that_lie_in_each_other_are_reported_and_others_are_not(place):
     placed = [arch("A"), arch("B", **PLACES[place])]
     deepest = max(depths(*placed).max(), depths(*placed[::-1]).max())
-    told = missing_slots(placed)
-    assert len(told) == (deepest > 0.05)
+    result = missing_slots(placed)
+    assert len(result) == (deepest > 0.05)
 
 
 @pytest.mark.campaign
@@ -84,18 +84,18 @@ def test_places_at_random():
         shift = rng.normal(size=3) * (1.0, 12.0, 1.5)
         placed = [arch("A"), arch("B", shift, turn[0], turn[2])]
         deepest = max(depths(*placed).max(), depths(*placed[::-1]).max())
-        told = missing_slots(placed)
-        assert len(told) in ({1} if deepest > 0.15 else {0} if deepest < 0 else {0, 1})
-        found.append(len(told))
+        result = missing_slots(placed)
+        assert len(result) in ({1} if deepest > 0.15 else {0} if deepest < 0 else {0, 1})
+        found.append(len(result))
     assert 8 < sum(found) < 35
 
 
-def test_what_is_told():
+def test_what_is_reported():
     placed = [arch("A"), arch("B", (0, 10, 0)), arch("C", (0, 25, 0)), arch("D", (0, 50, 0))]
-    (told,) = missing_slots(placed, brief=True)
-    assert told.startswith("the sheets of A (")
-    assert "from its start) and B (" in told
-    assert told.endswith(" overlap (and 1 more pair): move the strips apart, or make them narrower there")
+    (message,) = missing_slots(placed, brief=True)
+    assert message.startswith("the sheets of A (")
+    assert "from its start) and B (" in message
+    assert message.endswith(" overlap (and 1 more pair): move the strips apart, or make them narrower there")
 
 
 @pytest.mark.campaign
@@ -109,7 +109,7 @@ def test_strips_about_an_axis_lie_edge_to_edge(count, thickness):
     assert missing_slots(model.placed) == ()
 
 
-def test_leaves_on_each_other_are_not_told():
+def test_leaves_on_each_other_are_not_reported():
     """Glued face to face they are as far apart as they are thick."""
     arc = PlaneCurve.arc((0, 0), 60.0, 0.5, 2.5)
     outer = PlaneCurve.arc((0, 0), 60.8, 0.5, 2.5)

@@ -158,7 +158,7 @@ def test_a_wave_whose_tab_turns_about_single_edges_comes_to_rest(chord, angles, 
     assert pushes.max() > 0
 
 
-def test_a_tab_that_its_holder_has_no_room_for_is_told_by_how_much(rod):
+def test_a_tab_that_its_holder_has_no_room_for_is_named_by_how_much(rod):
     """Three slots of 0.9 mm for a tab of 0.8, that in the middle offset by 0.2: stiff, it lacks 0.1 mm."""
     seat = TabSeat(
         [(0, 0.45), (10, 0.25), (20, 0.45)], [(0, -0.45), (10, -0.65), (20, -0.45)], 0.8, "three slots"
@@ -224,12 +224,12 @@ def test_wider_slots_turn_the_tabs_of_a_lamp(lamp_strip):
     ]
     turned = bend(made, angles=tuple(angles))
     assert float(np.hypot(*(turned.position - made.position).T).max()) == pytest.approx(0.3, abs=0.02)
-    told = strip.held(*seats)
+    result = strip.held(*seats)
     # the slots also let the ends shift by 0.04 mm
-    assert told.sheet["wider slots"] == pytest.approx(0.34, abs=0.02)
-    assert told.sheet["thinner tabs"] == 0.0
-    (slots,) = (part for part in told.contributions if part.cause == "wider slots")
-    assert (slots.mm, slots.key) == (told.sheet["wider slots"], "tolerance.kerf")
+    assert result.sheet["wider slots"] == pytest.approx(0.34, abs=0.02)
+    assert result.sheet["thinner tabs"] == 0.0
+    (slots,) = (part for part in result.contributions if part.cause == "wider slots")
+    assert (slots.mm, slots.key) == (result.sheet["wider slots"], "tolerance.kerf")
     assert "wider slots" not in strip.held().sheet
     assert replace(strip, tolerance=NO_ERRORS).held(*seats).sheet_adds == 0.0
 
@@ -283,16 +283,16 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     strip = Strip(bow, PLY, max_width=30.0, ends=(Tab(30), Tab(30)), label="A")
     placed = inclined(strip)
     single = base_plate(placed, MDF)
-    (told,) = rocking_tabs(placed, [single])
+    (message,) = rocking_tabs(placed, [single])
     (rocked,) = held_shapes(placed, [single])
-    assert told.startswith(
+    assert message.startswith(
         "A (and 1 more): in the slot of base, the tab at the start of the strip can tip by "
     )
     upright, flatter = map(
-        int, re.search(r"tip by (\d+) degrees towards .* (\d+) degrees in the opposite", told).groups()
+        int, re.search(r"tip by (\d+) degrees towards .* (\d+) degrees in the opposite", message).groups()
     )
     assert upright > 10 > flatter
-    assert f"the strip then deviates by up to {rocked.deviation:.2g} mm" in told
+    assert f"the strip then deviates by up to {rocked.deviation:.2g} mm" in message
     assert "degrees" in holder_plays(placed, [single])[0]
     assert rocked.deviation > 5e-3 * bow.length
     pair = plate_pair(placed, MDF, gap=10)
@@ -300,8 +300,8 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     assert not rocking_tabs(placed, pair)
     (held,) = held_shapes(placed, pair)
     assert held.deviation < 5e-4 * bow.length
-    assert "two plates (gap = 20) and tabs " in told
-    long = float(told.split("plates (gap = 20) and tabs ")[1].split(" mm")[0])
+    assert "two plates (gap = 20) and tabs " in message
+    long = float(message.split("plates (gap = 20) and tabs ")[1].split(" mm")[0])
     longer = inclined(replace(strip, ends=(Tab(long), Tab(long))))
     assert not rocking_tabs(longer, plate_pair(longer, MDF, gap=20))
     (seat,) = {seat.name for seat in tab_seats(pair).values()}
@@ -480,7 +480,7 @@ def test_holders_with_play_say_what_play_they_leave(kind):
             "fixtures": lambda: [EndFixture.of(strip, end, placed[0].frame) for end in ("start", "end")],
             "ends": lambda: end_plates(placed, MDF, together=True),
         }[kind]()
-    told = "; ".join(holder_plays(placed, holders))
+    message = "; ".join(holder_plays(placed, holders))
     names = {
         "base": ["base"],
         "frame": ["rail-start", "rail-end"],
@@ -488,9 +488,9 @@ def test_holders_with_play_say_what_play_they_leave(kind):
         "cap": ["ring-bottom"],
         "ends": ["ring"],
     }
-    assert re.findall(r"In the slot of (\S+), a tab can .*?degrees", told) == names.get(kind, [])
-    assert bool(told) == (kind in names)
-    assert "shift by 0 mm" not in told
+    assert re.findall(r"In the slot of (\S+), a tab can .*?degrees", message) == names.get(kind, [])
+    assert bool(message) == (kind in names)
+    assert "shift by 0 mm" not in message
 
 
 def leaning_row():
@@ -549,10 +549,10 @@ SLOTS = (Slot(60.0, width=1.0), Slot(120.0, width=1.0, side="lower"))
 
 
 @pytest.mark.parametrize(
-    "asked", [{"ends": TABS}, {"slots": SLOTS}, {}], ids=["narrow tabs", "slots", "anticlastic"]
+    "options", [{"ends": TABS}, {"slots": SLOTS}, {}], ids=["narrow tabs", "slots", "anticlastic"]
 )
-def test_widths_that_make_up_bring_the_strip_back(rod, asked):
-    strip = Strip(rod, replace(PLY, poisson_ratio=0.3), max_width=30.0, **asked)
+def test_widths_that_make_up_bring_the_strip_back(rod, options):
+    strip = Strip(rod, replace(PLY, poisson_ratio=0.3), max_width=30.0, **options)
     better = compensate_widths(strip)
     assert strip.held_deviation > 1e-4 * rod.length
     assert better.held_deviation < 0.2 * strip.held_deviation

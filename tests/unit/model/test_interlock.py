@@ -69,7 +69,7 @@ def test_edges_at_a_node_of_the_ruling(width, back):
         np.testing.assert_allclose(np.abs(slot.path[[0, -1], 1]), [0.0, width / 2], atol=1e-9)
 
 
-def test_copies_with_one_label_are_told_apart():
+def test_copies_with_one_label_are_reported_apart():
     model = Model([flat(label="A", origin=(-50, 0, 0))]).rotated(2, step=0.1)
     with pytest.raises(InputError, match=r"A \(strip 1\)"):
         model.interlock(clearance=50.0)
@@ -299,7 +299,7 @@ def test_overlap_is_cut_from_either_edge():
         assert b.slots[0].path[[0, -1], 1] == pytest.approx([-8, -10])
 
 
-def test_a_strip_held_from_both_edges_is_told():
+def test_a_strip_held_from_both_edges_is_reported():
     """The last strip lies between one above and one below: it cannot simply be pushed on."""
     over = turned(np.pi / 2, at=(30, 0, 16), label="A")
     under = turned(np.pi / 2, at=(70, 0, -16), label="B")
@@ -345,21 +345,21 @@ def test_equal_arches_are_slotted_where_they_run_down_side_by_side():
         assert strip.outline.closed
 
 
-def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_are_not():
+def test_strips_that_run_through_each_other_are_reported_and_neighbours_that_touch_are_not():
     """Twelve strips about an axis: a little narrower than there is room for, just so wide, a millimetre wider."""
     rod = Rod.straight(100.0)
     room = 2 * 30.0 * np.tan(np.pi / 12)
-    for wide, told in ((room - 0.01, 0), (room, 0), (room + 1.0, 12)):
+    for wide, result in ((room - 0.01, 0), (room, 0), (room + 1.0, 12)):
         strip = Strip(rod, CARD, max_width=wide)
         model = Model([Placed(strip, origin=(30, 0, 0), x_axis=(0, 0, 1), y_axis=(1, 0, 0))]).rotated(12)
-        assert len(missing_slots(model.placed)) == told
-        assert len(missing_slots(model.placed, brief=True)) == min(1, told)
+        assert len(missing_slots(model.placed)) == result
+        assert len(missing_slots(model.placed, brief=True)) == min(1, result)
     assert missing_slots(model.placed, brief=True)[0].endswith(
         "(and 11 more pairs): cut slots (interlock), move the strips apart, or make them narrower there"
     )
 
 
-def test_shallow_angles_are_told():
+def test_shallow_angles_are_reported():
     model = Model([flat(label="A"), turned(np.radians(10), label="B")]).interlock()
     assert "A and B cross at an angle of 10 degrees, 50 mm from the start of A" in model.reports[0]
 
@@ -450,7 +450,7 @@ def test_strips_that_are_slotted_alike_have_one_key():
     assert cut_key(replace(first, slots=farther)) != cut_key(first)
 
 
-def test_strips_that_are_clearly_apart_are_told_with_their_room():
+def test_strips_that_are_clearly_apart_are_listed_with_their_room():
     strips = [
         RuledStrip(one.strip.rod.curve, one.frame, one.strip.width)
         for one in (flat(), flat(origin=(0, 3, 0)), turned(1.0), flat(origin=(0, 0, 50)))

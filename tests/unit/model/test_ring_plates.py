@@ -181,19 +181,19 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
 
 
 @pytest.mark.campaign
-def test_the_smallest_ring_beside_a_pole_is_told():
+def test_the_smallest_ring_beside_a_pole_is_reported():
     """The ring in the message works, a millimetre less does not; all smaller rings get the same message."""
     smallest = set()
-    for asked in (None, 3, 8, 15):
-        ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=asked)
+    for request in (None, 3, 8, 15):
+        ball = ec.meridian(0.0, (0.01, 0), (100, 0), np.pi / 2, 300, ring=request)
         with pytest.raises(InputError, match=r"use ring=\d+ or more") as refused:
             ec.revolve(ball, 12, sheet=CARD, rings="card-200gsm")
-        told = int(str(refused.value).split("ring=")[-1].split()[0])
-        smallest.add(told)
+        result = int(str(refused.value).split("ring=")[-1].split()[0])
+        smallest.add(result)
     assert len(smallest) == 1
-    ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="card-200gsm")
+    ec.revolve(ball.to_ring(result), 12, sheet=CARD, rings="card-200gsm")
     with pytest.raises(InputError):
-        ec.revolve(ball.to_ring(told - 1), 12, sheet=CARD, rings="card-200gsm")
+        ec.revolve(ball.to_ring(result - 1), 12, sheet=CARD, rings="card-200gsm")
 
 
 def test_a_meridian_is_cut_where_another_ends():

@@ -15,11 +15,11 @@ APART = (5, 6, 8, 10, 15, 17, 29, 37)
 
 
 @pytest.mark.parametrize("seed", COLLIDING)
-def test_what_is_told_is_in_both(seed, slotted_pairs):
+def test_what_is_reported_is_in_both(seed, slotted_pairs):
     model = slotted_pairs.pair(seed)
-    (told,) = missing_slots(model.placed, model.joints)
-    place = np.array(told.values["place"])
-    for placed, s in zip(model.placed, (told.values["s"], told.values["r"]), strict=True):
+    (result,) = missing_slots(model.placed, model.joints)
+    place = np.array(result.values["place"])
+    for placed, s in zip(model.placed, (result.values["s"], result.values["r"]), strict=True):
         around = place + np.random.default_rng(1).uniform(-0.15, 0.15, (4000, 3))
         inside = slotted_pairs.depths(placed, around) > 0
         assert inside.any()
@@ -40,14 +40,14 @@ def test_how_deep_they_run(seed, slotted_pairs):
 @pytest.mark.campaign
 @pytest.mark.parametrize("clearance", [0.0, 0.1, 0.5])
 @pytest.mark.parametrize("seed", APART)
-def test_what_lies_in_its_slots_is_not_told(seed, clearance, slotted_pairs):
+def test_what_lies_in_its_slots_is_not_reported(seed, clearance, slotted_pairs):
     model = slotted_pairs.pair(seed, clearance=clearance)
     a, b = model.placed
     assert max(slotted_pairs.shared(a, b), slotted_pairs.shared(b, a)) < 0.06
     assert missing_slots(model.placed, model.joints) == ()
 
 
-def test_slots_of_the_papers_width_are_asked_away_from_them_only(slotted_pairs):
+def test_slots_of_the_papers_width_are_requested_away_from_them_only(slotted_pairs):
     for seed, count in ((5, 0), (8, 0), (76, 1)):
         model = slotted_pairs.pair(seed, fit="paper")
         assert len(missing_slots(model.placed, model.joints)) == count
@@ -55,12 +55,12 @@ def test_slots_of_the_papers_width_are_asked_away_from_them_only(slotted_pairs):
 
 def test_kits_tell(slotted_pairs):
     model = slotted_pairs.pair(76)
-    (told,) = (
+    (result,) = (
         text
         for text in kit_contents(model, KitSpec(ignore_limits=True), effects=False).notes
         if "outside the slots" in text
     )
-    assert told.values["depth"] > 0
+    assert result.values["depth"] > 0
 
 
 def test_faces_that_bend_away_from_each_other_ask_for_no_width(slotted_pairs):

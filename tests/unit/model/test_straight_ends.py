@@ -44,10 +44,10 @@ def test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_d
     assert strip.rod.length == pytest.approx(bent.rod.length, abs=1e-6)
     assert np.allclose(strip.width.extremes, bent.width.extremes, atol=1e-6)
     assert len(strip.holes) == 4
-    (told,) = (
+    (message,) = (
         warning for warning in strip.warnings if "straight over its first 60 mm and its last 60 mm" in warning
     )
-    assert told.endswith("Circles drawn on the tabs became holes: 4.")
+    assert message.endswith("Circles drawn on the tabs became holes: 4.")
 
 
 def test_a_curve_that_is_to_be_bent_whole_is_refused_as_theorem_1_says(arch):
@@ -94,7 +94,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     assert "end (2): strip straight ahead, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
 
 
-def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
+def test_an_end_that_no_part_of_a_model_holds_is_reported_and_has_no_figure():
     curve = ec.PlaneCurve.spline([(0, 0), (20, 100), (120, 180), (220, 50)], degree=3)
     strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=40, label="UP")
     model = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="up")
@@ -140,5 +140,5 @@ def test_parts_that_fit_share_a_page(tmp_path):
 
 def titles(pdf):
     """What each page of a PDF is called, as Poppler reads it."""
-    told = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
-    return [page.partition(" print ")[0].strip() for page in told.split("\f") if page]
+    message = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True).stdout
+    return [page.partition(" print ")[0].strip() for page in message.split("\f") if page]

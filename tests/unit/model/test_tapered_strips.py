@@ -41,10 +41,10 @@ PLY = Sheet.named("birch-plywood-3")
 
 @pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])
 @pytest.mark.parametrize(
-    "asked", [{}, {"gravity": True}, {"limits": Limits(margin=2.0)}], ids=["light", "heavy", "near"]
+    "options", [{}, {"gravity": True}, {"limits": Limits(margin=2.0)}], ids=["light", "heavy", "near"]
 )
-def test_the_size_gives_the_stiffness_and_the_strip_its_shape(law, asked):
-    strip = make_strip(ARCH, GLASS, section=law, **asked)
+def test_the_size_gives_the_stiffness_and_the_strip_its_shape(law, options):
+    strip = make_strip(ARCH, GLASS, section=law, **options)
     table = strip.table()
     size = table[f"{law.quantity}_mm"]
     EI = law.bending_stiffness(size)
@@ -88,13 +88,13 @@ def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "options",
     [{"max_width": 20.0}, {"slots": (Slot(40.0, 1.2),)}, {"ends": (Tab(10, holes=(Hole(5, 3),)), Tab(10))}],
     ids=["width", "slots", "tabs"],
 )
-def test_what_a_law_leaves_no_room_for_is_refused(asked):
+def test_what_a_law_leaves_no_room_for_is_refused(options):
     with pytest.raises(InputError, match="sets the width and thickness of the whole strip"):
-        StripSpec(ARCH, GLASS, section=THICKNESS, **asked)
+        StripSpec(ARCH, GLASS, section=THICKNESS, **options)
 
 
 test_refusals = refusal_test(

@@ -54,7 +54,7 @@ def test_thickness_makes_the_stiffness(clip):
     assert h.min() == pytest.approx(clip.thickness_range[0])
 
 
-def test_what_the_way_asks_for_decides_how_thick_a_bistable_part_is(clip):
+def test_what_the_way_requests_decides_how_thick_a_bistable_part_is(clip):
     assert max(clip.strain) < clip.travel.strain.max() <= POM.max_strain
     assert clip.travel.strain.max() > 0.9 * POM.max_strain
     assert clip.warnings == ()
@@ -66,13 +66,13 @@ def test_the_default_thickness_keeps_the_strain_of_its_own_path_within_the_limit
     assert 0.9 * POM.max_strain < part.travel_strain <= POM.max_strain
 
 
-def test_a_force_is_told_with_what_thickness_and_sheet_leave_open(clip):
+def test_a_force_is_listed_with_what_thickness_and_sheet_leave_open(clip):
     """Against the same part made a tenth of a mm thinner and thicker."""
     low, high = clip.force_range
     softest, stiffest = np.array(POM.youngs_modulus_range) / POM.youngs_modulus
-    for off, told in ((-0.1, low / softest), (0.1, high / stiffest)):
+    for off, result in ((-0.1, low / softest), (0.1, high / stiffest)):
         other = Flexure(clip.pair, POM, least_thickness=clip.scale + off, ignore_limits=True)
-        assert told == pytest.approx(other.travel.largest_force, rel=0.04)
+        assert result == pytest.approx(other.travel.largest_force, rel=0.04)
     assert f"about {clip.travel.largest_force:.2g} N ({low:.2g} to {high:.2g} N" in str(clip.force_text)
 
 
@@ -239,7 +239,7 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
     assert enlarged.scale == pytest.approx(LEAST_CUT_MM, rel=0.05)  # enough, and not much more
 
 
-def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
+def test_a_part_that_nothing_bends_requests_how_thick_it_shall_be():
     with pytest.raises(InputError, match="the thickness of the part cannot be computed"):
         FlexureSpec(arch(24), arch(24), POM).make()
     unbent = FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make()
@@ -299,18 +299,18 @@ def test_a_longer_pad_keeps_its_holes_apart_in_a_thick_holder(clip, depth):
 
 
 def test_names_are_cleaned_before_the_part_is_computed(stand):
-    asked = FlexureSpec(
+    request = FlexureSpec(
         arch(8), arch(-6.5), POM, label="a\u00a0b", first_state="e\u0301", second_state="\u200bdown"
     )
-    assert (asked.label, asked.first_state, asked.second_state) == ("a b", "é", "down")
+    assert (request.label, request.first_state, request.second_state) == ("a b", "é", "down")
     assert replace(stand, state_names=("e\u0301", "so\u00adft")).state_names == ("é", "soft")
     for name in ("label", "first_state", "second_state"):
         with pytest.raises(InputError, match=r"contains '\\u202e' between 'a' and 'b'"):
-            replace(asked, **{name: "a\u202eb"})
+            replace(request, **{name: "a\u202eb"})
     with pytest.raises(InputError, match=r"contains '\\n'"):
         replace(stand, state_names=("a\nb", ""))
     with pytest.raises(InputError, match="Both states have the name é"):
-        replace(asked, second_state="é")
+        replace(request, second_state="é")
 
 
 def test_states_have_names_in_the_holder_and_the_warnings(stand):
@@ -431,5 +431,5 @@ def test_names_in_other_alphabets_are_engraved_as_numbers_that_a_note_explains(s
     texts = [text.text for text in (*named.drawing().texts, *named.holder().texts)]
     assert texts[0] == "1"
     assert {"3", "2"} <= set(texts)
-    (told,) = (str(message) for message in named.warnings if "Numbers are engraved" in message)
-    assert "1 = Анна, 3 = 左" in told
+    (sentence,) = (str(message) for message in named.warnings if "Numbers are engraved" in message)
+    assert "1 = Анна, 3 = 左" in sentence

@@ -63,7 +63,7 @@ def test_enforced_on_a_given_line_and_like_another_curve():
     np.testing.assert_allclose(unit_tangents(found.curve)[0], unit_tangents(straight)[0], atol=1e-9)
 
 
-def test_an_inflection_that_comes_on_the_way_is_told():
+def test_an_inflection_that_comes_on_the_way_is_reported():
     """Three are brought onto a line, and a fourth appears beside the start: it had been returned as enforced."""
     points = [(4, 22), (21, 5), (30, -6), (48, -39), (65, 47), (78, -38), (100, 29)]
     with pytest.raises(NotConvergedError, match=r"has 4 inflections \(at .* mm\) instead of 3: switch off"):

@@ -12,9 +12,9 @@ def test_a_refused_curve_is_drawn_with_the_places_of_its_reasons(tmp_path):
     points = [(0, 0), (30, 80), (90, 60), (120, -40), (200, -60), (230, 60), (290, 120), (340, -20)]
     verdict = ec.check_equilibrium(ec.PlaneCurve.spline(points, degree=3))
     figure = plot.check(verdict)
-    told = {text.get_text() for text in figure.axes[0].findobj(Annotation)}
+    result = {text.get_text() for text in figure.axes[0].findobj(Annotation)}
     assert not verdict.realizable
-    assert told == {f"{s:.4g}" for s in (*verdict.inflections, *verdict.crossings)}
+    assert result == {f"{s:.4g}" for s in (*verdict.inflections, *verdict.crossings)}
     assert "crosses the curve" in figure.get_suptitle().replace("\n", " ")
     plot.save_figure(figure, tmp_path / "check.png")
     assert (tmp_path / "check.png").stat().st_size > 10_000

@@ -45,7 +45,7 @@ def test_a_circle_and_a_spline_lose_the_width_only():
     assert gaps(pieces) == pytest.approx([0.8] * len(pieces), rel=1e-2)
 
 
-def test_inner_cuts_and_marks_stay_unless_asked():
+def test_inner_cuts_and_marks_stay_unless_requested():
     loop = ec.Path.rectangle(50.0, 10.0)
     assert held(loop, "CUT_INNER", spacing=40.0)[0].path is loop
     assert len(held(loop, "CUT_INNER", spacing=40.0, inner=True)) == 3

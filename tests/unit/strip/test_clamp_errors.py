@@ -64,12 +64,12 @@ def test_a_strip_that_snaps_at_an_error_of_a_clamp_is_not_called_stable(tmp_path
     assert changes[0].startswith("Rest the strip on a rail")
     assert "the strip snaps at a small error of a clamp" in changes[-1]
     printed = run(f"strip {options} --nearest --stable -o out", cwd=tmp_path).output
-    ((said, turn),) = re.findall(
+    ((text, turn),) = re.findall(
         r"! Stability (close to snapping: .* clamp at its end is turned by ([\d.]+) degrees.*)", printed
     )
     report = json.loads((tmp_path / "out/wave.json").read_text())
     assert report["stability"]["word"] == "low"
-    assert said.startswith(report["stability"]["meaning"])
+    assert text.startswith(report["stability"]["meaning"])
     assert report["stability"]["meaning"] in report["warnings"]
     assert re.search(r"^Accuracy +not computed, because the strip can snap", printed, re.M)
     assert report["held"] is None

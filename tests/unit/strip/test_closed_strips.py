@@ -140,16 +140,16 @@ def test_curves_that_bend_one_way_close(name):
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("name", ["circle", "ellipse", "squarish"])
-def test_the_lap_straightens_the_joint_as_told(name):
+def test_the_lap_straightens_the_joint_as_reported(name):
     """Against the equation integrated with the lap's own ends."""
     strip = make_strip(CLOSED[name], BEAM, max_width=20)
-    told, wanted = strip.held().rod, lapped_shape(strip)
-    nodes = np.column_stack([np.interp(strip.rod.s, told.s, column) for column in told.position.T])
+    result, wanted = strip.held().rod, lapped_shape(strip)
+    nodes = np.column_stack([np.interp(strip.rod.s, result.s, column) for column in result.position.T])
     strayed = np.hypot(*(wanted - strip.rod.position).T).max()
     assert np.hypot(*(nodes - wanted).T).max() < 0.05 * strayed
     assert strip.held().parts.keys() >= {"lap joint"}
-    assert told.moment[0] == pytest.approx(told.moment[-1], rel=1e-5)
-    assert told.force[0] == pytest.approx(told.force[-1], abs=1e-12)
+    assert result.moment[0] == pytest.approx(result.moment[-1], rel=1e-5)
+    assert result.force[0] == pytest.approx(result.force[-1], abs=1e-12)
 
 
 @pytest.mark.parametrize("name", CLOSED)
@@ -164,8 +164,8 @@ def test_widths_make_up_for_the_lap_and_close(name):
 def test_whether_it_closes_is_a_plain_truth_value():
     """As JSON takes it; of closed strips it had been one of numpy's."""
     arc = PlaneCurve.arc((0, 0), 60, 0, 2)
-    told = [make_strip(curve, PLY, max_width=20).is_closed for curve in (CIRCLE, arc)]
-    assert json.dumps(told) == "[true, false]"
+    result = [make_strip(curve, PLY, max_width=20).is_closed for curve in (CIRCLE, arc)]
+    assert json.dumps(result) == "[true, false]"
 
 
 def test_without_a_lap_the_shape_is_the_drawn_one():
@@ -175,18 +175,18 @@ def test_without_a_lap_the_shape_is_the_drawn_one():
 
 
 def test_where_it_is_joined():
-    asked = StripSpec(ELLIPSE, PLY, max_width=20)
-    bent = np.abs(asked.make().rod.curvature)
+    request = StripSpec(ELLIPSE, PLY, max_width=20)
+    bent = np.abs(request.make().rod.curvature)
     assert bent[0] == pytest.approx(bent.min(), rel=1e-4)
-    there = asked.changed(seam_position=100.0).make()
+    there = request.changed(seam_position=100.0).make()
     assert there.rod.position[0] == pytest.approx(ELLIPSE.at(np.array([100.0])).position[0], abs=1e-6)
     assert there.ends[0].length == 0
     with pytest.raises(InputError, match=r"seam_position is 1000.*0 to 66\d"):
-        asked.changed(seam_position=1000.0)
-    free = asked.changed(seam_position=100.0, limits=Limits(ratio=9.0)).make()
+        request.changed(seam_position=1000.0)
+    free = request.changed(seam_position=100.0, limits=Limits(ratio=9.0)).make()
     assert free.rod.position[0] == pytest.approx(there.rod.position[0], abs=1e-6)
     with pytest.raises(InputError, match="seam_position puts a joint 100 mm from its start"):
-        asked.changed(seam_position=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
+        request.changed(seam_position=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
 
 
 def test_a_closed_curve_begins_anywhere():
@@ -232,10 +232,10 @@ def test_pattern_and_report():
     assert (low, high) == pytest.approx((0.0, strip.rod.length + 10.0), abs=1e-9)
     marks = [path.start[0] for path in strip.drawing().on("MARK")]
     assert marks == pytest.approx([10.0, strip.rod.length])
-    told = report_strip(strip, name="R", files={})["joint"]
-    assert told["lap"] == 10.0
-    assert told["moment"] == pytest.approx(abs(strip.bending_stiffness / 60), rel=1e-3)
-    assert "the tab of 10 mm" in told["meaning"]
+    answer = report_strip(strip, name="R", files={})["joint"]
+    assert answer["lap"] == 10.0
+    assert answer["moment"] == pytest.approx(abs(strip.bending_stiffness / 60), rel=1e-3)
+    assert "the tab of 10 mm" in answer["meaning"]
 
 
 def test_bodies():
@@ -255,11 +255,11 @@ def test_the_rod_of_a_closed_curve_closes():
     assert rod.moment[0] == pytest.approx(rod.moment[-1])
 
 
-def test_the_joint_is_told_where_the_drawing_program_shows_it():
+def test_the_joint_is_reported_where_the_drawing_program_shows_it():
     """An SVG's y runs down: 150 below the top there is -150 here."""
     drawn = UPRIGHT.drawn_as(Provenance(place=np.diag([1.0, -1.0, 1.0])))
-    told, plain = (make_strip(one, PLY, max_width=20) for one in (drawn, UPRIGHT))
+    result, plain = (make_strip(one, PLY, max_width=20) for one in (drawn, UPRIGHT))
     x, y = plain.rod.position[0]
     assert f"at {Provenance().shown((x, y))}, where" in plain.joint
     assert abs(y) > 1
-    assert f"at {Provenance().shown((x, -y))}, where" in told.joint
+    assert f"at {Provenance().shown((x, -y))}, where" in result.joint

@@ -24,10 +24,10 @@ def test_arches_side_by_side_are_as_near_as_their_blocks_are_wide(share, count):
     (block, *_) = end_fixtures([Placed(strip("A"), (0, 0, 0), (1, 0, 0), (0, 0, 1))])
     apart = share * block.across
     placed = [Placed(strip(name), (0, i * apart, 0), (1, 0, 0), (0, 0, 1)) for i, name in enumerate("AB")]
-    told = crowded_blocks(end_fixtures(placed), placed)
-    assert len(told) == (count > 0)
-    if told:
-        assert told[0].startswith("the printed blocks of A:1 and B:1 (and 1 more pair) would overlap")
+    result = crowded_blocks(end_fixtures(placed), placed)
+    assert len(result) == (count > 0)
+    if result:
+        assert result[0].startswith("the printed blocks of A:1 and B:1 (and 1 more pair) would overlap")
 
 
 def hulls(block):
@@ -86,8 +86,8 @@ def test_halves_of_a_ring_run_through_each_others_blocks():
     assert crowded_blocks(end_fixtures(apart), apart) == ()
     ring = [Placed(half, (0, 0, 0), (1, 0, 0), (0, 1, 0)) for half in halves]
     blocks = end_fixtures(ring)
-    (told,) = crowded_blocks(blocks, ring)
-    assert told.startswith(
+    (message,) = crowded_blocks(blocks, ring)
+    assert message.startswith(
         "A would pass through the printed block of B:1 (and 3 more places): let the strips end farther apart"
     )
     # 10 mm of the other half lie where the tab is to be
@@ -109,7 +109,9 @@ def test_a_block_between_the_middle_and_the_edge_of_a_wide_strip():
     blocks = end_fixtures(placed[1:])
     assert 12.5 - blocks[0].across / 2 > 5.0
     assert 12.5 + blocks[0].across / 2 < 20.0
-    (told,) = crowded_blocks(blocks, placed)
-    assert told.startswith("W would pass through the printed block of B:1: let the strips end farther apart")
+    (message,) = crowded_blocks(blocks, placed)
+    assert message.startswith(
+        "W would pass through the printed block of B:1: let the strips end farther apart"
+    )
     beside = Placed(slim, (60, 50.5 + blocks[0].across / 2, 62), (1, 0, 0), (0, 0, 1))
     assert crowded_blocks(end_fixtures([beside]), [placed[0], beside]) == ()

@@ -35,21 +35,21 @@ def softened(rod, share):
 
 def test_a_wave_of_thickness_moves_it_as_far_as_when_it_is_bent(strip):
     rod = strip.rod
-    told = replace(strip, tolerance=replace(NOTHING, thickness_wave=0.003)).held().sheet
+    answer = replace(strip, tolerance=replace(NOTHING, thickness_wave=0.003)).held().sheet
     turns = 2 * np.pi * rod.s / rod.length
     waves = (np.cos(turns + phase) for phase in np.pi * np.arange(8) / 8)
     found = max(shifted(rod, softened(rod, (1 + 0.003 * wave) ** 3)) for wave in waves)
-    assert told["thickness"] == pytest.approx(found, rel=0.03)
-    assert sum(told.values()) == told["thickness"]
+    assert answer["thickness"] == pytest.approx(found, rel=0.03)
+    assert sum(answer.values()) == answer["thickness"]
 
 
 def test_clamps_and_kerf_do_too(strip):
     rod = strip.rod
-    told = replace(strip, tolerance=MakingTolerance(0.0, 0.0, 0.004, 0.5)).held().sheet
+    answer = replace(strip, tolerance=MakingTolerance(0.0, 0.0, 0.004, 0.5)).held().sheet
     angles = (float(rod.angle[0]) + 0.004, float(rod.angle[-1]))
-    assert told["clamp at the start"] == pytest.approx(shifted(rod, rod, angles), rel=0.02)
+    assert answer["clamp at the start"] == pytest.approx(shifted(rod, rod, angles), rel=0.02)
     narrower = softened(rod, 1 - 0.5 / strip.width(rod.s))
-    assert told["kerf"] == pytest.approx(shifted(rod, narrower), rel=0.05)
+    assert answer["kerf"] == pytest.approx(shifted(rod, narrower), rel=0.05)
 
 
 @pytest.mark.parametrize("softer", [0.02, 0.1])
@@ -101,9 +101,9 @@ def test_the_largest_contribution_is_named_with_its_key(strip, name, value, caus
     shape = replace(strip, tolerance=replace(NOTHING, **{name: value})).held()
     assert shape.contributions[0].mm == max(part.mm for part in shape.contributions)
     assert shape.contributions[0].mm == shape.sheet[cause]
-    told = accuracy_row(shape).text
-    assert f"Largest contribution: {about(shape.sheet[cause])} due to " in told
-    assert f"(tolerance.{name})" in told
+    message = accuracy_row(shape).text
+    assert f"Largest contribution: {about(shape.sheet[cause])} due to " in message
+    assert f"(tolerance.{name})" in message
     assert " due to uncertainty of the model" in accuracy_row(replace(strip, tolerance=NOTHING).held()).text
 
 
@@ -137,7 +137,7 @@ def test_slips_are_refused(strip):
         replace(strip, tolerance=0.01)
 
 
-def test_a_shape_knows_no_sheet_unless_it_is_told(strip):
+def test_a_shape_knows_no_sheet_unless_it_is_reported(strip):
     held = strip.held()
     assert HeldShape(held.rod, 1.0, {}, held.start, held.end).expected == 1.0
 

@@ -107,13 +107,13 @@ def test_bad_sizes_are_refused_in_one_sentence(options, words):
 
 
 @pytest.mark.parametrize("least", np.round(np.linspace(10.1, 40.0, 23), 3).tolist())
-def test_the_max_width_that_is_told_will_do(least):
+def test_the_max_width_that_is_reported_will_do(least):
     """It had been rounded to the nearest figure: half of the time the same refusal followed."""
     rod = ec.Rod.straight(100.0, np.linspace(1, 1.0413, 201))
     with pytest.raises(InputError, match="less than min_width") as refusal:
         ec.Strip(rod, CARD, max_width=10.0, min_width=least)
-    told = float(str(refusal.value).split("set max_width to ")[1].split(" mm")[0])
-    assert ec.Strip(rod, CARD, max_width=told, min_width=least).width.extremes[0] < 1.001 * least
+    result = float(str(refusal.value).split("set max_width to ")[1].split(" mm")[0])
+    assert ec.Strip(rod, CARD, max_width=result, min_width=least).width.extremes[0] < 1.001 * least
 
 
 test_refusals = refusal_test(
@@ -142,7 +142,7 @@ def test_as_built_is_bent_on_finer_nodes_than_the_design():
         ({"label": "A1", "engrave": ""}, []),
     ],
 )
-def test_what_is_engraved_is_the_label_unless_told(names, engraved):
+def test_what_is_engraved_is_the_label_unless_reported(names, engraved):
     strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, **names)
     assert strip.drawing().name == names["label"]
     assert [text.text for text in strip.drawing().texts] == engraved
@@ -191,7 +191,7 @@ def test_no_flat_part_is_cut_from_a_rod(part):
 
 
 @pytest.mark.parametrize("unit_mm", [10.0, 25.4, 1000.0])
-def test_the_unit_of_a_curve_is_asked_where_it_is_far_too_small(unit_mm):
+def test_the_unit_of_a_curve_is_requested_where_it_is_far_too_small(unit_mm):
     arch = ec.PlaneCurve.spline([(0, 0), (60, 120), (140, 150), (240, 100), (300, 0)])
     small = arch.transformed(np.diag([1 / unit_mm, 1 / unit_mm, 1.0]))
     with pytest.raises(InputError, match="was the curve drawn in cm, inches or metres"):

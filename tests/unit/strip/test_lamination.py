@@ -46,8 +46,8 @@ def integrated_stiffness(strip, s):
 def test_section_has_the_designs_stiffness_everywhere(rod, width):
     strip = ec.Strip(rod, CARD, style=Laminated(width=width, backing=THICK))
     s = np.linspace(0.0, rod.length, 1000)
-    asked = strip.bending_stiffness * rod.profile(s)
-    assert np.abs(integrated_stiffness(strip, s) / asked - 1).max() < 1e-6
+    request = strip.bending_stiffness * rod.profile(s)
+    assert np.abs(integrated_stiffness(strip, s) / request - 1).max() < 1e-6
     narrowest, widest = (strip.width(s) - strip.layout.backing.width(s)).min(), rod.profile(s).max()
     assert narrowest == pytest.approx(0.0, abs=1e-3)
     assert widest == pytest.approx(rod.ratio, rel=1e-4)
@@ -71,7 +71,7 @@ def test_own_weight_through_the_optimal_laminate():
     assert not strip.warnings
 
 
-def test_a_proportional_weight_is_told(rod):
+def test_a_proportional_weight_is_reported(rod):
     heavy = ec.optimal_rod(ARCH, gravity=CARD.gravity())
     strip = ec.Strip(heavy, CARD, style=Laminated(width=20.0, backing=THICK))
     assert any("optimal_laminate" in text for text in strip.warnings)
@@ -152,7 +152,7 @@ def test_what_cannot_be_built_is_refused_with_the_place(rod, style, max_width, w
         assert word in str(refusal.value)
 
 
-def test_the_thickness_that_is_told_would_do():
+def test_the_thickness_that_is_reported_would_do():
     stiff = ec.Rod.straight(200.0, ec.Profile.fit(lambda s: 1 + s / 40, 200.0))
     thin = ec.Sheet("thin", 0.05, CARD.youngs_modulus, density=700.0, max_strain=0.01)
     with pytest.raises(InputError) as refusal:
@@ -244,8 +244,8 @@ def test_a_near_laminate_bears_its_bend_in_both_layers(backing, ratio):
     """Alone the base bears the drawn arch; glued on, both layers are bent about an axis further off."""
     sharpest = np.abs(BOW.sample(2001).curvature).max()
     assert PLY.thickness / 2 * sharpest < PLY.max_strain < (PLY.thickness + backing.thickness) / 2 * sharpest
-    asked = {"style": Laminated(width=28.0, backing=backing), "limits": ec.Limits(ratio=ratio)}
-    strip = ec.make_strip(BOW, PLY, **asked)
+    request = {"style": Laminated(width=28.0, backing=backing), "limits": ec.Limits(ratio=ratio)}
+    strip = ec.make_strip(BOW, PLY, **request)
     s = np.linspace(0.0, strip.rod.length, 1001)
     h1, h2, w1, w2 = PLY.thickness, backing.thickness, strip.width(s), strip.layout.backing.width(s)
     A1, A2 = w1 * h1 * PLY.youngs_modulus, w2 * h2 * backing.youngs_modulus

@@ -71,15 +71,15 @@ class TestLaminateWithWeight:
 def test_a_field_that_no_strip_has_is_named_with_the_nearest_that_it_has():
     with pytest.raises(
         TypeError, match=r"maxwidth is not an option of a strip: did you mean max_width\?"
-    ) as told:
+    ) as result:
         make_strip(ARCH, "card-200gsm", maxwidth=30)
-    assert isinstance(told.value, InputError)
+    assert isinstance(result.value, InputError)
 
 
-def test_a_strip_travels_with_all_that_was_asked_of_it():
+def test_a_strip_travels_with_all_that_was_requested_of_it():
     """Workers hand strips back whose strains have been looked at."""
     strip = make_strip(ARCH, Sheet.named("birch-plywood-0.8"), max_width=40.0)
-    told = strip.most_strained.largest
+    result = strip.most_strained.largest
     again = pickle.loads(pickle.dumps(strip))
-    assert again.most_strained.largest == told
+    assert again.most_strained.largest == result
     np.testing.assert_array_equal(again.table()["width_mm"], strip.table()["width_mm"])

@@ -36,7 +36,7 @@ def test_limits_allow_the_curve_to_move():
     assert strip.rod.position[0] == pytest.approx(WAVE.sample(2).position[0], abs=1e-3)
 
 
-def test_keep_alone_asks_for_the_nearest_rod_too():
+def test_keep_alone_requests_the_nearest_rod_too():
     assert make_strip(ARCH, "card-200gsm", max_width=20, keep=Keep(ends=True)).rod.curve is not ARCH
 
 
@@ -48,17 +48,19 @@ def test_both_widths_bound_the_ratio():
         make_strip(ARCH, "card-200gsm", max_width=20, min_width=25, limits=Limits())
 
 
-@pytest.mark.parametrize("asked", [{"max_width": 30}, {"max_width": 8}, {"min_width": 8}, {"min_width": 21}])
-def test_widths_stay_within_the_limit_width(asked):
+@pytest.mark.parametrize(
+    "options", [{"max_width": 30}, {"max_width": 8}, {"min_width": 8}, {"min_width": 21}]
+)
+def test_widths_stay_within_the_limit_width(options):
     """A strip of 30 mm had been made under limits that end at 20 mm."""
     with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limits of the width, 10 to 20 mm"):
-        make_strip(ARCH, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
+        make_strip(ARCH, "card-200gsm", **options, limits=Limits(width=(10, 20)))
 
 
-@pytest.mark.parametrize("asked", [{"max_width": 15.0}, {"min_width": 14.0}])
-def test_a_limit_width_bounds_both_places(asked):
+@pytest.mark.parametrize("options", [{"max_width": 15.0}, {"min_width": 14.0}])
+def test_a_limit_width_bounds_both_places(options):
     """With the widest place of 15 mm, the quotient of the limits alone had left 7.5 mm at the narrowest."""
-    strip = make_strip(WAVE, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
+    strip = make_strip(WAVE, "card-200gsm", **options, limits=Limits(width=(10, 20)))
     low, high = strip.width.extremes
     assert low >= 10 * (1 - 1e-5)
     assert high <= 20 * (1 + 1e-5)

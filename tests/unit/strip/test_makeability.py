@@ -256,7 +256,7 @@ def test_limits_that_make_no_sense(limits):
         FabricationLimits(**limits)
 
 
-def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():
+def test_what_misses_by_less_than_usual_digits_show_is_listed_with_more():
     """ "Only 3 mm wide; birch needs 3 mm" would help nobody."""
     fault, *_ = find_strip_faults(strip((1, 2, 1), max_width=5.996))
     assert "only 2.998 mm wide in the tab at its " in fault.what
@@ -281,11 +281,11 @@ def test_a_figure_that_equals_its_limit_in_the_digits_shown_is_no_fault(least, m
 
 def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     curve = PlaneCurve.arc((0, 0), 0.9999 * PLYWOOD.least_radius, 0.2, 2.2)
-    (told,) = make_strip(curve, PLYWOOD, max_width=20).warnings
+    (result,) = make_strip(curve, PLYWOOD, max_width=20).warnings
     found = re.search(
-        r"strain is (\S+) % at .* allows (\S+) %: .* at least (\S+) mm there \(now (\S+) mm", told
+        r"strain is (\S+) % at .* allows (\S+) %: .* at least (\S+) mm there \(now (\S+) mm", result
     )
-    assert found, told
+    assert found, result
     strain, limit, least, radius = map(float, found.groups())
     assert strain > limit
     assert radius < least
@@ -294,7 +294,7 @@ def test_strain_that_is_just_beyond_its_limit_differs_from_it():
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 
 
-def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
+def test_a_thin_web_is_listed_with_how_far_to_move_the_hole():
     ends = (Tab(20, holes=(Hole(6, 4), Hole(11, 4))), Tab(10))
     with pytest.raises(
         InputError, match=r"between two holes in the tab at its start, 8.5\d mm from the bent part"
@@ -305,7 +305,7 @@ def test_a_thin_web_is_told_with_how_far_to_move_the_hole():
     make_strip(ARCH, "birch-plywood-0.8", max_width=30, ends=(wide, ends[1]))
 
 
-def test_a_narrow_tab_is_told_as_a_tab():
+def test_a_narrow_tab_is_reported_as_a_tab():
     with pytest.raises(
         InputError, match=r"in the tab at its start, .*, but pom-0.5 needs at least 3 mm\. Make the tab wider"
     ):
@@ -325,20 +325,22 @@ def test_a_tab_that_its_end_would_break_is_refused_with_the_width_that_bears_it(
     assert not tabbed(
         float(re.search(r"ends = \[{ width = (\S+), \.\.\. }, { \.\.\. }\]", str(no.value))[1])
     ).warnings
-    (told,) = tabbed(3, ignore_limits=True).strain_warnings
-    assert told in str(no.value)
+    (result,) = tabbed(3, ignore_limits=True).strain_warnings
+    assert result in str(no.value)
 
 
-def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
+def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_requests():
     """6 M / (E b h^2), from the reactions; corners of what yields are not counted."""
     metal = replace(PLYWOOD, kind="metal", max_strain=0.005, max_strain_range=None)
     made = tabbed(6, metal)
-    asked = 6 * abs(made.reactions().start_moment) / (metal.youngs_modulus * 6 * metal.thickness**2)
-    assert made.strain_verdict.used == pytest.approx(asked / 0.005, rel=1e-3)
+    request = 6 * abs(made.reactions().start_moment) / (metal.youngs_modulus * 6 * metal.thickness**2)
+    assert made.strain_verdict.used == pytest.approx(request / 0.005, rel=1e-3)
     assert made.strain_verdict.at == 0.0
-    assert not tabbed(6, replace(metal, max_strain=1.001 * asked)).warnings
-    (told,) = tabbed(6, replace(metal, max_strain=1.3 * asked, kind="plywood")).warnings  # its corners crack
-    assert "its tab is 6 mm wide" in told
+    assert not tabbed(6, replace(metal, max_strain=1.001 * request)).warnings
+    (message,) = tabbed(
+        6, replace(metal, max_strain=1.3 * request, kind="plywood")
+    ).warnings  # its corners crack
+    assert "its tab is 6 mm wide" in message
 
 
 def test_a_tab_is_judged_beside_an_end_that_is_too_strained_itself():

@@ -37,8 +37,8 @@ def meaning(strip, bent):
 def test_a_clamp_that_gives_way_is_found(strip):
     rod = strip.rod
     start, end = rod.angle[[0, -1]].tolist()
-    said = meaning(strip, ec.bend(rod, angles=(start + np.radians(3.0), end)))
-    assert said.startswith("The clamp at the start lets the strip turn by 3")
+    text = meaning(strip, ec.bend(rod, angles=(start + np.radians(3.0), end)))
+    assert text.startswith("The clamp at the start lets the strip turn by 3")
     assert "The clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
 
 
@@ -296,7 +296,7 @@ def test_a_strip_as_designed_is_as_expected(strip):
     assert "All differences are within" in meaning(strip, strip.rod)
 
 
-def test_what_no_cause_explains_is_told(strip):
+def test_what_no_cause_explains_is_reported(strip):
     measuring = Measuring.of(strip)
     odd = dict(measuring.expected) | {"height_1": 40.0, "height_2": 170.0, "height_3": 40.0}
     verdict, _, *values = measuring.compare(odd)

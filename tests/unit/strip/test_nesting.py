@@ -144,7 +144,7 @@ def test_nests_pass_the_file_checks(check_drawing):
     check_drawing(nest)
 
 
-def test_cut_list_tells_sizes_and_sums():
+def test_cut_list_reports_sizes_and_sums():
     model = Model([Placed(strip("A")), Placed(strip("B", 3.0)), Placed(strip("A"))])
     listed = model.cut_list()
     rows = list(csv.DictReader(io.StringIO(listed.csv)))
@@ -161,7 +161,7 @@ def test_cut_list_tells_sizes_and_sums():
     assert str(listed).count("\n") == 6
 
 
-def test_equal_shapes_are_told_whatever_is_engraved():
+def test_equal_shapes_are_reported_whatever_is_engraved():
     """As it is, turned about, mirrored across, mirrored along; a little longer is another shape."""
     uneven = Strip(
         Rod.straight(120.0, [1.0, 2.0, 1.4]), CARD, max_width=20.0, slots=(Slot(30.0, 0.4),), label="A"

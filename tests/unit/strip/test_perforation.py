@@ -213,17 +213,17 @@ def test_an_infeasible_outline_names_what_would_do(rod):
 
 
 @pytest.mark.parametrize("width", [17.0, 20.0, 26.0, 31.0])
-def test_one_width_that_is_told_will_do_whatever_limits_it(width):
+def test_one_width_that_is_reported_will_do_whatever_limits_it(width):
     """Wider everywhere, more must be left at the narrowest place, too: 31.2 mm had been told 32.5, then 33.6."""
     sheet = ec.Sheet.named("birch-plywood-0.8")
     stiff = ec.Rod.straight(380.0, ec.Profile.fit(lambda s: 1 + 5.08 * s / 380, 380.0))
     with pytest.raises(InputError) as refusal:
         ec.Strip(stiff, sheet, style=Perforated(width=width, columns=2, rows=20))
-    told = float(str(refusal.value).split("make the outline at least ")[1].split(" mm")[0])
-    ec.Strip(stiff, sheet, style=Perforated(width=told, columns=2, rows=20))
+    result = float(str(refusal.value).split("make the outline at least ")[1].split(" mm")[0])
+    ec.Strip(stiff, sheet, style=Perforated(width=result, columns=2, rows=20))
 
 
-def test_no_outline_is_told_where_none_would_do():
+def test_no_outline_is_reported_where_none_would_do():
     stiff = ec.Rod.straight(200.0, ec.Profile.fit(lambda s: 1 + 7 * s / 200, 200.0))
     with pytest.raises(InputError, match="hole_ratio") as refusal:
         ec.Strip(stiff, CARD, style=Perforated(width=30.0))
@@ -239,15 +239,15 @@ def test_bad_options(options):
         Perforated(width=30.0, **options)
 
 
-def test_steep_ligaments_and_large_radii_are_told(rod):
+def test_steep_ligaments_and_large_radii_are_reported(rod):
     steep = ec.Strip(rod, CARD, style=Perforated(width=30.0, columns=1, rows=30))
     assert any(text.startswith("the ligaments") for text in steep.warnings)
     blunt = ec.Strip(rod, CARD, max_width=10.0, style=Perforated(width=30.0, corner_radius=0.4))
     (text,) = blunt.warnings
-    told = float(text.split("leaves ")[1].split(" %")[0]) / 100
+    result = float(text.split("leaves ")[1].split(" %")[0]) / 100
     s = (blunt.layout.pattern.joints[1:-1, None] + np.linspace(-3, 3, 601)).ravel()
     excess = (blunt.layers[0].material(s) / blunt.layout.material(s) - 1).max()
-    assert 0.6 * told < excess < 1.05 * told
+    assert 0.6 * result < excess < 1.05 * result
     allowed = float(text.split(": use ")[1].split(" mm")[0])
     ec.Strip(rod, CARD, max_width=10.0, style=Perforated(width=30.0, corner_radius=allowed))
 
@@ -278,19 +278,19 @@ def test_a_label_stands_on_a_tab_that_is_there(rod, lengths, where):
 
 
 @pytest.mark.campaign
-def test_a_radius_that_leaves_too_much_at_the_tips_is_told_with_the_share_that_is_there(rod):
+def test_a_radius_that_leaves_too_much_at_the_tips_is_listed_with_the_share_that_is_there(rod):
     style = Perforated(width=30.0, columns=1, rows=6, corner_radius=0.6)
     strip = ec.Strip(rod, CARD, max_width=14.0, style=style, ends=(ec.Tab(12.0),) * 2)
-    (told,) = [text for text in strip.warnings if "too much material" in text]
-    share = float(re.search(r"leaves ([\d.]+) %", told)[1]) / 100
-    place = float(re.search(r"tips of the holes ([\d.]+) mm", told)[1])
+    (result,) = [text for text in strip.warnings if "too much material" in text]
+    share = float(re.search(r"leaves ([\d.]+) %", result)[1]) / 100
+    place = float(re.search(r"tips of the holes ([\d.]+) mm", result)[1])
     s = np.linspace(place - 6, place + 6, 2401)
     there = ligament_sum(strip, s) / strip.layout.material(s) - 1
     assert there.max() == pytest.approx(share, rel=0.15)
 
 
 @pytest.mark.parametrize("rows", [4, 8, 16, 24])
-def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
+def test_ligaments_that_lean_too_far_are_listed_with_their_angle(rod, rows):
     """The angle is that between a hole's sides and the strip, where it is steepest."""
     strip = ec.Strip(rod, CARD, max_width=12.0, style=Perforated(width=30.0, columns=2, rows=rows))
     leans = []
@@ -298,10 +298,10 @@ def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
         steps = np.abs(np.diff(hole.points(1e-3), axis=0))
         lean = np.degrees(np.arctan2(steps[:, 1], steps[:, 0]))
         leans.append(lean[lean < 80].max())  # without the ends of a hole, which run across
-    told = [text for text in strip.warnings if text.startswith("the ligaments")]
-    assert bool(told) == (max(leans) > 30)
-    if told:
-        assert float(re.search(r"by (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
+    result = [text for text in strip.warnings if text.startswith("the ligaments")]
+    assert bool(result) == (max(leans) > 30)
+    if result:
+        assert float(re.search(r"by (\d+) degrees", result[0])[1]) == pytest.approx(max(leans), abs=2)
 
 
 @pytest.mark.parametrize("side", ["upper", "lower"])

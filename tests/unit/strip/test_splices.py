@@ -114,7 +114,7 @@ def test_plates_move_a_strip_as_finite_elements_have_it():
 
 
 @pytest.mark.campaign
-def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
+def test_what_is_warned_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
     """`elastica strip --set shop.lap`: one figure in the sentence and the report; --compensate makes up for it."""
     (tmp_path / "arch.csv").write_text("0,0\n200,700\n1000,1050\n2100,800\n2600,0\n")
     command = [
@@ -134,17 +134,17 @@ def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
         "--force",
         "--json",
     ]
-    told = {}
+    result = {}
     for more in ((), ("--compensate",)):
         done = run(*command, *more)
         (report,) = json.loads(done.stdout)["strips"]
         (sentence,) = (text for text in report["warnings"] if text.startswith("Cut in 2 pieces"))
-        told[more] = held = report["held"]
+        result[more] = held = report["held"]
         left = held["deviation"] if more else held["parts"]["plates"]
         assert sentence.endswith(f"move its shape by {left:.2g} mm.")
-    asked, better = told.values()
-    assert asked["deviation"] == pytest.approx(asked["parts"]["plates"], rel=0.1)
-    assert better["deviation"] < asked["deviation"] / 4
+    request, better = result.values()
+    assert request["deviation"] == pytest.approx(request["parts"]["plates"], rel=0.1)
+    assert better["deviation"] < request["deviation"] / 4
 
 
 def test_plates_that_would_lie_on_a_slot_are_laid_elsewhere(arch):
@@ -429,5 +429,5 @@ def test_ends_of_a_strip_in_pieces_are_numbered_as_those_of_a_whole_one():
         shop=ec.FabricationLimits(stock=(700.0, 400.0), lap=60.0),
     )
     pieces = kit_contents(ec.Model([placed]), spec, effects=False).pieces
-    told = {piece.name: [text.text for text in piece.drawing.texts] for piece in pieces}
-    assert told == {"A-1": ["A-1", "1"], "A-2": ["A-2", "2"], "A-lap-1": ["A-lap-1"]}
+    result = {piece.name: [text.text for text in piece.drawing.texts] for piece in pieces}
+    assert result == {"A-1": ["A-1", "1"], "A-2": ["A-2", "2"], "A-lap-1": ["A-lap-1"]}

@@ -188,10 +188,13 @@ def test_plates_take_the_name_of_a_sheet():
 def test_the_least_published_radius_itself_is_no_fault():
     """A search for the nearest strip ends on it, to rounding."""
     sheet = Sheet.named("birch-plywood-4")
-    for radius, told in ((sheet.published_radius * (1 - 2e-5), False), (0.99 * sheet.published_radius, True)):
+    for radius, result in (
+        (sheet.published_radius * (1 - 2e-5), False),
+        (0.99 * sheet.published_radius, True),
+    ):
         bent = Strip(optimal_rod(PlaneCurve.arc((0, 0), radius, 1.0, 2.0)), sheet, max_width=30)
         found = [text for text in bent.warnings if "FAA" in text or "allows" in text]
-        assert bool(found) == told
+        assert bool(found) == result
 
 
 @pytest.mark.parametrize("name", [f"birch-plywood-{mm}" for mm in ("0.8", "1", "1.5", "2", "3", "4", "6")])
@@ -262,6 +265,6 @@ def test_tables_are_written_as_text():
     ],
 )
 def test_options_that_nothing_takes_are_named_with_the_nearest(asked, message):
-    with pytest.raises(InputError, match=message) as told:
+    with pytest.raises(InputError, match=message) as result:
         asked(Model([Placed(strip())]))
-    assert isinstance(told.value, TypeError)
+    assert isinstance(result.value, TypeError)

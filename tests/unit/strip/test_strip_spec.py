@@ -145,8 +145,8 @@ class TestLoads:
 
     def test_a_leaning_plane_feels_a_share(self):
         leaning = Frame(x_axis=(1, 0, 0), y_axis=(0, math.sqrt(0.5), math.sqrt(0.5)))
-        asked = spec(frame=leaning, gravity=(0, 0, -1), loads=(self.LAMP,)).rod_spec
-        assert asked.weight.masses[0].mass == pytest.approx(3.0 * math.sqrt(0.5), rel=1e-12)
+        request = spec(frame=leaning, gravity=(0, 0, -1), loads=(self.LAMP,)).rod_spec
+        assert request.weight.masses[0].mass == pytest.approx(3.0 * math.sqrt(0.5), rel=1e-12)
 
     @pytest.mark.parametrize(
         ("fields", "match"),
@@ -191,7 +191,7 @@ class TestLoads:
         ),
     ],
 )
-def test_what_no_strip_can_be_asked(fields, match):
+def test_what_no_strip_can_be_requested(fields, match):
     with pytest.raises(InputError, match=match):
         spec(**fields)
 

@@ -129,7 +129,7 @@ def test_the_screw_goes_through_the_wall_of_the_block():
 
 
 @pytest.mark.parametrize(("wide", "drawn"), [(8.0, 8.0), (40.0, 40.0), (30.0004, 30.0), (None, 30.0)])
-def test_a_tab_is_as_wide_as_asked_but_for_shoulders_that_nobody_can_cut(wide, drawn):
+def test_a_tab_is_as_wide_as_requested_but_for_shoulders_that_nobody_can_cut(wide, drawn):
     made = strip(Tab(20, width=wide))
     assert made.area == pytest.approx(30 * 100 + 2 * 20 * drawn)
     points = made.outline.points(0.1)
