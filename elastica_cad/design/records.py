@@ -138,8 +138,8 @@ def idle_keys(record: Record, table: Table) -> dict[str, Refusal]:
         needed = entry.option.needs
         if needed and not table.has(needed):
             idle[entry.name] = note(
-                "{key} has no effect without {other}. Set {other}, or leave out {key}.",
-                key=table.place(entry.name), other=needed,
+                "{place} has no effect without {other}. Set {other}, or leave out {key}.",
+                place=table.place(entry.name), other=needed, key=entry.name,
             )  # fmt: skip
         for key in entry.option.replaces if table.has(entry.name) else ():
             idle[key] = note(

@@ -82,7 +82,7 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
     [
         ((), "Give a new position of a corner of the frame around the curve (--bottom-left"),
         (("--handle", 0, 0, 1, 1), "--handle moves 4 places at once, but is given 1 times"),
-        (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "cannot be combined"),
+        (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "--top-left has no effect beside --handle"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "are on one line, through"),
         (("--top-right", 60, 40), "moves the curve near ("),
         (("--top-right", "nan", 40), "--top-right is not finite"),
@@ -136,7 +136,10 @@ def test_design_files_reshape_any_curve(tmp_path):
     [
         ("{}", r"curve: reshape: New positions are missing"),
         ("{ middle = [1, 2] }", "unknown key 'middle'"),
-        ("{ top_left = [1, 2], to = [[1, 2]] }", "to is not a list of four points"),
+        (
+            "{ top_left = [1, 2], to = [[1, 2]] }",
+            "to has no effect without handles. Set handles, or leave out to",
+        ),
         ("{ handles = [[1, 2]], to = [[1, 2]] }", "handles is not a list of four points"),
         ("{ top_right = [0, 0], top_left = [50, 10] }", r"reshape: after: handles|to infinity"),
     ],

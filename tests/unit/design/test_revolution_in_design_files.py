@@ -456,7 +456,7 @@ def test_a_drawn_profile_is_smoothed(read, tmp_path):
             "max_width has no effect on a surface of revolution.*max_width and limits",
         ),
         ("natural_curvature = 0.01", "", "Leave out natural_curvature"),
-        ("smooth = 1", "", "leave out smooth"),
+        ("smooth = 1", "", "smooth has no effect without curve. Set curve, or leave out smooth"),
         ("", "max_width = 20", "unknown key 'max_width'"),
         ("gravity = 'zzz'", "", "gravity is 'zzz'"),
         ("gravity = 'zzz'", "gravity = true", "gravity is 'zzz'"),

@@ -166,7 +166,7 @@ def test_scale_range_of_touching_limits_is_feasible():
         (lambda: PerforatedSection(sheet(), least_ligament=-0.1), "give 0 or more"),
         (lambda: ThicknessLaw(sheet(), 8.0, 3.0, width=20.0), "thickness limits are 8 and 3 mm"),
         (lambda: ThicknessLaw(sheet(), 3.0, 8.0, width=0.0), "width is 0: give a positive width"),
-        (lambda: ThicknessLaw("ply", 3.0, 8.0, width=5.0), "give a Sheet"),
+        (lambda: ThicknessLaw("ply", 3.0, 8.0, width=5.0), "Pass a Sheet"),
         (lambda: RoundLaw(sheet(), 3.0, 8.0, bore=1.0), "`bore` is 1: give the ratio of inner to outer"),
         (lambda: RoundLaw(sheet(), 0.0, "8"), "diameter limit is '8': give a finite number"),
         (lambda: PlainSection(sheet(), 0.0, 0.0), "width limits are 0 and 0 mm"),

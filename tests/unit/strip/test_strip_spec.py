@@ -173,7 +173,7 @@ class TestLoads:
         ({"max_width": "wide"}, "max_width is 'wide'"),
         ({"style": "plain"}, r"give Plain\(\)"),
         ({"limits": 3.5}, "limits is 3.5: give a Limits"),
-        ({"keep": True}, r"keep is a bool\. Pass a Keep"),
+        ({"keep": True}, "keep is True: give a Keep"),
         ({"loads": (5.0,)}, "loads contain 5.0. Pass only PointMass or PointForce records"),
         ({"supports": "clamped"}, "give a Supports record"),
         ({"natural_curvature": math.inf}, "natural_curvature is inf"),
