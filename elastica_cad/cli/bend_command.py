@@ -62,7 +62,6 @@ from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Energy, Force, Mass, Moment, Point, Strain, note, number_text
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, printed_table, warning_row
-from elastica_cad.strip.holding_template import bar_direction
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
 from elastica_cad.strip.travel import Travel, bend_strip
@@ -465,7 +464,7 @@ def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
     """Yield a warning if a rail pushes a straight strip down, because the rail's point is below the strip."""
-    at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
+    at, direction = getattr(action.element, "at", None), action.bar_direction(shape.curve)
     gravity = shape.gravity
     if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
         return

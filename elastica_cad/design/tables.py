@@ -108,7 +108,7 @@ class Formula:
                     typed=self._shown,
                 ) from error
             raise InputError(
-                "{place}: the formula {typed!r} is incomplete at {at}. Complete it.",
+                "{place}: the formula {typed!r} cannot be read at {at}. Correct it there.",
                 place=self.where,
                 typed=self._shown,
                 at=f"character {place}" if place else "its end",

@@ -109,6 +109,10 @@ class _Buffers:
     def add(
         self, values: Any, shape: str, *, kind: int = FLOAT, bounds: bool = False, target: int | None = None
     ) -> int:
+        """Append values as a buffer view and an accessor of glTF, and return the index of the accessor.
+
+        All components have 4 bytes, so views need no padding. `shape` is the type of an element, such as "VEC3".
+        """
         rows = np.ascontiguousarray(values, dtype="<f4" if kind == FLOAT else "<u4")
         view: dict[str, Any] = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": rows.nbytes}
         about: dict[str, Any] = {"bufferView": len(self.views), "componentType": kind, "count": len(rows)}

@@ -258,8 +258,10 @@ def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray
     """
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
+    # the unit matrix makes the factor of a point and itself 1
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
     weights = 1 / gaps.prod(axis=2)
+    # with unit weights, independent errors of the points give the difference an error of the same size
     weights /= np.linalg.norm(weights, axis=1)[:, None]
     chord = near[:, -1] - near[:, 0]
     across = cross(chord, np.einsum("ij,ijk->ik", weights, near))

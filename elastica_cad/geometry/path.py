@@ -99,10 +99,12 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
+    """Return the distances (n,), mm, of points (n, 2) from a spline: Newton's method from the nearest chords."""
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
     # keep all chords that may be the nearest, because chords differ from the spline
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
+    # of neighbouring chords, only the nearest is kept
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
     rows, i = np.nonzero(close)
@@ -120,12 +122,11 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
         if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
             break
     low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
-    outside = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
-    outside |= best > chord[rows, i] + _chord_tolerance(spline)
-    if outside.any():
-        best[outside] = np.minimum(
-            best[outside], _distances_by_sampling(p[outside], curve, *spans[:, outside])
-        )
+    # Newton's method failed: it left the chord, did not converge, or found a point beyond the chord's distance
+    failed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
+    failed |= best > chord[rows, i] + _chord_tolerance(spline)
+    if failed.any():
+        best[failed] = np.minimum(best[failed], _distances_by_sampling(p[failed], curve, *spans[:, failed]))
     least = np.full(count, np.inf)
     np.minimum.at(least, rows, best)
     return least

@@ -18,7 +18,7 @@ from elastica_cad._values import pair, require_flag, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import ROUNDED_END_SHARE, PlaneCurve
-from elastica_cad.geometry.plane_points import cross, left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, unit_vectors
 from elastica_cad.mechanics.loads import Gravity, Place, PointMass, Supports, Weight, require_place
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
@@ -391,6 +391,17 @@ class ElementForce:
         element = self.element
         return isinstance(element, Tie) or (isinstance(element, Rail) and element.one_sided)
 
+    def bar_direction(self, curve: PlaneCurve) -> FloatArray | None:
+        """Return the unit vector (2,) from a strip on a curve to the bar of a one-sided rail.
+
+        Return None for another element, or if the side of the rail is unknown.
+        """
+        if not (isinstance(self.element, Rail) and self.is_one_sided):
+            return None
+        normal = left_of(unit_vectors(curve.at(self.s).angle[0]))
+        side = self.mounting.side or int(np.sign(self.force[0] @ normal))
+        return -side * normal if side else None
+
     @property
     def on_curve(self) -> Any:
         """Rail, pin, tie or load with its positions as arc lengths along the rod."""
@@ -407,6 +418,13 @@ class ElementForce:
         """Return the straight distance, mm, between the first and the last point of application on a curve."""
         ends = curve.at(self.s).position
         return float(norm(ends[-1] - ends[0]))
+
+
+def side_of_bar(direction: FloatArray) -> Refusal:
+    """Return the side of the strip, in words, in the direction (2,) of `ElementForce.bar_direction`."""
+    quarter = round(float(angle_of(direction)) / (np.pi / 2)) % 4
+    sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
+    return note(sides[quarter])
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:

@@ -121,7 +121,11 @@ class MountedElements:
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
-        """Return the part (n, 2) of the edge forces lambda, 1/mm2, that rails, pins and ties cause."""
+        """Return the part (n, 2) of the edge forces lambda, 1/mm2, that rails, pins and ties cause.
+
+        lambda is the negative internal force. A force on the strip at s acts on all edges up to s, and a tie on
+        the edges between its two points.
+        """
         force = np.zeros((edges, 2))
         for action in self.solved(numbers):
             if isinstance(action.element, Tie):

@@ -7,7 +7,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_record
+from elastica_cad._values import is_number, numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import as_steps, reach, state_of, system_of
 from elastica_cad.mechanics.discrete_rod import Margin, solve_tridiagonal
@@ -129,21 +129,21 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
         t_next = course.clipped(t, step)
         following = _advance(course.system(t_next), state)
         if following is not None and (after := following.discrete.margin).value <= 0:
-            crossing = _bisected(course, (t, state, margin), t_next)
-            t, state, margin = crossing[0]
+            (t, state, margin), at_zero = _bisected(course, (t, state, margin), t_next)
             visited.append((t, margin.value))
-            if crossing[1]:
+            if at_zero:
                 return _limit_at(course, t, state, visited)
+            # the step reached another branch, which is unstable: approach the fold more slowly
             step = (t_next - t) / 8
-            continue
-        if following is None:
+        elif following is None:
             step = (t_next - t) / 2
-            if step < RESOLUTION_SHARE * course.end:
-                return _limit_at(course, t, state, visited)
+        else:
+            t, state, margin = t_next, following, after
+            visited.append((t, margin.value))
+            step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
             continue
-        t, state, margin = t_next, following, after
-        visited.append((t, margin.value))
-        step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
+        if step < RESOLUTION_SHARE * course.end:
+            return _limit_at(course, t, state, visited)
     return StabilityLimit(
         None, course.entry(t), None, state.rod(course.loaded(t)), None, *np.array(visited).T
     )
@@ -299,15 +299,17 @@ def _entries(path: Any) -> list[dict[str, Any]]:
 
 def _entry_as_keywords(step: Any) -> dict[str, Any]:
     if isinstance(step, Mapping):
-        load = {"load": float(step["load"])} if "load" in step else {}
+        load = {"load": _load_factor(step["load"])} if "load" in step else {}
         rest = {name: value for name, value in step.items() if name != "load"}
         return {**as_steps([rest])[0], **load} if rest else load
     value = numbers(step, "a step of the path")
-    if value.ndim == 0:
-        if not (np.isfinite(value) and value >= 0):
-            raise InputError(f"load factors are {value}: give finite numbers, 0 or more")
-        return {"load": float(value)}
-    return as_steps(value[None])[0]
+    return {"load": _load_factor(float(value))} if value.ndim == 0 else as_steps(value[None])[0]
+
+
+def _load_factor(value: Any) -> float:
+    if not (is_number(value) and value >= 0):
+        raise InputError(f"a load factor is {value!r}: give a finite number, 0 or more")
+    return float(value)
 
 
 def _present_values(rod: Rod, names: set[str]) -> dict[str, Any]:

@@ -605,8 +605,9 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 def _ranges_inside_strips(
     strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve
 ) -> list[tuple[float, float]]:
+    """Return the ranges of the parameter q of an intersection curve that are inside both strips."""
     q = _subdivided(locus.nodes, NODE_PARTS)
-    m = margins(strips, locus.at(q))
+    m = margins(strips, locus.at(q))  # distances (n, 4), mm, from the four edges
     i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
     on_edge = q[(m == 0).any(axis=1)]
     edges = _edge_crossings(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))

@@ -551,6 +551,10 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 def _crossed_blocks(
     placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]
 ) -> list[int]:
+    """Return the indices of the blocks, made of `parts`, of other tabs that the bent strip enters.
+
+    The strip is tested at points at most `PITCH_MM` apart.
+    """
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
@@ -558,12 +562,12 @@ def _crossed_blocks(
     across = np.linspace(-1.0, 1.0, int(2 * half.max() / PITCH_MM) + 2)
     middle = frame.point(points_at(s, rod.s, rod.position))
 
-    def crosses(its: Sequence["_Prism"]) -> bool:
-        corners = np.concatenate([part.edges for part in its])
+    def crosses(prisms: Sequence["_Prism"]) -> bool:
+        corners = np.concatenate([prism.edges for prism in prisms])
         near = (middle > corners.min(axis=0) - half.max()) & (middle < corners.max(axis=0) + half.max())
         places, wide = middle[near.all(axis=1)], half[near.all(axis=1)]
         points = places[:, None] + np.multiply.outer(wide, across)[..., None] * frame.z_axis
-        return _is_inside_any(points.reshape(-1, 3), its)
+        return _is_inside_any(points.reshape(-1, 3), prisms)
 
     return [k for k, block in enumerate(blocks) if block.tab.key not in tab_keys and crosses(parts[k])]
 

@@ -463,12 +463,12 @@ def _lost_joints(before: Model, after: Model) -> list[tuple[int, float]]:
 
     If two strips have several joints, each remaining joint is matched with the nearest previous joint.
     """
-    gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
+    unmatched = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
     for joint in after.joints:
-        same = [lost_joint for lost_joint in gone if lost_joint[0] == joint.members]
+        same = [previous for previous in unmatched if previous[0] == joint.members]
         if same:
-            gone.remove(min(same, key=lambda lost_joint: abs(lost_joint[1][0] - joint.slots[0].at)))
-    return [place for members, places in gone for place in zip(members, places, strict=True)]
+            unmatched.remove(min(same, key=lambda previous: abs(previous[1][0] - joint.slots[0].at)))
+    return [place for members, places in unmatched for place in zip(members, places, strict=True)]
 
 
 def _width_ratios(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:

@@ -696,7 +696,8 @@ def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[Flo
 
 def _overlap_error(name: str, hole: str, other: str) -> InputError:
     return InputError(
-        "{name}: {hole} and {other} overlap. Use smaller holes, other distances or a larger plate.",
+        "{name}: {hole} and {other} overlap. Use smaller holes, place them farther apart, or "
+        "use a larger plate.",
         name=name, hole=hole, other=other,
     )  # fmt: skip
 

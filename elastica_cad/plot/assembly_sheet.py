@@ -743,12 +743,14 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
+    """Yield the upper outline and holes of a plate, each with a point that sorts by depth, and its kind."""
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
         loop = solid.frame.shifted(z=solid.thickness).point(path.points(EDGE_MM))
         if k == 0:
-            depth = loop.mean(axis=0)
-        yield loop, depth + 1e-6 * k * TOWARD, HOLE if k else PLATE
+            middle = loop.mean(axis=0)
+        # holes are painted after the plate
+        yield loop, middle + 1e-6 * k * TOWARD, HOLE if k else PLATE
 
 
 def _shift_away(holder: SingleHolder, distance: float) -> FloatArray:

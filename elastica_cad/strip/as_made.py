@@ -521,7 +521,11 @@ class StripAsMade:
         try:
             sheet |= self._loose_tabs(seats, rod, tolerance)
         except NotConvergedError:
-            notes.append(note("The effect of wider slots is not computed"))
+            notes.append(
+                note(
+                    "The effects of wider slots and thinner tabs are not computed, and Accuracy leaves them out"
+                )
+            )
         # effects can cancel, so a single effect can be larger than the deviation of all effects
         together = deviation_from(self.design, self.loaded.position + self._leaf_ends)
         key = FieldName("compensate") if self.layout.stack is None else ""

@@ -11,9 +11,17 @@ from elastica_cad._types import FloatArray
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, unit_vectors
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
+from elastica_cad.mechanics.elements import (
+    NOUNS,
+    ElementForce,
+    Pin,
+    PointForce,
+    Rail,
+    Tie,
+    noun_of,
+    side_of_bar,
+)
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
-from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Degrees, Force, Length, Listed, Mass, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
@@ -293,7 +301,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
         contact = face = None
-        if (bar := bar_direction(action, rod)) is not None:
+        if (bar := action.bar_direction(rod.curve)) is not None:
             normal = bar[None]
             contact = at.position[0] + strip.sheet.thickness / 2 * bar
             face = (contact - rod.position[0]) @ axes
@@ -307,24 +315,6 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
             )
         )  # fmt: skip
     return tuple(held)
-
-
-def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
-    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if its side is
-    unknown.
-    """
-    if not (isinstance(action.element, Rail) and action.is_one_sided):
-        return None
-    normal = left_of(unit_vectors(rod.curve.at(action.s).angle[0]))
-    side = action.mounting.side or int(np.sign(action.force[0] @ normal))
-    return -side * normal if side else None
-
-
-def side_of_bar(direction: FloatArray) -> Refusal:
-    """Return the side of the strip, in words, in the direction (2,) of `bar_direction`."""
-    quarter = round(float(angle_of(direction)) / (np.pi / 2)) % 4
-    sides = "on the right of the strip", "above the strip", "on the left of the strip", "below the strip"
-    return note(sides[quarter])
 
 
 def direction_in_drawing(angle: float) -> Refusal:

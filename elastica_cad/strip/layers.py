@@ -20,7 +20,7 @@ from elastica_cad.mechanics.rod import Rod, cell_edges
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.drawing import Drawing, cut_paths
 from elastica_cad.strip.lettering import Text, fit_label
-from elastica_cad.strip.outline import Ends, add_register_holes, end_holes, fix_tab_widths, flat_rim
+from elastica_cad.strip.outline import Ends, add_alignment_holes, end_holes, fix_tab_widths, flat_rim
 from elastica_cad.strip.slots import (
     Cut,
     Cuts,
@@ -149,7 +149,7 @@ def cut_layers(
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
-    ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
+    ends_held = add_alignment_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
     rims = tuple(Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots)

@@ -344,7 +344,7 @@ def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
     return replace(start, width=start.width or first), replace(end, width=end.width or last)
 
 
-def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
+def add_alignment_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
     """Return the tabs with an additional hole in the middle of each tab that has no hole and is large enough."""
     start, end = (
         tab

@@ -570,9 +570,12 @@ class _Fit:
         i = int((need / self.w).argmax())
         if self._has_varying_outline(i):
             return i, float(need[i])
-        left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
+        # at the largest K, a constant width w leaves the net width (1 - hole_ratio) w K_max / K_min, and holes
+        share_of_holes = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
         by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
-        return i, max(by_ligaments, self.holes / left) if left > 0 else np.inf
+        if share_of_holes <= 0:
+            return i, np.inf
+        return i, max(by_ligaments, self.holes / share_of_holes)
 
     def _has_varying_outline(self, i: int) -> bool:
         return bool(np.ptp(self.w) > SEEN_APART * self.w[i])

@@ -580,6 +580,7 @@ def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: C
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
+    """Yield texts with the name of the other strip, large letters first, beyond and beside the slot."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

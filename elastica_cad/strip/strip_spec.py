@@ -732,6 +732,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> PlainSection | None:
+        """Range of widths of a plain strip with loads, which fixes its stiffness; None for other strips."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.section is not None or not isinstance(self.style, Plain):
             return None

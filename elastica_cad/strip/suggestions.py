@@ -15,7 +15,7 @@ from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.form_finding.sqp import at_most
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie, side_of_bar
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
 from elastica_cad.mechanics.section_limits import thinner_on_sale
@@ -27,7 +27,6 @@ from elastica_cad.mechanics.trials import MOST_CORNERS, MOST_INFLECTIONS, MOST_S
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 from elastica_cad.strip.clamp_errors import clamp_warning
 from elastica_cad.strip.held_shape import about
-from elastica_cad.strip.holding_template import bar_direction, side_of_bar
 from elastica_cad.strip.makeable_strip import overstrained
 from elastica_cad.strip.own_weight import collapses
 from elastica_cad.strip.strip import Strip
@@ -152,7 +151,7 @@ class Suggestion:
         match self.change.value:
             case Rail(float(at)):
                 *_, action = self.strips[0].rod.between
-                direction = bar_direction(action, self.strips[0].rod)
+                direction = action.bar_direction(self.strips[0].rod.curve)
                 support = note(
                     "build the rail, a bar across the strip, {place} along the curve from its start"
                     if direction is None

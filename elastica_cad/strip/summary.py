@@ -10,7 +10,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.geometry.plane_points import angle_of, norm
-from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of
+from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, noun_of, side_of_bar
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import (
     ROUNDING_FRACTION,
@@ -40,12 +40,10 @@ from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import (
     HeldEnd,
     angle_text,
-    bar_direction,
     direction_in_drawing,
     distance_between,
     distance_of_tips,
     held_ends,
-    side_of_bar,
 )
 from elastica_cad.strip.strip import Strip
 
@@ -337,7 +335,7 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         text = _element_text(
             action, rod, Force(bending_stiffness * action.size if action.size > least else 0)
         )
-        if (bar := bar_direction(action, rod)) is not None:
+        if (bar := action.bar_direction(rod.curve)) is not None:
             text = note("{text} (bar {side})", text=text, side=side_of_bar(bar))
         texts.append(text)
     details = note(

@@ -479,7 +479,9 @@ def find_plate_faults(
             name, at_edges, least, sheet, note("Use a wider border, or narrower strips"), loops
         ),
         *_faults_at(
-            name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops,
+            name, at_holes, least, sheet, note(
+                "Use smaller holes, place them farther from each other and from the edges, or use a larger plate"
+            ), loops,
             of_hole=True,
         ),
         *_too_large(name, length, width, sheet, stock),

@@ -16,7 +16,7 @@ from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repe
 from freecad.elastica_wb.features.baseplate import plates_of
 from freecad.elastica_wb.features.flexure import drawings_of, flexure_of
 from freecad.elastica_wb.features.model import model_of
-from freecad.elastica_wb.features.proxy import why_left_out
+from freecad.elastica_wb.features.proxy import why_skipped
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
 from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_plate, is_strip
 from freecad.elastica_wb.host.refusal import FAILURES, explained
@@ -137,7 +137,7 @@ def _numbered_parts(objects: Iterable[Any]) -> dict[Any, Any]:
 
     Their engraved numbers differ from each other and from those in models.
     """
-    objects = [obj for obj in objects if not why_left_out(obj)]
+    objects = [obj for obj in objects if not why_skipped(obj)]
     single = [obj for obj in objects if is_strip(obj)]
     in_models = [placed for obj in objects if is_model(obj) for placed in model_of(obj).placed]
     placed = require_placed([*in_models, *(Placed(strip_of(obj)) for obj in single)])
@@ -150,7 +150,7 @@ def _numbered_parts(objects: Iterable[Any]) -> dict[Any, Any]:
 
 
 def _cuts(obj: Any, parts: Mapping[Any, Any]) -> list[Cut]:
-    lost = why_left_out(obj)
+    lost = why_skipped(obj)
     if lost:
         raise InputError(lost)
     if is_model(obj):

@@ -272,7 +272,7 @@ def give_up(document: Any) -> None:
         hide(source)
 
 
-def why_left_out(obj: Any) -> str:
+def why_skipped(obj: Any) -> str:
     """Return why FreeCAD skipped the recompute of an object, or "" if it did not skip the object."""
     for followed in (obj, *_sources_of(obj)):
         sources = [
