@@ -200,7 +200,8 @@ class TestLimits:
             ([2.0], "the rod has no load"),
             ([(1.0, 2.0, 3.0)], "shape"),
             ([{"supports": Supports()}], "`supports` cannot change"),
-            ([-1.0], "give finite numbers, 0 or more"),
+            ([-1.0], "a load factor is -1.0: give a finite number, 0 or more"),
+            (lambda t: {"load": t - 1}, "a load factor is -1.0"),
             ([(1.3, 0.0)], "apart"),
         ):
             with pytest.raises((InputError, NotConvergedError), match=message):
