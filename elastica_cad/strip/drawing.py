@@ -242,7 +242,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     return _compensated(drawing, kerf, tolerance)
 
 
-@lru_cache(maxsize=1)  # a drawing is written as DXF and then as SVG
+@lru_cache(maxsize=1)  # the same drawing is written as DXF and then as SVG
 def _compensated(drawing: Drawing, kerf: float, tolerance: float) -> Drawing:
     sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}
     moved = []

@@ -570,7 +570,8 @@ class _Fit:
         i = int((need / self.w).argmax())
         if self._has_varying_outline(i):
             return i, float(need[i])
-        # at the largest K, a constant width w leaves the net width (1 - hole_ratio) w K_max / K_min, and holes
+        # where K is least, the net width is at least (1 - hole_ratio) w, so where K is largest, it is at least
+        # (1 - hole_ratio) w K_max / K_min; the rest of the constant width w is for holes
         share_of_holes = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
         by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
         if share_of_holes <= 0:

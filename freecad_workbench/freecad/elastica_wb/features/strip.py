@@ -100,6 +100,7 @@ class StripFeature(Feature):
         positions refer to the current curve and are not scaled.
         """
         super().onChanged(obj, name)
+        # while the properties are added, those that follow are still missing
         if name in ("Style", "Law", "Follow") and PROPERTIES[-1].name in obj.PropertiesList:
             show_idle(obj)
         if (
