@@ -8,13 +8,13 @@ import sysconfig
 import tomllib
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, read_curves, write_curves
 from elastica_cad.design import read_design
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.design.pair_table import read_pair
+from tests.dome import dome, obj_text
 
 ROOT = Path(__file__).resolve().parents[3]
 TABLES = tables()
@@ -376,19 +376,7 @@ def folder(tmp_path):
     (tmp_path / "more.toml").write_text(
         "[sheets.more]\nthickness_mm = 1\nyoungs_modulus_MPa = 20\ndensity_kg_m3 = 300\nmax_strain = 0.1\n"
     )
-    up, around = np.meshgrid(np.linspace(0, np.pi / 2, 13), np.linspace(0, 2 * np.pi, 33), indexing="ij")
-    dome = np.stack(
-        [100 * np.cos(up) * np.cos(around), 100 * np.cos(up) * np.sin(around), 80 * np.sin(up)], -1
-    )
-    dome[:, -1], dome[-1] = dome[:, 0], (0, 0, 80)
-    corner = (np.arange(12)[:, None] * 33 + np.arange(32)).ravel()
-    faces = np.stack([corner, corner + 1, corner + 34, corner + 33], -1) + 1
-    (tmp_path / "dome.obj").write_text(
-        "\n".join(
-            [f"v {x} {y} {z}" for x, y, z in dome.reshape(-1, 3)]
-            + [f"f {a} {b} {c} {d}" for a, b, c, d in faces]
-        )
-    )
+    (tmp_path / "dome.obj").write_text(obj_text(*dome()))
     return tmp_path
 
 

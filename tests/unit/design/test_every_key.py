@@ -6,7 +6,6 @@ import math
 import pickle
 from itertools import pairwise
 
-import numpy as np
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, read_curves, write_curves
@@ -18,6 +17,7 @@ from elastica_cad.design.strip_table import SHARED
 from elastica_cad.errors import ElasticaError
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.kit.kit_contents import kit_contents
+from tests.dome import dome, obj_text
 
 TABLES = tables()
 
@@ -706,21 +706,10 @@ def folder(tmp_path_factory):
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
         f'width="100mm" height="100mm" viewBox="0 0 100 100">{layers}</svg>'
     )
-    up, around = np.meshgrid(np.linspace(0, np.pi / 2, 13), np.linspace(0, 2 * np.pi, 33), indexing="ij")
-    dome = np.stack(
-        [100 * np.cos(up) * np.cos(around), 100 * np.cos(up) * np.sin(around), 80 * np.sin(up)], -1
-    )
-    dome[:, -1], dome[-1] = dome[:, 0], (0, 0, 80)
-    corner = (np.arange(12)[:, None] * 33 + np.arange(32)).ravel()
-    faces = np.stack([corner, corner + 1, corner + 34, corner + 33], -1) + 1
-    rows = [f"v {x} {y} {z}" for x, y, z in dome.reshape(-1, 3)] + [
-        f"f {a} {b} {c} {d}" for a, b, c, d in faces
-    ]
-    (folder / "dome.obj").write_text("\n".join(rows))
-    small = [f"v {x / 2 + 300} {y / 2} {z / 2}" for x, y, z in dome.reshape(-1, 3)]
-    count = dome[..., 0].size
-    more = [f"f {a + count} {b + count} {c + count} {d + count}" for a, b, c, d in faces]
-    (folder / "domes.obj").write_text("\n".join([*rows, *small, *more]))
+    points, faces = dome()
+    (folder / "dome.obj").write_text(obj_text(points, faces))
+    small = obj_text(points / 2 + (300, 0, 0), faces + len(points))
+    (folder / "domes.obj").write_text(f"{obj_text(points, faces)}\n{small}")
     return folder
 
 
