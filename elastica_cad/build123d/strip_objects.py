@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
@@ -25,7 +26,7 @@ from elastica_cad.kernel.strip_on_path import (
 from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import StripEnd
-from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
+from elastica_cad.strip.solids import BodyRecord, PrismSolid
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
@@ -196,8 +197,7 @@ class _StripShape(_Jointed, StripBody):
     @property
     def backing(self) -> bd.Solid:
         """The bent backing of a laminated strip."""
-        self._require_backing()
-        return self.layers[1]
+        return self._backing_of(self.layers)
 
     @lists(BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
@@ -227,33 +227,22 @@ class _StripShape(_Jointed, StripBody):
         return plain
 
 
-@dataclass(frozen=True)
-class _Numbers:
-    """Axis or vector of a joint as numbers, for `pickle`."""
-
-    kind: Any
-    numbers: tuple[Any, ...]
-
-    def make(self) -> Any:
-        return self.kind(*self.numbers)
-
-
 class _TravelJoint:
     travel: "Travel"
     parent: Any
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state with axes and vectors as numbers, because they cannot be pickled."""
+        """Return the state with calls that make axes and vectors, because these cannot be pickled."""
         state = dict(self.__dict__)
         for name, value in self.__dict__.items():
             if isinstance(value, bd.Axis):
-                state[name] = _Numbers(bd.Axis, (tuple(value.position), tuple(value.direction)))
+                state[name] = partial(bd.Axis, tuple(value.position), tuple(value.direction))
             elif isinstance(value, bd.Vector):
-                state[name] = _Numbers(bd.Vector, tuple(value))
+                state[name] = partial(bd.Vector, *value)
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        geometry = {name: value.make() for name, value in state.items() if isinstance(value, _Numbers)}
+        geometry = {name: value() for name, value in state.items() if isinstance(value, partial)}
         self.__dict__.update(state | geometry)
 
     def bent(self, position: float) -> "BentStrip":
@@ -432,6 +421,8 @@ class StripOutline(_StripShape, bd.BaseSketchObject):
 
 
 class _StripPart(_StripShape, bd.BasePartObject):
+    _is_bent = False
+
     def __init__(
         self,
         path: Drawn,
@@ -444,13 +435,12 @@ class _StripPart(_StripShape, bd.BasePartObject):
         **options: Unpack[StripOptions],
     ) -> None:
         made_strip = make_strip_on(path, sheet, max_width=max_width, **options)
-        records = self._records(made_strip)
-        super().__init__(_jointed(records), rotation, align, mode)
-        stands = isinstance(records[0], BentSolid)
-        _set_strip(self, replace(made_strip, home=records[0].joints["start"]) if stands else made_strip)
-
-    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
-        raise NotImplementedError
+        records, made_strip = made_strip.body(bent=self._is_bent)
+        solids = make_solids(records)
+        body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
+        add_joints(body, records[0])
+        super().__init__(body, rotation, align, mode)
+        _set_strip(self, made_strip)
 
 
 @lists(StripOptions, drawn=True)
@@ -468,9 +458,6 @@ class FlatStrip(_StripPart):
         As in every part object of build123d.
     """
 
-    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
-        return FlatSolid.layers(made_strip.strip)
-
 
 @lists(StripOptions, drawn=True)
 class BentStrip(_StripPart):
@@ -487,8 +474,7 @@ class BentStrip(_StripPart):
         As in every part object of build123d.
     """
 
-    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
-        return BentSolid.layers(made_strip.strip, made_strip.frame)
+    _is_bent = True
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
@@ -599,13 +585,6 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
 
 class PlacedStrip(_StripShape, bd.Part):
     """Bent strip in its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
-
-
-def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
-    solids = make_solids(records)
-    body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
-    add_joints(body, records[0])
-    return body
 
 
 def _set_strip(shape: Any, made_strip: MadeStrip) -> None:

@@ -1,7 +1,7 @@
 """Faces, solids and compounds of strips in CadQuery, and blocks that hold the strips."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from types import MappingProxyType
@@ -25,7 +25,6 @@ from elastica_cad.kernel.strip_on_path import (
 from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS, StripEnd
-from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
@@ -155,8 +154,7 @@ class _StripShape(StripBody, _Moved):
     @property
     def backing(self) -> cq.Solid:
         """The bent backing of a laminated strip."""
-        self._require_backing()
-        return self.layers[1]
+        return self._backing_of(self.layers)
 
     @property
     def engraving(self) -> list[cq.Edge]:
@@ -455,8 +453,7 @@ def flat_strip(
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
     """Return the strip as cut, from z = 0 upward. Errors and axes are those of `strip_outline`."""
-    made_strip = _make_strip_of(path, sheet, max_width=max_width, **options)
-    return _make_body(FlatSolid.layers(made_strip.strip), made_strip)
+    return _make_body(_make_strip_of(path, sheet, max_width=max_width, **options), bent=False)
 
 
 @lists(StripOptions, drawn=True)
@@ -471,8 +468,7 @@ def bent_strip(
 
     Errors are as for `strip_outline`.
     """
-    made_strip = _make_strip_of(path, sheet, max_width=max_width, **options)
-    return _make_body(BentSolid.layers(made_strip.strip, made_strip.frame), made_strip)
+    return _make_body(_make_strip_of(path, sheet, max_width=max_width, **options), bent=True)
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
@@ -518,18 +514,15 @@ def _make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> Ma
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
-def _make_body(
-    records: Sequence[BodyRecord | PrismSolid], made_strip: MadeStrip
-) -> StripSolid | StripCompound:
+def _make_body(made_strip: MadeStrip, *, bent: bool) -> StripSolid | StripCompound:
     """Return the body of a strip, with the property `strip`. Several sheets form a compound."""
+    records, made_strip = made_strip.body(bent=bent)
     solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
     if len(solids) == 1:
         shape = StripSolid(solids[0])
     else:
         shape = StripCompound(cq.Compound.makeCompound(map(cq.Solid, solids)).wrapped)
-    if isinstance(records[0], BentSolid):
-        made_strip = replace(made_strip, home=records[0].joints["start"])
     return dress(shape, records[0].joints, made_strip)
 
 

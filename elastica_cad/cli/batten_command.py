@@ -23,7 +23,7 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
 )
-from elastica_cad.cli.voice import answer, say, say_row, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, text_file, write_files, write_json
@@ -126,7 +126,7 @@ def batten(**chosen: Any) -> None:
     say(*printed_table(columns))
     for side, bow in report.get("camber_with_weight", {}).items():
         camber = f"{Share(bow['camber']):.4g} at {Share(bow['camber_place']):.4g} of the chord"
-        say_row(
+        say_rows(
             Row(
                 "Weight",
                 f"with its ends level and its bulge {side}, the batten has a camber of {camber} under "
@@ -150,7 +150,7 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     written = _write(strip, None, report, chosen)
     answer({"batten": report})
     if not glued.settled:
-        say_row(
+        say_rows(
             warning_row(
                 "the search for the ends of the plies stopped early; other ends may come nearer to the "
                 "planed batten"
@@ -180,7 +180,7 @@ def _quantities(strip: Strip) -> dict[str, Any]:
 def _say_report(strip: Strip, report: Mapping[str, Any], size: str, camber: str) -> None:
     chord, depth, place = report["chord_mm"], report["camber"], report["camber_place"]
     deep = f"{Length(depth * chord):.1f} ({depth:.4g} of the chord)"
-    rows = [
+    say_rows(
         Row("Size", f"{report['length_mm']:.1f} long, {size}, {report['mass_g']:.4g}"),
         Row("Camber", f"{deep} at {Length(place * chord):.1f} ({place:.4g}) along the chord{camber}"),
         *map(warning_row, strip.warnings),
@@ -190,9 +190,7 @@ def _say_report(strip: Strip, report: Mapping[str, Any], size: str, camber: str)
             f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm; {strip.sheet.name} allows "
             f"{report['strain_limit']:.2f}",
         ),
-    ]
-    for row in rows:
-        say_row(row)
+    )
 
 
 CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}

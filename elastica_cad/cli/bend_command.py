@@ -24,6 +24,7 @@ from elastica_cad.cli.options import (
 )
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
+    RequestedCurve,
     curve_argument,
     read_curves_with_note,
     requested_curves,
@@ -32,7 +33,7 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.voice import answer, say, say_row, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
 from elastica_cad.design.tables import Table
@@ -165,9 +166,15 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
         )
     refuse_idle({}, {"straight": ("number", "layer", "unit", "smooth", "nearest")})
-    if curve is not None and not curve.is_file():
-        requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])  # refuses the missing file
-    finished = None if curve is None else _strip_of_report(curve, chosen)
+    requested, finished = None, None
+    if curve is not None:
+        record = read_request(curve)
+        if record is not None:
+            _refuse_curve_options(
+                {name for name in ("nearest", "smooth") if chosen[name] not in (None, False)}
+            )
+        (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+        finished = None if record is None else FinishedStrip.read(record, requested.curve)
     has_material = chosen["sheet"] is not None or finished is not None
     if not has_material:
         refuse_idle(dict.fromkeys(("gravity", "thickness", "max_width"), ("sheet",)))
@@ -178,13 +185,15 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if settings and (curve is None or not has_material):
         raise InputError("--set needs a strip. Name its report, or a CURVE and --sheet NAME.")
     strip = (
-        _initial_strip(curve, chosen, settings)
+        _initial_strip(requested, chosen, settings)
         if finished is None
         else _with_changes(finished, chosen, settings).make()
     )
-    rod = _initial_rod(curve, chosen) if strip is None else strip.rod
+    rod = _initial_rod(requested, chosen) if strip is None else strip.rod
+    before = rod if strip is None else strip.rod_to_bend
     present = Supports() if finished is None else rod.supports
-    if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
+    stays = chosen["start"] is None and chosen["end"] is None
+    if curve is None and chosen["tie"] and stays:
         # the ends are free, because held ends could not follow the cord
         present = Supports("free", "free")
     supports = require_supports(
@@ -198,23 +207,20 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         )
         say(f"the strip is designed for {curve.name} {designed}, and here bent with {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
-    name = f"{file_word(curve.stem) if curve is not None else 'straight'}-bent"
+    name = "straight" if curve is None else file_word(curve.stem)
     moved = None
     verdicts: Sequence[Stability]
-    change = _bend_keywords(rod if strip is None else strip.rod_to_bend, strip, chosen)
-    if chosen["shorten"] is not None and chosen["start"] is None and chosen["end"] is None:
+    change = _bend_keywords(before, strip, chosen)
+    if chosen["shorten"] is not None and stays:
         _refuse_fixed_cords(rod, supports, change["between"])
+    # skip position zero of a straight strip, where its force is undetermined up to the buckling load
+    from_zero = strip is not None and curve is not None and chosen["steps"] > 1 and not change
+    steps = _keywords_of_steps(before, chosen, supports, change, from_zero=from_zero)
     if strip is None:
-        shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
+        shapes = bend_path(rod, steps, side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # skip position zero of a straight strip, where its force is undetermined up to the buckling load
-        from_zero = curve is not None and chosen["steps"] > 1 and not change
-        moved = bend_strip(
-            strip,
-            _keywords_of_steps(strip.rod_to_bend, chosen, supports, change, from_zero=from_zero),
-            side=side,
-        )
+        moved = bend_strip(strip, steps, side=side)
         shapes, verdicts = moved.rods, moved.verdicts
     _print_shapes(rod, shapes, verdicts, moved, change)
     B = 1.0 if strip is None else strip.bending_stiffness
@@ -226,17 +232,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     answer(answered)
     wrote(
         _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]),
-        {f"{_travel_name(name)}.csv": "the table", f"{name}.csv": "points", f"{name}.json": "curves"},
+        {f"{name}-travel.csv": "the table", f"{name}-bent.csv": "points", f"{name}-bent.json": "curves"},
     )
-
-
-def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
-    record = read_request(path)
-    if record is None:
-        return None
-    _refuse_curve_options({name for name in ("nearest", "smooth") if chosen[name] not in (None, False)})
-    (requested,) = requested_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
-    return FinishedStrip.read(record, requested.curve)
 
 
 def _refuse_curve_options(idle: set[str]) -> None:
@@ -267,10 +264,12 @@ def _with_changes(finished: FinishedStrip, chosen: dict[str, Any], settings: dic
     return finished.changed(**fields) if fields else finished
 
 
-def _initial_strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
+def _initial_strip(
+    requested: RequestedCurve | None, chosen: dict[str, Any], settings: dict[str, Any]
+) -> Strip | None:
     if chosen["sheet"] is None or not (settings or chosen["max_width"] is not None):
         return None
-    if curve is None:
+    if requested is None:
         sheet, widest = requested_sheet(chosen), chosen["max_width"]
         rod = Rod.straight(
             chosen["straight"], gravity=_gravity(chosen), section=PlainSection.as_plate(sheet, widest)
@@ -280,17 +279,15 @@ def _initial_strip(curve: Path | None, chosen: dict[str, Any], settings: dict[st
     table |= {"limits": {}} if chosen["nearest"] else {}
     table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
     table = with_settings(table, settings)
-    (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     plane_curve = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
     spec = spec_from_options(plane_curve, requested.label, table)
     return spec.make(_solve(spec.rod_spec))
 
 
-def _initial_rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
-    if curve is None:
-        return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
-    (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+def _initial_rod(requested: RequestedCurve | None, chosen: dict[str, Any]) -> Rod:
     smooth, gravity = chosen["smooth"], _gravity(chosen)
+    if requested is None:
+        return Rod.straight(chosen["straight"], gravity=gravity)
     limits = Limits() if chosen["nearest"] else None
     drawn = requested.curve if limits else requested.bendable(smooth)
     return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
@@ -403,49 +400,46 @@ def _print_shapes(
     }  # fmt: skip
     start, end = np.degrees([shape.angle[[0, -1]] for shape in shapes]).T
     say(*printed_table(columns | {"start_deg": start, "end_deg": end, "stability": states}))
-    say_row(
-        Row(
-            "Size",
-            f"{rod.length:.1f} mm long",
-            [f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."],
-        )
-    )
-    width, height = np.ptp(shapes[-1].position, axis=0)
-    last = "last shape " if shapes[1:] else ""
-    radius = _smallest_radius(shapes[-1])
+    say_rows(*_rows(rod, shapes, states, moved, change))
+
+
+def _rows(
+    rod: Rod, shapes: Sequence[Rod], states: Sequence[str], moved: Travel | None, change: dict[str, Any]
+) -> Iterator[Row]:
+    last = shapes[-1]
+    ratio = f"The largest stiffness of the strip is {rod.ratio:.4g} times the least."
+    yield Row("Size", f"{rod.length:.1f} mm long", [ratio])
+    width, height = np.ptp(last.position, axis=0)
+    which = "last shape " if shapes[1:] else ""
+    radius = _smallest_radius(last)
     radius = radius if radius == "straight" else f"smallest radius {radius} mm"
-    say_row(Row("Shape", f"{last}{width:.1f} x {height:.1f} mm, {radius}"))
-    (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
-    say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
-    if moved is not None and (shapes[-1].acting or change):
-        for row in _load_rows(change.get("loads", ()), weight=shapes[-1].gravity is not None):
-            say_row(row)
-        say_row(_displacement_row(moved, released=change.get("between") == ()))
-        for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
-            say_row(row)
+    yield Row("Shape", f"{which}{width:.1f} x {height:.1f} mm, {radius}")
+    (x0, y0), (x1, y1) = np.round(last.position[[0, -1]], 2) + 0.0
+    yield Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing")
+    if moved is not None and (last.acting or change):
+        yield from _load_rows(change.get("loads", ()), weight=last.gravity is not None)
+        yield _displacement_row(moved, released=change.get("between") == ())
+        yield from between_rows(last, moved.strip.bending_stiffness)
         worst = int(np.argmin(moved.safety))
-        limit = f"safety {number_text(moved.safety[worst])}"
-        say_row(Row("Strain", f"at most {Strain(moved.strain[worst])}, {limit}"))
-    say_row(_stability_row(states, shapes, moved, change))
+        safety = number_text(moved.safety[worst])
+        yield Row("Strain", f"at most {Strain(moved.strain[worst])}, safety {safety}")
+    yield _stability_row(states, shapes, moved, change)
     # leave out warnings about a snap, because `moved.warnings` below state where it happens
     texts = [
         text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
     ]
-    texts += [text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])]
-    for warning in dict.fromkeys([*texts, *_warnings_on_stretch(shapes[-1])]):
-        say_row(warning_row(warning))
+    texts += [text for action in last.between for text in _warnings_on_side(action, rod, last)]
+    yield from map(warning_row, dict.fromkeys([*texts, *_warnings_on_stretch(last)]))
     if moved is None:
         return
     largest = f"{Force(moved.support_force.max())} and {Moment(moved.support_moment.max())}"
-    energy = Energy(moved.energy.max())
-    say_row(Row("Force", f"at most {largest} at an end; the strip stores {energy}"))
+    yield Row("Force", f"at most {largest} at an end; the strip stores {Energy(moved.energy.max())}")
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].overloaded)
         where = f"at {_place(k, shapes, moved, change)}, " if shapes[1:] else ""
-        say_row(warning_row(f"{where}{moved.sideways[k].meaning}", "Stability"))
-    for warning in moved.warnings:
-        say_row(warning_row(warning))
+        yield warning_row(f"{where}{moved.sideways[k].meaning}", "Stability")
+    yield from map(warning_row, moved.warnings)
 
 
 STRETCHED_SHARE = 1e-4
@@ -548,17 +542,12 @@ def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[
     return moved.place_message(moved.path_length[step])
 
 
-def _travel_name(name: str) -> str:
-    return f"{name.removesuffix('-bent')}-travel"
-
-
 def _write_files(
     name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, output: Path, force: bool
 ) -> tuple[Path, ...]:
-    travelled = _travel_name(name)
     files = [
-        File(f"{name}.csv", partial(_write_shapes, shapes)),
-        text_file(f"{name}.json", curves_json([shape.curve for shape in shapes])),
+        File(f"{name}-bent.csv", partial(_write_shapes, shapes)),
+        text_file(f"{name}-bent.json", curves_json([shape.curve for shape in shapes])),
     ]
     if can_draw():
         from elastica_cad.plot.canvas import save_figure
@@ -566,11 +555,13 @@ def _write_files(
         from elastica_cad.plot.strip_pictures import travel as draw_travel
 
         design = None if rod.shape is None else rod
-        files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path)))
+        files.append(
+            File(f"{name}-bent.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path))
+        )
     if moved is not None:
-        files.append(text_file(f"{travelled}.csv", moved.csv()))
+        files.append(text_file(f"{name}-travel.csv", moved.csv()))
         if can_draw() and shapes[1:]:
-            files.append(File(f"{travelled}.png", lambda path: save_figure(draw_travel(moved), path)))
+            files.append(File(f"{name}-travel.png", lambda path: save_figure(draw_travel(moved), path)))
     return write_files(files, output, force=force)
 
 

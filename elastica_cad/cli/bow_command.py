@@ -23,7 +23,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_options, requested_curves, which_options
 from elastica_cad.cli.strip_options import typed_change
 from elastica_cad.cli.suggestions import suggest_later
-from elastica_cad.cli.voice import answer, say, say_row, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.form_finding.limits import FAR_SHARE, Limits
@@ -135,8 +135,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     }  # fmt: skip
     written = _write(result, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
-    for row in in_order(_rows(result, report)):
-        say_row(row)
+    say_rows(*in_order(_rows(result, report)))
     _print_table(table)
     contents = {"csv": "the table", "json": "all numbers and the curve", "dxf": "drawing at full size"}
     wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})

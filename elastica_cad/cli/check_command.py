@@ -32,7 +32,7 @@ from elastica_cad.cli.suggestions import (
     suggest_later,
     typed_length,
 )
-from elastica_cad.cli.voice import answer, exit_code, say, say_row, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
@@ -139,18 +139,16 @@ def check(
                     first.drawn.called if first is last else f"{first.drawn.called} to {last.drawn.called}"
                 )
                 say(f"{curve.name}, {which} of {first.count}:")
-            for row in rows:
-                say_row(row, is_answer=True)
+            say_rows(*rows, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
             answered["cures"] = judged[0].cures()
-            for cure in answered["cures"]:
-                say_row(Row("Change", cure["text"]))
+            say_rows(*(Row("Change", cure["text"]) for cure in answered["cures"]))
         if (
             not codes[-1]
             and not (several or voice().quiet or picture)
             and (larger := judged[0].enlarging(answered))
         ):
-            say_row(Row("Change", larger))
+            say_rows(Row("Change", larger))
         worst = max(worst, *codes)
         answers.extend(reports)
     if bad > MOST_REFUSALS:

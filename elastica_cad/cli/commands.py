@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
-from elastica_cad.cli.options import UNITS, Length, option_name
+from elastica_cad.cli.options import UNITS, Length, option_name, typed_options
 from elastica_cad.cli.suggestions import TYPED, cures_after, refuse_extra_words
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
 from elastica_cad.declared import Record
@@ -47,9 +47,11 @@ COMMANDS = {
 }
 """Module and function of each command. The module is imported on first use."""
 
-MM_IN_KEYS = ("settings",)
-PER_MM = ("natural_curvature",)
-"""Options in fixed units, to which `--units` does not apply: keys in mm, and curvatures in 1/mm."""
+IN_FIXED_UNITS = {
+    "settings": 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
+    "natural_curvature": "the value is in 1/mm, not in --units; 1/inch is 0.03937",
+}
+"""Notes on options in fixed units, to which `--units` does not apply, by the names of their parameters."""
 
 ALIKE = {"name": "label"}
 """Options with the same use in different commands: the name in some commands, and the name in the others."""
@@ -330,7 +332,8 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         refuse_extra_words(click.get_current_context().args)
         if watched and not reads:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
-        notes = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()
+        typed = {} if root_options.get("units", "mm") == "mm" else typed_options()
+        notes = [f"Note: {typed[name]}: {text}" for name, text in IN_FIXED_UNITS.items() if name in typed]
         _check_numbers(chosen, huge=huge)
         if not watched:
             _run_once(run, chosen, notes)
@@ -392,24 +395,6 @@ def _output_flag(*names: str, help: str) -> click.Option:
     return click.Option(
         list(names), is_flag=True, is_eager=True, expose_value=False, callback=set_voice, help=help
     )
-
-
-def _notes_on_mm() -> list[str]:
-    context = click.get_current_context()
-    sentences = {
-        MM_IN_KEYS: 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
-        PER_MM: "the value is in 1/mm, not in --units; 1/inch is 0.03937",
-    }
-    sentences_in_mm = []
-    for names, sentence in sentences.items():
-        typed = [
-            option.opts[0]
-            for option in context.command.params
-            if option.name in names
-            and context.get_parameter_source(option.name) is click.core.ParameterSource.COMMANDLINE
-        ]
-        sentences_in_mm += [f"Note: {' and '.join(typed)}: {sentence}"] if typed else []
-    return sentences_in_mm
 
 
 def _run_once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:

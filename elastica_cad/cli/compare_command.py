@@ -8,7 +8,7 @@ import click
 
 from elastica_cad._text import distinct, file_word
 from elastica_cad.cli.options import LENGTH
-from elastica_cad.cli.voice import answer, say_row, wrote
+from elastica_cad.cli.voice import answer, say_rows, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
@@ -59,8 +59,7 @@ def compare(report: Path, measured: Path | None, reading_error: float | None, fo
                 raise _unknown(strip, measured, [*strips])
             rows += [Row("Strip", strip)] if strip else []
             rows += strips[strip].compare(readings, **errors)
-        for row in rows:
-            say_row(row, is_answer=True)
+        say_rows(*rows, is_answer=True)
         answer(
             {
                 "expected": expected.get("", expected),

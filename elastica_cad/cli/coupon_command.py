@@ -11,7 +11,7 @@ import click
 from elastica_cad._text import file_word, quote_words
 from elastica_cad.cli.options import LENGTH, POINT, given_of, output_options, refuse_idle
 from elastica_cad.cli.suggestions import name_program, refuse_extra_words
-from elastica_cad.cli.voice import answer, say, say_row, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, text_file, write_files
@@ -104,13 +104,13 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
         f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
         for option, value in options.items()
     )
-    say_row(
+    say_rows(
         Row(
             "Next",
             f"cut the coupon, let {free:g} mm of it hang over an edge, measure the droop of its end in mm",
         )
     )
-    say_row(Row("Then run", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
+    say_rows(Row("Then run", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
 
 
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
@@ -190,7 +190,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": measured_sheet, "measured": result})
     for line in str(result).split("\n"):
-        say_row(Row("Measured", line))
+        say_rows(Row("Measured", line))
     _warn_of_contradiction(measured, result)
     if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
         _warn_row(
@@ -207,7 +207,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     if is_listed:
         text = "elasto-gravity length {length:.3g}, E {modulus:.3g} MPa"
         length, modulus = Length(sheet.elasto_gravity_length), sheet.youngs_modulus
-        say_row(Row("Listed", note(text, length=length, modulus=modulus)))
+        say_rows(Row("Listed", note(text, length=length, modulus=modulus)))
     elif least_radius is None:
         _warn_row(
             "Strain",
@@ -217,11 +217,11 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     say("", measured_sheet.toml())
     wrote([written])
     known_as = name if output in library_folders() else written
-    say_row(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))
+    say_rows(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))
 
 
 def _warn_row(label: str, text: str) -> None:
-    say_row(warning_row(text, label))
+    say_rows(warning_row(text, label))
 
 
 def _with_rounded_modulus(sheet: Sheet) -> Sheet:

@@ -14,7 +14,7 @@ from elastica_cad._values import counted
 from elastica_cad.cli.options import output_options
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.suggestions import suggest_later
-from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn
+from elastica_cad.cli.voice import answer, say, say_rows, say_step, voice, warn
 from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.errors import ElasticaError, InputError
@@ -132,7 +132,7 @@ def model(
     except ElasticaError:
         # print assumptions, such as the position of the axis, because an assumption may cause the error
         for text in requested.reports:
-            say_row(warning_row(text, "Note"))
+            say_rows(warning_row(text, "Note"))
         raise
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
     say_step(f"writing {in_writing_order(kit.files)[0].name}", 1, len(kit.files))
@@ -189,7 +189,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     model, cut_list, held = contents.model, contents.cut_list, contents.held or {}
     if scaled := [entry for entry in contents.entries if entry.scale != 1]:
         factors = Listed(f"{entry.label} to {100 * entry.scale:.4g} %" for entry in scaled)
-        say_row(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
+        say_rows(Row("Scale", f"curves resized to the lengths in the design: {factors} of the drawn size"))
     sizes: dict[tuple[str, Severity], list[EqualStrips]] = {}
     for part in model.parts:
         shape = held.get(model.single_name_of(part.members[0]))
@@ -204,12 +204,12 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         # only -v shows details
         details = [f"{part.name}: {hold_row(part.strip).text}" for part in parts if voice().verbose]
         more = [f"These are {', '.join(names)}.", *details] if names[1:] else details
-        say_row(Row(label, text, more, severity))
+        say_rows(Row(label, text, more, severity))
     joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
     pieces = "" if cut_list.count == len(model.placed) else (
         f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
     )  # fmt: skip
-    say_row(
+    say_rows(
         Row(
             "Model",
             f"{model.name}: {count_strips(model)}{joints}; {pieces}{cut_list.cut_length / 1000:.1f} m of "
@@ -219,11 +219,11 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     if deviations := contents.deviations:
         farthest = max(deviations, key=lambda name: deviations[name])
         text = f"{farthest} is farthest from its drawn curve: {Length(deviations[farthest])}"
-        say_row(Row("Curves", text))
+        say_rows(Row("Curves", text))
     if held:
         worst = max(held, key=lambda name: held[name].expected)
         row = accuracy_row(held[worst])
-        say_row(replace(row, text=f"{worst} deviates most: {row.text}"))
+        say_rows(replace(row, text=f"{worst} deviates most: {row.text}"))
     _print_notes(contents, kit, output)
     details = [
         f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
@@ -231,9 +231,9 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         for nest in contents.nests
     ]
     sawn = [f"saw from one rod, mm: {line}" for item in cut_list.stock for line in item.sawn]
-    say_row(Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]))
+    say_rows(Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]))
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
-    say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
+    say_rows(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
 
 
 def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
@@ -248,10 +248,10 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
     if messages:
         warn("Before you cut:", in_notes=False)
     for text in printed:
-        say_row(warning_row(text, "Note"))
+        say_rows(warning_row(text, "Note"))
     if unstable := _unstable_requests(contents):
         change = f"set limits.margin = {SAFE_MARGIN:g} in the table of {Listed(unstable)}"
-        say_row(Row("Change", f"{change} for the nearest stable curve"))
+        say_rows(Row("Change", f"{change} for the nearest stable curve"))
     named = set[str]().union(*(text.fields for text in printed if isinstance(text, Refusal)))
     if keys := sorted(named & {key.name for key in fields(StripSpec)}):
         warn(

@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._text import quote_words
 from elastica_cad.cli.options import output_options
 from elastica_cad.cli.suggestions import name_program
-from elastica_cad.cli.voice import answer, say_row, wrote
+from elastica_cad.cli.voice import answer, say_rows, wrote
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.curve_writer import write_curves
 from elastica_cad.formats.write_files import File, text_file, write_files
@@ -62,7 +62,7 @@ def new(kind: str, output: Path, force: bool) -> None:
     wrote(write_files(new_files, output, force=force))
     typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"
-    say_row(Row("Next", following))
+    say_rows(Row("Next", following))
     answer({"kind": kind, "next": following})
 
 

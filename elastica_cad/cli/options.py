@@ -115,6 +115,16 @@ def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
+def typed_options() -> dict[str, str]:
+    """Return the options that the user has typed, by the names of their parameters."""
+    context = click.get_current_context()
+    return {
+        str(option.name): option.opts[0]
+        for option in context.command.params
+        if context.get_parameter_source(str(option.name)) is ParameterSource.COMMANDLINE
+    }
+
+
 def refuse_idle(
     needs: Mapping[str, Sequence[str]], replaces: Mapping[str, Sequence[str]] = MappingProxyType({})
 ) -> None:
@@ -123,12 +133,7 @@ def refuse_idle(
     An option of `needs` has no effect without one of the others. An option of `replaces` leaves the others without
     effect. All are given by the names of their parameters.
     """
-    context = click.get_current_context()
-    typed = {
-        str(option.name): option.opts[0]
-        for option in context.command.params
-        if context.get_parameter_source(str(option.name)) is ParameterSource.COMMANDLINE
-    }
+    typed = typed_options()
     for name, option in typed.items():
         others = needs.get(name, ())
         if others and typed.keys().isdisjoint(others):

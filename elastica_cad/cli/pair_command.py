@@ -18,7 +18,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
-from elastica_cad.cli.voice import answer, cut_text, say, say_row, say_step, wrote
+from elastica_cad.cli.voice import answer, cut_text, say, say_rows, say_step, wrote
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
@@ -99,9 +99,9 @@ def pair(**chosen: Any) -> None:
     sheet = Sheet.of(spec.sheet)
     cut_as = cut_text(cutting.options(sheet)["kerf"])
     if spec.scale != 1:
-        say_row(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
+        say_rows(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
     if matched := spec.matched:
-        say_row(Row("Curves", str(matched)))
+        say_rows(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
@@ -162,5 +162,4 @@ def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
 
 def _report(result: MadePair) -> None:
     warnings = [warning_row(text) for text in result.warnings]
-    for row in in_order([*pair_rows(result.part), *warnings]):
-        say_row(row)
+    say_rows(*in_order([*pair_rows(result.part), *warnings]))

@@ -16,7 +16,7 @@ import click
 from elastica_cad._text import distinct, file_word, plain_name
 from elastica_cad._toml import parse_toml
 from elastica_cad.cli.options import join_options
-from elastica_cad.cli.voice import say_row, voice, warn
+from elastica_cad.cli.voice import say_rows, voice, warn
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.files import CURVE_FORMATS, read_drawing
@@ -217,7 +217,7 @@ def drawn_curves(
     report = drawing.report(chosen)
     if report is not None:
         voice().read = report.as_dict()
-        say_row(Row("Read", str(report)))
+        say_rows(Row("Read", str(report)))
     return drawing
 
 

@@ -14,7 +14,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options, refuse_idle
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.suggestions import typed_length
-from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_rows, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
@@ -86,7 +86,7 @@ def reshape(
     for drawn_curve in chosen if len(chosen) > 1 else ():
         if drawn_curve.problem:
             text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
-            say_row(warning_row(text, "Left out"))
+            say_rows(warning_row(text, "Left out"))
     originals = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
     matrix = _map_of_options(
         originals, handles, {name: place for name, place in corners.items() if place is not None}
@@ -104,12 +104,12 @@ def reshape(
         )
         for word, verdict in reports[-1].items():
             severity: Severity = "note" if verdict["realizable"] else "error"
-            say_row(Row(word.capitalize(), _sentence(verdict), severity=severity), is_answer=True)
+            say_rows(Row(word.capitalize(), _sentence(verdict), severity=severity), is_answer=True)
     answer({"map": matrix, "curves": reports})
     wrote(written)
     bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
-        say_row(warning_row(NO_MAP, "Change"))
+        say_rows(warning_row(NO_MAP, "Change"))
     left_out = len(originals) < len(chosen)
     if bad or left_out:
         ctx.exit(BAD_INPUT if left_out else NOT_REALIZABLE)

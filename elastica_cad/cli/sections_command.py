@@ -20,7 +20,7 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
 )
-from elastica_cad.cli.voice import answer, say_row, say_step, wrote
+from elastica_cad.cli.voice import answer, say_rows, say_step, wrote
 from elastica_cad.defaults import RATIO
 from elastica_cad.design.sections_table import compose_section_design
 from elastica_cad.design.toml_text import seen_from
@@ -160,10 +160,10 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         requested_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     size_options = given_of(chosen, ("unit", "scale"))
-    family = _family_option(chosen)
+    _require_one_family(chosen)
     try:
         surface = read_sized_surface(read_surface, mesh, **size_options)
-        spec = _spec(family, chosen, surface)
+        spec = _spec(chosen, surface)
         say_step("cutting the surface and fitting curves")
         curves, reports = spec.curves(surface)
     except InputError as problem:
@@ -181,9 +181,8 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
             f"{section['name'].removeprefix('section ')}: {section['length']:.2f} mm long, "
             f"{section['deviation']:.2g} mm from the section at most; {verdict}"
         )
-        say_row(Row("Section", text))
-    for text in reports:
-        say_row(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note"))
+        say_rows(Row("Section", text))
+    say_rows(*(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note") for text in reports))
     answer({"sections": verdicts})
     name = f"{file_word(mesh.stem)}-sections"
     plane_curves = [curve.curve for curve in curves]
@@ -197,7 +196,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         files.append(text_file(f"{name}.toml", text))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
-        say_row(
+        say_rows(
             Row("Next", "for strips along the curves add --sheet NAME, or run elastica strip with the curves")
         )
 
@@ -210,7 +209,7 @@ def _option_that_splits(message: str, chosen: dict[str, Any]) -> str:
     return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
 
 
-def _family_option(chosen: dict[str, Any]) -> str:
+def _require_one_family(chosen: dict[str, Any]) -> None:
     families = {
         "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
         "--offset": chosen["offsets"], "--along": chosen["along"],
@@ -224,16 +223,15 @@ def _family_option(chosen: dict[str, Any]) -> str:
         )
     of_design = ("margin", "gravity", "thickness", "max_width", "ratio", "stand")
     refuse_idle(dict.fromkeys(of_design, ("sheet",)) | {"count": ("along",)}, _IDLE)
-    return options[0]
 
 
-def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
+def _spec(chosen: dict[str, Any], surface: Surface) -> SectionSpec:
     splits: list[Split] = [PlaneSplit(numbers[3:], numbers[:3]) for numbers in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:
         splits.append(CornerSplit(float(np.radians(chosen["split_corners"]))))
     return SectionSpec(
-        _cuts(family, chosen, surface),
+        _cuts(chosen, surface),
         longest=chosen["longest"],
         splits=tuple(splits),
         tolerance=chosen["tolerance"],
@@ -241,8 +239,8 @@ def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
     )
 
 
-def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
-    if family == "--along":
+def _cuts(chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
+    if chosen["along"]:
         path = read_path_points(chosen["along"])
         if len(path) < 2:
             raise InputError(
@@ -253,20 +251,16 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
         return AlongPath(path, chosen["count"] or ALONG, up=_up(chosen, np.ptp(path, axis=0)))
     x, y, z = surface.middle.round(6).tolist()
     point = chosen["point"] or (x, y, z)
-    if family in ("--radial", "--angle"):
+    if chosen["radial"] or chosen["angles"]:
         axis = chosen["axis"] or (0.0, 0.0, 1.0)
         along_x = not np.any(np.cross(axis, (1.0, 0.0, 0.0)))
         zero = chosen["zero"] or ((0.0, 1.0, 0.0) if along_x else (1.0, 0.0, 0.0))
-        if family == "--angle":
-            angles = tuple(np.radians(chosen["angles"]).tolist())
-            return RadialCuts(angles=angles, point=point, axis=axis, zero=zero)
-        return RadialCuts(chosen["radial"], point=point, axis=axis, zero=zero)
+        angles = tuple(np.radians(chosen["angles"]).tolist()) or None
+        return RadialCuts(chosen["radial"] or RadialCuts.count, angles, point, axis, zero)
     x, y, z = np.eye(3)[int(np.argmax(np.ptp(surface.points, axis=0)))].tolist()
     normal = chosen["axis"] or (x, y, z)
-    up = _up(chosen, np.array(normal))
-    if family == "--offset":
-        return ParallelCuts(normal, offsets=chosen["offsets"], point=point, up=up)
-    return ParallelCuts(normal, chosen["parallel"], point=point, up=up)
+    count, offsets = chosen["parallel"] or ParallelCuts.count, chosen["offsets"] or None
+    return ParallelCuts(normal, count, offsets, point, _up(chosen, np.array(normal)))
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:

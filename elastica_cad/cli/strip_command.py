@@ -24,7 +24,7 @@ from elastica_cad.cli.suggestions import (
     listing_note,
     suggest_later,
 )
-from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_row, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.kit_spec import Cutting
@@ -179,17 +179,17 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         more = (
             f" The same holds for {Listed(name for name, _ in others)}, with other numbers." if others else ""
         )
-        say_row(replace(row, text=f"{label}: {row.text}{more}"))
+        say_rows(replace(row, text=f"{label}: {row.text}{more}"))
     if len(curves) > 1 and not voice().verbose:
         cut = Listed(f"{requested.name}.dxf" for requested in solved[:MOST_NAMES])
         more = ", ..." if solved[MOST_NAMES:] else ""
         marked = f" (cut: {cut}{more})" if solved else ""
-        say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
+        say_rows(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
     if chosen["save_design"] is not None and solved:
         wrote([_save_design(chosen["save_design"], solved, table, force=chosen["force"])])
         if solved[1:] and "origin" not in table:
             text = "The saved design has all strips in one plane, as drawn. Set `origin` of each strip to move it."
-            say_row(Row("Note", text))
+            say_rows(Row("Note", text))
     if reports:
         say(*left_out(step=files.step, pictures=files.pictures))
     if wrong:
@@ -299,9 +299,8 @@ def _report_briefly(
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
     label = f"{strip.number} = {strip.label}" if strip.number else strip.label
-    say_row(Row(label, f"{size_row(strip).text}{moved}"))
-    for row in _stable_rows(result, requested):
-        say_row(row)
+    say_rows(Row(label, f"{size_row(strip).text}{moved}"))
+    say_rows(*_stable_rows(result, requested))
     voice().files += map(str, written)
 
 
@@ -339,11 +338,10 @@ def _report(
     rows = (*rows, *_stable_rows(result, requested))
     ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, *joined) if text]
     other = [row for row in rows if row.text != tabs]
-    for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
-        say_row(row)
+    say_rows(*in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]))
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
     if kerf_note := cutting.kerf_note([strip.sheet]):
-        say_row(Row("Kerf", kerf_note))
+        say_rows(Row("Kerf", kerf_note))
     cut = [cut_text(kerf)]
     cut += [] if grain == "none" else [f"grain {grain} the strip"]
     wrote(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, cast
 import click
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.voice import say_row, say_step, warn
+from elastica_cad.cli.voice import say_rows, say_step, warn
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.report_rows import Row
 
@@ -155,7 +155,7 @@ def cures_of(
 
     cures: list[Cure] = []
     if reason := not_tried(spec.curve):
-        say_row(Row("Change", reason))
+        say_rows(Row("Change", reason))
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
             title, change = suggestion.title, spelled(suggestion)

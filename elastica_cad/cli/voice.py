@@ -140,20 +140,20 @@ def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
         echo(text, err=True)
 
 
-def say_row(row: Row, *, is_answer: bool = False) -> None:
-    """Print a row of the report, and with -v its details.
+def say_rows(*rows: Row, is_answer: bool = False) -> None:
+    """Print rows of the report, and with -v their details.
 
     A row about a problem is a warning: it is printed to stderr and added to the notes of the JSON record.
-    With `is_answer`, the row is not a warning.
+    With `is_answer`, no row is a warning.
     """
     speaker = voice()
-    warns = row.stops and not is_answer
-    if warns:
-        speaker.notes.append(row.text)
-    if speaker.quiet or (speaker.as_json and not warns):
-        return
-    _clear_step()
-    _print_row(row if speaker.verbose else replace(row, details=()), err=warns)
+    for row in rows:
+        warns = row.stops and not is_answer
+        if warns:
+            speaker.notes.append(row.text)
+        if not speaker.quiet and (warns or not speaker.as_json):
+            _clear_step()
+            _print_row(row if speaker.verbose else replace(row, details=()), err=warns)
 
 
 def _print_row(row: Row, *, err: bool) -> None:
@@ -175,7 +175,7 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
     files = [f"{name} ({contents[path.name]})" if path.name in contents else name
             for name, path in zip(names, written, strict=True)]  # fmt: skip
     if files:
-        say_row(Row("Files", ", ".join(files)))
+        say_rows(Row("Files", ", ".join(files)))
 
 
 def cut_text(kerf: float) -> str:

@@ -343,7 +343,7 @@ def _read_strips(
                 sections, section_reports = read_sections(table.table("sections"), reader)
                 reports += section_reports
             else:
-                sections = (None,) * table.count("count", 1)
+                sections = (None,) * table.count("count")
         first = len(entries)
         for i, section in enumerate(sections, start=1):
             where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where

@@ -233,7 +233,7 @@ class Reader:
             case "number":
                 return table.number(key)
             case "count":
-                return table.count(key, 1)
+                return table.count(key)
             case "flag":
                 return table.flag(key)
             case "text" | "choice":
@@ -251,11 +251,17 @@ class Reader:
         (inner,), rows = kind.of, table.raw(key)
         if inner.name == "number":
             return table.row(key) if kind.size is None else table.vector(key, kind.size)
-        if inner.name == "list" and inner.of[0].name == "number":
-            return tuple(table.points(key, inner.size or 1, kind.size))
+        of_size = isinstance(rows, list) and kind.size in (None, len(rows))
+        if inner.name == "list" and inner.of[0].name == "number" and not (of_size and rows):
+            raise InputError(
+                "{key} is not a list of {counts}points {axes}. Write such a list",
+                key=table.place(key),
+                counts=_COUNTS[kind.size],
+                axes=_AXES[inner.size],
+            )
         if inner.name == "table" and not isinstance(rows, list):
             table.tables(key)  # raises the error for a list of tables
-        if not isinstance(rows, list) or kind.size not in (None, len(rows)):
+        if not of_size:
             raise InputError(
                 "{place} is {given}, which is not a list. Write a list."
                 if kind.size is None
@@ -268,6 +274,10 @@ class Reader:
             {f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, table.where, table.scope
         )
         return tuple(self.value(inner, numbered, name) for name in numbered.data)
+
+
+_AXES: Mapping[int | None, str] = {2: "[x, y]", 3: "[x, y, z]"}
+_COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:

@@ -20,7 +20,6 @@ from elastica_cad.form_finding.section_spec import (
     PointSplit,
     RadialCuts,
     SectionSpec,
-    Split,
 )
 from elastica_cad.formats.mesh_files import mesh_surface, read_sized_surface
 from elastica_cad.formats.source_file import file_in
@@ -120,45 +119,41 @@ def compose_section_design(
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
     """Return the keys of the table `sections`. Default values are omitted, except tolerance and planes."""
+    planes = {RadialCuts: "radial", ParallelCuts: "parallel", AlongPath: "along"}[type(spec.cuts)]
     given = {
         "tolerance": spec.tolerance, "wavelength": spec.wavelength or None, "half": spec.half,
-        "longest": spec.longest or None, "split": [_split_keys(split) for split in spec.splits] or None,
+        "longest": spec.longest or None, "split": [_table_of(split) for split in spec.splits] or None,
+        planes: _table_of(spec.cuts),
     }  # fmt: skip
-    keys = {key: value for key, value in given.items() if value is not None}
-    match spec.cuts:
-        case RadialCuts() as cuts:
-            where: dict[str, Any] = {"point": cuts.point, "axis": cuts.axis, "zero": cuts.zero}
-            turned = None if cuts.angles is None else [_formula_in_degrees(angle) for angle in cuts.angles]
-            planes: dict[str, Any] = {"count": cuts.count} if turned is None else {"angles": turned}
-            return keys | {"radial": where | planes}
-        case ParallelCuts() as cuts:
-            where = {"point": cuts.point, "normal": cuts.normal, "up": cuts.up}
-            planes = {"count": cuts.count} if cuts.offsets is None else {"offsets": list(cuts.offsets)}
-            return keys | {"parallel": where | planes}
-        case AlongPath() as cuts:
-            path = np.asarray(cuts.path).tolist()
-            return keys | {"along": {"path": path, "count": cuts.count, "ends": cuts.ends, "up": cuts.up}}
-    raise InputError(
-        "{cuts!r} cannot be written to a design file. Use RadialCuts, ParallelCuts or AlongPath.",
-        cuts=spec.cuts,
-    )
+    return {key: value for key, value in given.items() if value is not None}
 
 
-def _split_keys(split: Split) -> dict[str, Any]:
-    match split:
-        case CornerSplit():
-            return {"corners": _formula_in_degrees(split.corners)}
-        case PointSplit():
-            return {"points": np.asarray(split.points).tolist()}
-        case PlaneSplit():
-            return {"point": split.point, "normal": split.normal}
-    raise InputError(
-        "{split!r} cannot be written to a design file. Use PlaneSplit, PointSplit or CornerSplit.",
-        split=split,
-    )
+def _table_of(record: Any) -> dict[str, Any]:
+    """Return the table of planes, or of the places where sections are split."""
+    values = {key: getattr(record, key) for key in WRITTEN_KEYS[type(record)]}
+    if values.get("angles", values.get("offsets")) is not None:
+        del values["count"]
+    return {
+        key: _formulae_in_degrees(value) if key in ("angles", "corners") else np.asarray(value).tolist()
+        for key, value in values.items()
+        if value is not None
+    }
 
 
-def _formula_in_degrees(angle: float) -> str:
-    """Return an angle in rad as a formula in degrees, so that the file has no rounded multiples of pi."""
+WRITTEN_KEYS: dict[type, tuple[str, ...]] = {
+    RadialCuts: ("point", "axis", "zero", "count", "angles"),
+    ParallelCuts: ("point", "normal", "up", "count", "offsets"),
+    AlongPath: ("path", "count", "ends", "up"),
+    CornerSplit: ("corners",),
+    PointSplit: ("points",),
+    PlaneSplit: ("point", "normal"),
+}
+"""Fields that a design file states of each kind of planes and splits. `angles` and `offsets` replace `count`."""
+
+
+def _formulae_in_degrees(angles: float | tuple[float, ...]) -> str | list[str]:
+    """Return angles in rad as formulae in degrees, so that the file has no rounded multiples of pi."""
+    if isinstance(angles, tuple):
+        return [str(_formulae_in_degrees(angle)) for angle in angles]
     # remove rounding errors of the conversion
-    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"
+    return f"{float(np.round(np.degrees(angles), 10))!r} * degrees"

@@ -274,9 +274,6 @@ OTHER_WORDS = {
 }  # fmt: skip
 """Correct key for words that users may write instead, such as the options of `elastica strip`."""
 
-_AXES = {2: "[x, y]", 3: "[x, y, z]"}
-_COUNTS = {None: "", 2: "two ", 4: "four "}
-
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
     if isinstance(value, str):
@@ -455,25 +452,25 @@ class Table:
         """Return the value of a key as a number, or None if the key is missing."""
         return self.number(key) if self.has(key) else None
 
-    def count(self, key: str, default: int, most: float = MOST_COUNTED) -> int:
-        """Return the value of a key as a whole number from 1 to `most`."""
-        value = self.number(key, default)
+    def count(self, key: str) -> int:
+        """Return the value of a key as a whole number from 1 to `MOST_COUNTED`; 1 if the key is missing."""
+        value = self.number(key, 1)
         if value != int(value) or value < 1:
             raise InputError(
                 "{key} is {given:.15g}. Use a whole number, 1 or more.", key=self.place(key), given=value
             )
-        if value > most:
+        if value > MOST_COUNTED:
             raise InputError(
                 "{key} is {given:g}, above the limit of {most}. Use a smaller number.",
                 key=self.place(key),
                 given=value,
-                most=most,
+                most=MOST_COUNTED,
             )
         return int(value)
 
-    def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
+    def vector(self, key: str, size: int) -> tuple[float, ...]:
         """Return the value of a key as `size` numbers, each written as a number or a formula."""
-        value = self.raw(key, default)
+        value = self.raw(key)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
                 "{key} is {given}. Write {size} numbers in brackets.",
@@ -487,29 +484,13 @@ class Table:
         )
 
     def row(self, key: str) -> tuple[float, ...]:
-        """Return the value of a key as numbers, or an empty tuple if the key is missing."""
-        values = self.raw(key, ())
+        """Return the value of a key as numbers."""
+        values = self.raw(key)
         if not isinstance(values, Sequence) or isinstance(values, str):
             raise InputError(
                 "{key} is {given}. Write numbers in brackets.", key=self.place(key), given=quoted(values)
             )
-        return self.vector(key, len(values), ())
-
-    def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
-        """Return the value of a key as points with `size` coordinates each.
-
-        If `count` is given, there must be `count` points.
-        """
-        rows = self.raw(key)
-        if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
-            raise InputError(
-                "{key} is not a list of {counts}points {axes}. Write such a list",
-                key=self.place(key),
-                counts=_COUNTS[count],
-                axes=_AXES[size],
-            )
-        numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
-        return [numbered.vector(name, size) for name in numbered.data]
+        return self.vector(key, len(values))
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
         """Return the value of a key as a string. If `choices` are given, they must contain the string."""
@@ -527,9 +508,9 @@ class Table:
             )
         return value
 
-    def flag(self, key: str, default: bool = False) -> bool:
+    def flag(self, key: str) -> bool:
         """Return the value of a key, which must be true or false."""
-        value = self.raw(key, default)
+        value = self.raw(key)
         if not isinstance(value, bool):
             raise InputError(
                 "{key} is {given}. Write true or false.", key=self.place(key), given=quoted(value)

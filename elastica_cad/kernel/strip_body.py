@@ -25,7 +25,7 @@ from elastica_cad.model.collisions import missing_slots, self_contact
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
-from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_colors
+from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, bent_colors
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
@@ -229,6 +229,13 @@ class MadeStrip:
     def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
         return self
 
+    def body(self, *, bent: bool) -> "tuple[Sequence[BodyRecord], MadeStrip]":
+        """Return the solids of the flat or the bent strip, and the record of a body made of them."""
+        if not bent:
+            return FlatSolid.layers(self.strip), self
+        solids = BentSolid.layers(self.strip, self.frame)
+        return solids, replace(self, home=solids[0].joints["start"])
+
     def mirrored(self) -> "MadeStrip":
         """Return the record of the mirrored body, with the mirrored strip."""
         return replace(self, strip=self.strip.mirrored())
@@ -373,6 +380,7 @@ class StripBody:
             return upper
         return upper.carried(FlatSolid.of(self.strip).joints["start"], now)
 
-    def _require_backing(self) -> None:
+    def _backing_of(self, layers: Sequence[T]) -> T:
         if len(self.strip.layers) == 1:
             raise InputError("The strip has no backing. Use style=Laminated(width=..., backing=...).")
+        return layers[1]
