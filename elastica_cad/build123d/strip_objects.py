@@ -58,6 +58,9 @@ Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable
 """Drawn curve, or a finished strip, which is not computed again."""
 
 
+Align3: TypeAlias = bd.Align | tuple[bd.Align, bd.Align, bd.Align]
+"""Alignment of a part in all directions, or in each direction."""
+
 # private attribute of build123d's shapes for their colour
 COLOR = "_color"
 
@@ -430,7 +433,7 @@ class _StripPart(_StripShape, bd.BasePartObject):
         *,
         max_width: float | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
-        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        align: Align3 | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[StripOptions],
     ) -> None:
@@ -510,7 +513,7 @@ class EndFixture(_StripShape, bd.BasePartObject):
         end: StripEnd = "start",
         floor: bd.Plane | None = None,
         rotation: bd.RotationLike = (0, 0, 0),
-        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        align: Align3 | None = None,
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[FixtureOptions],
     ) -> None:
@@ -564,7 +567,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         *,
         color: Any = None,
         rotation: bd.RotationLike = (0, 0, 0),
-        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        align: Align3 | None = None,
         mode: bd.Mode = bd.Mode.ADD,
     ) -> None:
         self._made = made_flexure = MadeFlexure.of(flexure, state, color)

@@ -74,14 +74,10 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except OSError as problem:
         if problem.filename is not None:  # an error with a file name is not about standard output
             raise
-        return _unprinted(problem)
+        _drop_output(1)
+        sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
+        return 2
     return code if isinstance(code, int) else 0
-
-
-def _unprinted(problem: OSError) -> int:
-    _drop_output(1)
-    sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
-    return 2
 
 
 def _drop_output(*streams: int) -> None:

@@ -2,7 +2,6 @@
 pressed.
 """
 
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -101,28 +100,37 @@ def batten(**chosen: Any) -> None:
     )
     stations = _stations(chosen)
     result = spec.make()
-    if chosen["leaves"] is not None:
-        _write_plies(result, chosen)
-        return
-    table = result.table(stations)
-    report = _quantities(result.strip) | {
-        "lying": result.spec.lying, "warnings": list(result.strip.warnings), "table": plain_data(table),
-    }  # fmt: skip
-    if chosen["weight"]:
-        report["camber_with_weight"] = {
-            side: dict(zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True))
-            for side in ("up", "down")
-        }
-    written = _write(result.strip, stations, report, chosen)
+    if chosen["leaves"] is None:
+        strip = result.strip
+        report, columns = _planed(result, stations, weight=chosen["weight"])
+        size = f"ends {report['chord_mm']:.1f} apart"
+        more = chosen["lying"] and f", level under its own weight and bulging {chosen['lying']}"
+    else:
+        strip, report, columns = _glued(result, chosen["leaves"])
+        size = f"{chosen['leaves']} plies of {report['leaf_thickness_mm']:.4g}"
+        more = f"; the glued plies are at most {report['deviation_mm']:.2g} from the planed batten"
+    written = _write(strip, stations, report, chosen)
     answer({"batten": report})
-    level = chosen["lying"] and f", level under its own weight and bulging {chosen['lying']}"
-    _say_report(result.strip, report, f"ends {report['chord_mm']:.1f} apart", level or "")
-    s, s_inch, _, _, size, inch, strain, safety = table.values()
-    name = result.spec.stock.quantity
-    columns = {
-        "at_mm": s, "at_inch": s_inch, f"{name}_mm": size, f"{name}_inch": inch,
-        "strain_percent": 100 * strain, "safety": safety,
-    }  # fmt: skip
+    if not report.get("settled", True):
+        say_rows(
+            warning_row(
+                "the search for the ends of the plies stopped early; other ends may come nearer to the "
+                "planed batten"
+            )
+        )
+    chord, depth, place = report["chord_mm"], report["camber"], report["camber_place"]
+    deep = f"{Length(depth * chord):.1f} ({depth:.4g} of the chord)"
+    say_rows(
+        Row("Size", f"{report['length_mm']:.1f} long, {size}, {report['mass_g']:.4g}"),
+        Row("Camber", f"{deep} at {Length(place * chord):.1f} ({place:.4g}) along the chord{more or ''}"),
+        *map(warning_row, strip.warnings),
+        Row("Force", f"{report['end_force_N']} at each end, pushed towards the other end"),
+        Row(
+            "Strain",
+            f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm; {strip.sheet.name} allows "
+            f"{report['strain_limit']:.2f}",
+        ),
+    )
     say(*printed_table(columns))
     for side, bow in report.get("camber_with_weight", {}).items():
         camber = f"{Share(bow['camber']):.4g} at {Share(bow['camber_place']):.4g} of the chord"
@@ -133,12 +141,37 @@ def batten(**chosen: Any) -> None:
                 "its own weight",
             )
         )
-    _print_files(written)
+    wrote(written, {path.name: CONTENTS[path.suffix] for path in written if path.suffix in CONTENTS})
+    say(*left_out(pictures=False, paper=True))
 
 
-def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
-    glued = batten_result.of_leaves(chosen["leaves"])
-    strip, section = batten_result.strip_of(glued), glued.section
+CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
+"""Descriptions of the written files, by the end of their names."""
+
+
+def _planed(result: Batten, stations: FloatArray, *, weight: bool) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the report of a planed or turned batten, and the columns of its printed table."""
+    table = result.table(stations)
+    report = _quantities(result.strip) | {
+        "lying": result.spec.lying, "warnings": list(result.strip.warnings), "table": plain_data(table),
+    }  # fmt: skip
+    if weight:
+        report["camber_with_weight"] = {
+            side: dict(zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True))
+            for side in ("up", "down")
+        }
+    s, s_inch, _, _, size, inch, strain, safety = table.values()
+    name = result.spec.stock.quantity
+    return report, {
+        "at_mm": s, "at_inch": s_inch, f"{name}_mm": size, f"{name}_inch": inch,
+        "strain_percent": 100 * strain, "safety": safety,
+    }  # fmt: skip
+
+
+def _glued(result: Batten, count: int) -> tuple[Strip, dict[str, Any], dict[str, Any]]:
+    """Return the strip of glued plies, its report, and the columns of its printed cut list."""
+    glued = result.of_leaves(count)
+    strip, section = result.strip_of(glued), glued.section
     report = _quantities(strip) | {
         "deviation_mm": Length(glued.deviation), "settled": glued.settled,
         "leaf_thickness_mm": Length(strip.sheet.thickness), "leaf_width_mm": section.width,
@@ -147,24 +180,11 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
             for name, leaf in zip(section.names, glued.leaves, strict=True)
         ],
     }  # fmt: skip
-    written = _write(strip, None, report, chosen)
-    answer({"batten": report})
-    if not glued.settled:
-        say_rows(
-            warning_row(
-                "the search for the ends of the plies stopped early; other ends may come nearer to the "
-                "planed batten"
-            )
-        )
-    far = f"; the glued plies are at most {report['deviation_mm']:.2g} from the planed batten"
-    _say_report(strip, report, f"{chosen['leaves']} plies of {report['leaf_thickness_mm']:.4g}", far)
     lengths = np.array([leaf.length for leaf in glued.leaves])
-    columns = {
+    return strip, report, {
         "ply": section.names, "from_mm": [leaf.start for leaf in glued.leaves],
         "to_mm": [leaf.end for leaf in glued.leaves], "length_mm": lengths, "inch": lengths / MM_PER_INCH,
     }  # fmt: skip
-    say(*printed_table(columns))
-    _print_files(written)
 
 
 def _quantities(strip: Strip) -> dict[str, Any]:
@@ -175,31 +195,6 @@ def _quantities(strip: Strip) -> dict[str, Any]:
         "end_force_N": strip.reactions().sizes[0][0], "mass_g": Mass(strip.mass),
         "max_strain": Strain(strip.max_strain), "strain_limit": Strain(strip.strain_limit),
     }  # fmt: skip
-
-
-def _say_report(strip: Strip, report: Mapping[str, Any], size: str, camber: str) -> None:
-    chord, depth, place = report["chord_mm"], report["camber"], report["camber_place"]
-    deep = f"{Length(depth * chord):.1f} ({depth:.4g} of the chord)"
-    say_rows(
-        Row("Size", f"{report['length_mm']:.1f} long, {size}, {report['mass_g']:.4g}"),
-        Row("Camber", f"{deep} at {Length(place * chord):.1f} ({place:.4g}) along the chord{camber}"),
-        *map(warning_row, strip.warnings),
-        Row("Force", f"{report['end_force_N']} at each end, pushed towards the other end"),
-        Row(
-            "Strain",
-            f"{report['max_strain']:.2f} at {strip.max_strain_at:.0f} mm; {strip.sheet.name} allows "
-            f"{report['strain_limit']:.2f}",
-        ),
-    )
-
-
-CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
-"""Descriptions of the written files, by the end of their names."""
-
-
-def _print_files(written: tuple[Path, ...]) -> None:
-    wrote(written, {path.name: CONTENTS[path.suffix] for path in written if path.suffix in CONTENTS})
-    say(*left_out(pictures=False, paper=True))
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
@@ -236,7 +231,7 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
 
 
 def _write(
-    strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
+    strip: Strip, stations: FloatArray, report: dict[str, Any], chosen: dict[str, Any]
 ) -> tuple[Path, ...]:
     name, drawing = file_word(chosen["name"]), bench_drawing(strip, stations)
     files = [

@@ -429,7 +429,14 @@ def _rows(
         text for shape in shapes for text in shape.warnings if moved is None or not is_snap_warning(text)
     ]
     texts += [text for action in last.between for text in _warnings_on_side(action, rod, last)]
-    yield from map(warning_row, dict.fromkeys([*texts, *_warnings_on_stretch(last)]))
+    stretch = float(norm(np.diff(last.position, axis=0)).sum()) - last.length
+    if stretch > STRETCHED_SHARE * last.length:
+        texts.append(note(
+            "The strip is stretched by {stretch:.2g} between its ends, because they cannot approach each other. "
+            "Let an end slide, with --hold-end slide-x.",
+            stretch=MmLength(stretch),
+        ))  # fmt: skip
+    yield from map(warning_row, dict.fromkeys(texts))
     if moved is None:
         return
     largest = f"{Force(moved.support_force.max())} and {Moment(moved.support_moment.max())}"
@@ -444,16 +451,6 @@ def _rows(
 
 STRETCHED_SHARE = 1e-4
 """Stretch of a strip between its ends, as a fraction of its length, above which a warning is printed."""
-
-
-def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
-    stretch = float(norm(np.diff(shape.position, axis=0)).sum()) - shape.length
-    if stretch > STRETCHED_SHARE * shape.length:
-        yield note(
-            "The strip is stretched by {stretch:.2g} between its ends, because they cannot approach each other. "
-            "Let an end slide, with --hold-end slide-x.",
-            stretch=MmLength(stretch),
-        )
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:

@@ -20,7 +20,7 @@ from elastica_cad.cli.options import (
     sheet_options,
     smooth_option,
 )
-from elastica_cad.cli.requested_curves import RequestedCurve, curve_options, requested_curves, which_options
+from elastica_cad.cli.requested_curves import curve_options, requested_curves, which_options
 from elastica_cad.cli.strip_options import typed_change
 from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
@@ -118,7 +118,10 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     """
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     sheet, fields = _material(chosen)
-    result = _bow_or_suggestion(requested, sheet, fields, chosen["hole"])
+    drawn = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
+    near = fields | room_for_hole(chosen["hole"], sheet, **fields)
+    suggest_later(lambda _: StripSpec(drawn, sheet, supports=ENDS, **near), typed_change, ["nearest"])
+    result = bow(drawn, sheet, label=requested.label, hole=chosen["hole"], **fields)
     fractions = [0.0, *sorted({part + mm / result.cord for part, mm in chosen["shorter"]} or SHORTER)]
     shorter = result.shortened(fractions)
     in_newtons = chosen["sheet"] is not None
@@ -139,14 +142,6 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     _print_table(table)
     contents = {"csv": "the table", "json": "all numbers and the curve", "dxf": "drawing at full size"}
     wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})
-
-
-def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any], hole: float) -> Bow:
-    curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
-    near = fields | room_for_hole(hole, sheet, **fields)
-
-    suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **near), typed_change, ["nearest"])
-    return bow(curve, sheet, label=requested.label, hole=hole, **fields)
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:

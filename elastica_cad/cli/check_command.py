@@ -88,6 +88,7 @@ SPARE_LENGTH = 1.002
 @click.pass_context
 def check(
     ctx: click.Context,
+    /,
     curve: Path,
     unit: str | None,
     number: str | None,
@@ -99,9 +100,7 @@ def check(
     smooth: float | None,
     picture: Path | None,
     force: bool,
-    rail: Any,
-    pin: Any,
-    tie: Any,
+    **elements: Any,
 ) -> None:
     """Check whether flat strips can be bent into the curves in CURVE.
 
@@ -111,7 +110,7 @@ def check(
     """
     requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
-    between = elements_of({"rail": rail, "pin": pin, "tie": tie}, ELEMENTS)
+    between = elements_of(elements, ELEMENTS)
     supports = require_supports(Supports(start, end), between=bool(between))
     checks = [_Check(drawn, supports, bent, smooth, not several, between) for drawn in requested]
     of_file, worst, bad = list(voice().notes), 0, 0
@@ -286,15 +285,12 @@ class _Check:
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))
         words = "--sheet", spec.material.name, "--max-width", width
-        change = typed_change(suggestion, *words, "-o", _unused_folder(), instead="strip")
+        folders = chain(["out"], (f"out-{k}" for k in count(2)))
+        unused = next(name for name in folders if not Path(name).exists())
+        change = typed_change(suggestion, *words, "-o", unused, instead="strip")
         if change == suggestion.title:
             return change
         return f"{change}, or with another sheet, width and folder"
-
-
-def _unused_folder() -> str:
-    names = chain(["out"], (f"out-{k}" for k in count(2)))
-    return next(name for name in names if not Path(name).exists())
 
 
 def _rows(report: dict[str, Any]) -> list[Row]:
@@ -376,11 +372,8 @@ def _report_on_elements(rod: Rod) -> dict[str, Any]:
             angle = rod.curve.at(action.s).angle
             presses_left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
             sides.append({"at": action.s[0], "side": "right" if presses_left else "left"})
-    return {
-        "stability": {"word": verdict.word, "margin": verdict.margin},
-        "bars": sides,
-        "advice_on_elements": _stability_row({"stability": {"word": verdict.word}, "bars": sides}).text,
-    }
+    report = {"stability": {"word": verdict.word, "margin": verdict.margin}, "bars": sides}
+    return report | {"advice_on_elements": _stability_row(report).text}
 
 
 def _stability_row(report: Mapping[str, Any]) -> Row:

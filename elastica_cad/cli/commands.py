@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name, typed_options
-from elastica_cad.cli.suggestions import TYPED, cures_after, refuse_extra_words
+from elastica_cad.cli.suggestions import SUGGEST, TYPED, refuse_extra_words
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
 from elastica_cad.declared import Record
 from elastica_cad.defaults import BAD_INPUT, OUTPUT_CLOSED
@@ -144,13 +144,10 @@ class _Sentences(click.Group):
         spelled = SPELLING.set(_spelled)
         ctx.call_on_close(lambda: SPELLING.reset(spelled))
         with _quiet_pipes(ctx):
-            return self._invoked(ctx)
-
-    def _invoked(self, ctx: click.Context) -> Any:
-        try:
-            return super().invoke(ctx)
-        except ElasticaError as problem:
-            ctx.exit(_refuse(problem))
+            try:
+                return super().invoke(ctx)
+            except ElasticaError as problem:
+                ctx.exit(_refuse(problem))
 
 
 SUPPORTS_IN_DESIGN = {
@@ -424,5 +421,6 @@ def _refuse(problem: ElasticaError) -> int:
     text, option = f"{'' if undecided else begins}{problem}", problem.refusal.where.get("option", "")
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""
-    voice().refuse(as_sentence(text), problem, code, partial(cures_after, problem))
+    search = click.get_current_context().meta.get(SUGGEST, lambda _: [])
+    voice().refuse(as_sentence(text), problem, code, partial(search, problem))
     return code

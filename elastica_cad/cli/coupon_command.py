@@ -108,9 +108,9 @@ def coupon(name_or_file: str | None, **chosen: Any) -> None:
         Row(
             "Next",
             f"cut the coupon, let {free:g} mm of it hang over an edge, measure the droop of its end in mm",
-        )
+        ),
+        Row("Then run", f"{name_program()} coupon {typed} --measured {free:g} DROOP"),
     )
-    say_rows(Row("Then run", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
 
 
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
@@ -189,8 +189,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     file = text_file(f"{file_word(name)}.toml", measured_sheet.toml())
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": measured_sheet, "measured": result})
-    for line in str(result).split("\n"):
-        say_rows(Row("Measured", line))
+    say_rows(*(Row("Measured", line) for line in str(result).split("\n")))
     _warn_of_contradiction(measured, result)
     if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
         _warn_row(

@@ -131,8 +131,7 @@ def model(
         contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
     except ElasticaError:
         # print assumptions, such as the position of the axis, because an assumption may cause the error
-        for text in requested.reports:
-            say_rows(warning_row(text, "Note"))
+        say_rows(*(warning_row(text, "Note") for text in requested.reports))
         raise
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
     say_step(f"writing {in_writing_order(kit.files)[0].name}", 1, len(kit.files))
@@ -231,9 +230,11 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         for nest in contents.nests
     ]
     sawn = [f"saw from one rod, mm: {line}" for item in cut_list.stock for line in item.sawn]
-    say_rows(Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]))
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
-    say_rows(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
+    say_rows(
+        Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]),
+        Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"),
+    )
 
 
 def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
@@ -247,10 +248,14 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
     printed = messages if voice().verbose else list(one_of_each(messages))[:MOST_SHOWN]
     if messages:
         warn("Before you cut:", in_notes=False)
-    for text in printed:
-        say_rows(warning_row(text, "Note"))
-    if unstable := _unstable_requests(contents):
-        change = f"set limits.margin = {SAFE_MARGIN:g} in the table of {Listed(unstable)}"
+    say_rows(*(warning_row(text, "Note") for text in printed))
+    strips = [part.strip for part in model.parts]
+    unstable = dict.fromkeys(
+        strip.label for strip in strips if not (strip.rod.acting or stability(strip.rod).stable)
+    )
+    requested = {entry.label for entry in contents.entries}
+    if labels := [label for label in unstable if label in requested]:
+        change = f"set limits.margin = {SAFE_MARGIN:g} in the table of {Listed(labels)}"
         say_rows(Row("Change", f"{change} for the nearest stable curve"))
     named = set[str]().union(*(text.fields for text in printed if isinstance(text, Refusal)))
     if keys := sorted(named & {key.name for key in fields(StripSpec)}):
@@ -260,13 +265,6 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
         )
     if len(messages) > len(printed):
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
-
-
-def _unstable_requests(contents: KitContents) -> list[str]:
-    strips = [part.strip for part in contents.model.parts]
-    unstable = [strip.label for strip in strips if not (strip.rod.acting or stability(strip.rod).stable)]
-    requested = {entry.label for entry in contents.entries}
-    return [label for label in dict.fromkeys(unstable) if label in requested]
 
 
 def _warnings(contents: KitContents) -> Iterator[Refusal]:

@@ -108,7 +108,8 @@ def pair(**chosen: Any) -> None:
     result = MadePair(spec, _made(spec), name, cutting)
     process = click.get_current_context().find_object(DrawingProcess)
     written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
-    _report(result)
+    warnings = [warning_row(text) for text in result.warnings]
+    say_rows(*in_order([*pair_rows(result.part), *warnings]))
     answer({"pair": result.kit.report})
     held = "print, holder" if result.part.pair.bistable else "print, holder without the names of the settings"
     wrote(
@@ -158,8 +159,3 @@ def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
         return requested
 
     return curve_of(path, "first"), curve_of(chosen["second"] or path, "second")
-
-
-def _report(result: MadePair) -> None:
-    warnings = [warning_row(text) for text in result.warnings]
-    say_rows(*in_order([*pair_rows(result.part), *warnings]))

@@ -60,14 +60,11 @@ def _standard_input(ctx: click.Context) -> Path:
         )
     folder = TemporaryDirectory(prefix="elastica-")
     ctx.call_on_close(folder.cleanup)
-    path = Path(folder.name, f"stdin{_suffix(data)}")
+    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
+    suffix = next((kind.suffixes[0] for kind in CURVE_FORMATS if re.match(kind.begins, head)), ".csv")
+    path = Path(folder.name, f"stdin{suffix}")
     path.write_bytes(data)
     return path
-
-
-def _suffix(data: bytes) -> str:
-    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
-    return next((kind.suffixes[0] for kind in CURVE_FORMATS if re.match(kind.begins, head)), ".csv")
 
 
 UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])

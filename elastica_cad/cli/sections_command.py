@@ -175,11 +175,12 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     for number, curve in enumerate(curves, start=1):
         say_step(f"judged {curve.name}", number, len(curves))
         verdicts.append(_verdict(curve))
-    for section in verdicts:
-        verdict = section["problem"] or f"a strip can take it, stiffness ratio {section['ratio']:.4g}"
+        verdict = (
+            verdicts[-1]["problem"] or f"a strip can take it, stiffness ratio {verdicts[-1]['ratio']:.4g}"
+        )
         text = (
-            f"{section['name'].removeprefix('section ')}: {section['length']:.2f} mm long, "
-            f"{section['deviation']:.2g} mm from the section at most; {verdict}"
+            f"{curve.name.removeprefix('section ')}: {curve.curve.length:.2f} mm long, "
+            f"{curve.deviation:.2g} mm from the section at most; {verdict}"
         )
         say_rows(Row("Section", text))
     say_rows(*(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note") for text in reports))

@@ -25,7 +25,6 @@ from elastica_cad.cli.suggestions import (
     suggest_later,
 )
 from elastica_cad.cli.voice import answer, cut_text, exit_code, say, say_rows, say_step, voice, warn, wrote
-from elastica_cad.declared import kind_of
 from elastica_cad.defaults import NOT_REALIZABLE
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import Reader
@@ -66,10 +65,9 @@ are tried."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
-    reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
-    cutting, more = (
-        reader.value(kind_of(record), below, key) for key, record in (("cut", Cutting), ("files", FileKeys))
-    )
+    reader, below = Reader(), Table(table, "", {})
+    cutting: Cutting = reader.record(Cutting, below.table("cut"))
+    more: FileKeys = reader.record(FileKeys, below.table("files"))
     return StripFiles(cutting, more.paper, more.glb, chosen["step"], chosen["pictures"])
 
 
@@ -124,6 +122,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     reports, solved, wrong, refused, worst = [], list[RequestedCurve](), 0, 0, NOT_REALIZABLE
     alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
+    brief = len(curves) > 1 and not voice().verbose
     read_once = cache(read_curves_with_note)  # all strips may have the same natural curvature
     engraved = engraved_names(requested.label for requested in curves)
     for requested in curves:
@@ -158,7 +157,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                 )
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
-            if len(curves) > 1 and not voice().verbose:
+            voice().notes.extend(text for text in result.strip.warnings if not is_reported(text))
+            if brief:
                 _report_briefly(result, requested, written, alike)
             else:
                 _report(result, requested, written, files.cutting, several=len(curves) > 1)
@@ -180,7 +180,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             f" The same holds for {Listed(name for name, _ in others)}, with other numbers." if others else ""
         )
         say_rows(replace(row, text=f"{label}: {row.text}{more}"))
-    if len(curves) > 1 and not voice().verbose:
+    if brief:
         cut = Listed(f"{requested.name}.dxf" for requested in solved[:MOST_NAMES])
         more = ", ..." if solved[MOST_NAMES:] else ""
         marked = f" (cut: {cut}{more})" if solved else ""
@@ -293,14 +293,12 @@ def _report_briefly(
     alike: dict[str, list[tuple[str, Row]]],
 ) -> None:
     strip, near = result.strip, result.near
-    voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     for row in _rows(result):
         if row.stops:
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
     label = f"{strip.number} = {strip.label}" if strip.number else strip.label
-    say_rows(Row(label, f"{size_row(strip).text}{moved}"))
-    say_rows(*_stable_rows(result, requested))
+    say_rows(Row(label, f"{size_row(strip).text}{moved}"), *_stable_rows(result, requested))
     voice().files += map(str, written)
 
 
@@ -325,26 +323,24 @@ def _report(
     *,
     several: bool,
 ) -> None:
-    strip = result.strip
-    rows = _rows(result)
-    voice().notes.extend(text for text in strip.warnings if not is_reported(text))
-    tabs = result.spec.tabs_message
+    strip, tabs = result.strip, result.spec.tabs_message
     joined = [
         f"It {end} at corner {joint} of the curve, where another strip has an end"
         f"{'.' if cutting.service else ' with the same number.'}"
         for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
         if joint
     ]
-    rows = (*rows, *_stable_rows(result, requested))
     ends = [Row("Ends", text) for text in (pre_bend_message(strip), tabs, *joined) if text]
-    other = [row for row in rows if row.text != tabs]
+    other = [row for row in (*_rows(result), *_stable_rows(result, requested)) if row.text != tabs]
     say_rows(*in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]))
     kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
     if kerf_note := cutting.kerf_note([strip.sheet]):
         say_rows(Row("Kerf", kerf_note))
-    cut = [cut_text(kerf)]
-    cut += [] if grain == "none" else [f"grain {grain} the strip"]
+    along = "" if grain == "none" else f"; grain {grain} the strip"
     wrote(
         written,
-        {f"{result.name}.dxf": "; ".join(cut), f"{result.name}-holding.dxf": "template to hold the strip"},
+        {
+            f"{result.name}.dxf": f"{cut_text(kerf)}{along}",
+            f"{result.name}-holding.dxf": "template to hold the strip",
+        },
     )

@@ -181,29 +181,30 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 }  # fmt: skip
 
 
+def _options_of(group: str) -> list[Any]:
+    """Return the decorators that add the options of a group."""
+    keys = paths_of(CommandKeys)
+    generated = [
+        option_of(
+            keys[path], name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
+        )
+        for path, name in OPTIONS.items()
+        if keys[path.partition(".")[0]].option.group == group
+    ]
+    return [*generated, *_HAND_MADE.get(group, ())]
+
+
 def strip_options(function: Any) -> Any:
     """Add the options of common keys, and `--set` for all other keys, to a command."""
-    options = []
-    for group in GROUPS:
-        for path, name in OPTIONS.items():
-            if _group(path) == group:
-                field, default = paths_of(CommandKeys)[path], DEFAULTS.get(path, "")
-                options.append(
-                    option_of(field, name, default=default, switch=path in FLAGS, required=path == "sheet")
-                )
-        options += _HAND_MADE.get(group, ())
+    options = [option for group in GROUPS for option in _options_of(group)]
     return join_options(*options, set_option(CommandKeys))(function)
-
-
-def _group(path: str) -> str:
-    return paths_of(CommandKeys)[path.partition(".")[0]].option.group
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
     """Return the options by their group in help. Options that every command has are in the last group."""
-    of = {name: _group(path) for path, name in OPTIONS.items()}
-    for group, options in _HAND_MADE.items():
-        probe: Any = join_options(*options)(lambda: None)
+    of = dict[str, str]()
+    for group in GROUPS:
+        probe: Any = join_options(*_options_of(group))(lambda: None)
         of |= {str(option.name): group for option in probe.__click_params__}
     groups: dict[str, list[click.Parameter]] = {group: [] for group in (*GROUPS, "all else")}
     for parameter in parameters:

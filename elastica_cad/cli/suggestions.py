@@ -137,12 +137,6 @@ def suggest_later(
     context.meta[SUGGEST] = search
 
 
-def cures_after(problem: ElasticaError) -> list[Cure]:
-    """Run the registered search, and return the changes that avoid this error."""
-    search = click.get_current_context().meta.get(SUGGEST)
-    return [] if search is None else search(problem)
-
-
 def cures_of(
     spec: "StripSpec",
     problem: ElasticaError,

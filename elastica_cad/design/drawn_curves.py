@@ -117,7 +117,7 @@ class CurveOfFile(_Curve):
     layer: Annotated[str | None, Option("Layer of the curve.")] = None
     unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
 
-    def drawn(self, reader: Reader, where: str, table: Table) -> PlaneCurve:
+    def drawn(self, reader: Reader, table: Table) -> PlaneCurve:
         """Read the file, and return the curve that the table selects."""
         strip_number = f"{table.scope['i']:g}" if "i" in table.scope else "{i}"
         file, name, layer = (
@@ -133,7 +133,7 @@ class CurveOfFile(_Curve):
         if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
             raise InputError(
                 "{place}: {name} has {count} curve{given}. Choose a curve with number = 1 .. {count}.",
-                place=where,
+                place=table.where,
                 name=path.name,
                 count=len(curves),
                 given="s" if len(curves) > 1 else "",
@@ -153,13 +153,13 @@ class CurveOfFormulae(_Curve):
         Option("Pairs [t, continuity], one for each parameter t at which pieces of the formulae meet."),
     ] = ()
 
-    def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
+    def drawn(self, _: Reader, table: Table) -> PlaneCurve:
         """Return a spline fitted to points of the formulae."""
         start, end = self.t
         if not start < end:
             raise InputError(
                 "{place} is [{start:g}, {end:g}], which is not a range. Write two numbers, the smaller first.",
-                place=f"{where}: t",
+                place=table.place("t"),
                 start=start,
                 end=end,
             )
@@ -218,9 +218,9 @@ class CurveOfEllipse(_Curve):
 
     ellipse: Annotated[EllipseArc, Option("An exact arc of an ellipse.")]
 
-    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+    def drawn(self, _: Reader, table: Table) -> PlaneCurve:
         """Return the arc as an exact rational curve."""
-        return self.ellipse.drawn(f"{where}: ellipse")
+        return self.ellipse.drawn(table.place("ellipse"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -239,7 +239,7 @@ class CurveOfSpline(_Curve):
         tuple[float, ...] | None, Option("Weights of the control points; by default equal.", needs="knots")
     ] = None
 
-    def drawn(self, _: Reader, __: str, ___: Table) -> PlaneCurve:
+    def drawn(self, _: Reader, __: Table) -> PlaneCurve:
         """Return the B-spline exactly as it is given."""
         if self.knots is None:
             return PlaneCurve.spline(self.spline, degree=self.degree)
@@ -259,10 +259,8 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
             "{place} is missing. Add a file, formulae x and y with the range t, an ellipse or a spline.",
             place=table.place(key),
         )
-    if isinstance(value, str):
-        with table.naming(key):
-            return CurveOfFile(file=value).drawn(reader, table.place(key), table)
-    curve = table.table(key)
+    named = isinstance(value, str)
+    curve = Table({"file": value}, table.place(key), table.scope) if named else table.table(key)
     kinds = [kind for kind in CURVES if kind in curve.data]
     if len(kinds) != 1:
         raise InputError(
@@ -275,7 +273,7 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
         )
     request = reader.record(CURVES[kinds[0]], curve)
     with curve.naming():
-        drawn: PlaneCurve = request.drawn(reader, curve.where, curve)
+        drawn: PlaneCurve = request.drawn(reader, curve)
         return drawn if request.reshape is None else request.reshape.of(drawn)
 
 

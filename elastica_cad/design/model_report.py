@@ -70,7 +70,11 @@ def report_model(
         "strips": len(model.placed),
         "parts": [
             {
-                **_strip(part.strip),
+                **strip_quantities(part.strip),
+                "sheet": part.strip.sheet.name,
+                "largest_strain": part.strip.max_strain,
+                "slots": len(part.strip.slots),
+                "warnings": list(part.strip.warnings),
                 **(_deviations(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "engraved": part.strip.engraved,
@@ -131,15 +135,6 @@ def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
     if not entry.section:
         return {"deviation": deviation}
     return {"deviation": deviation, "section": entry.section, "curve_off_section": entry.off_section}
-
-
-def _strip(strip: Strip) -> dict[str, Any]:
-    return strip_quantities(strip) | {
-        "sheet": strip.sheet.name,
-        "largest_strain": strip.max_strain,
-        "slots": len(strip.slots),
-        "warnings": list(strip.warnings),
-    }
 
 
 STYLE = (

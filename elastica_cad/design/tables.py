@@ -180,16 +180,13 @@ def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> Non
             if node.id in FUNCTIONS:
                 raise _refusal(node, formula, f"{node.id} is a function; write its arguments in brackets")
         case ast.UnaryOp(op=ast.USub() | ast.UAdd()):
-            _require_arithmetic(node.operand, formula, depth + 1)
+            pass
         case ast.BinOp():
             if type(node.op) not in _OPERATORS:
                 hint = "write ** for powers" if isinstance(node.op, ast.BitXor) else "use + - * / % **"
                 raise _refusal(node, formula, f"this operator is not known; {hint}")
-            _require_arithmetic(node.left, formula, depth + 1)
-            _require_arithmetic(node.right, formula, depth + 1)
-        case ast.Compare(ops=[op], comparators=[other]) if type(op) in _COMPARISONS:
-            _require_arithmetic(node.left, formula, depth + 1)
-            _require_arithmetic(other, formula, depth + 1)
+        case ast.Compare(ops=[op]) if type(op) in _COMPARISONS:
+            pass
         case ast.Call(func=ast.Name() as called, keywords=[]):
             if called.id not in FUNCTIONS:
                 raise InputError(formula._unknown("function", called, FUNCTIONS))
@@ -201,14 +198,15 @@ def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> Non
                     f"{called.id} takes {count} argument{'s' if count > 1 else ''}, "
                     f"not {len(node.args)}; correct the call",
                 )
-            for argument in node.args:
-                _require_arithmetic(argument, formula, depth + 1)
         case _:
             raise _refusal(
                 node,
                 formula,
                 "only numbers, names, + - * / % **, < > and known functions are allowed; leave out this part",
             )
+    for part in node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node):
+        if isinstance(part, ast.expr):
+            _require_arithmetic(part, formula, depth + 1)
 
 
 def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:

@@ -14,7 +14,7 @@ from elastica_cad.formats.placed_curve import edge_chains, placed_curve
 from elastica_cad.formats.source_file import check_places
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kernel.occt import sub_shapes
+from elastica_cad.kernel.occt import coordinates, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 OFFSET = 1e-6  # tolerance for offset curves, mm
@@ -39,20 +39,18 @@ def plane_curve(
 
 
 def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
-    k = kernel()
     shape = bare(shape)
-    if isinstance(shape, k.TopoDS_Shape):
-        return bool(sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE))
+    if isinstance(shape, kernel().TopoDS_Shape):
+        return bool(sub_shapes(shape, "face"))
     return isinstance(shape, list | tuple) and any(map(_has_faces, shape))
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
     """Return the rotation (3, 3) of the first edge since it was drawn, or None without rotation."""
-    k = kernel()
     shape = bare(shape)
-    if not isinstance(shape, k.TopoDS_Shape):
+    if not isinstance(shape, kernel().TopoDS_Shape):
         return next((_turned(item) for item in shape), None)
-    edge = next(iter(sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)), None)
+    edge = next(iter(sub_shapes(shape, "edge")), None)
     if edge is None or edge.Location().IsIdentity():
         return None
     place = edge.Location().Transformation()
@@ -62,15 +60,13 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
     """Return the chains of edges that belong to no face, and how many other items of each kind were omitted."""
-    k = kernel()
-    kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()
-    for edge in sub_shapes(shape, kinds.TopAbs_EDGE, kinds.TopAbs_FACE):
+    for edge in sub_shapes(shape, "edge", "face"):
         try:
-            edges.append(_drawn_edge(k.as_edge(edge)))
+            edges.append(_drawn_edge(edge))
         except InputError as error:
             skipped[f"edge that cannot be read ({error})"] += 1
-    faces = sum(1 for _ in sub_shapes(shape, kinds.TopAbs_FACE))
+    faces = len(sub_shapes(shape, "face"))
     if faces:
         skipped["face with its edges"] = faces
     return edge_chains(edges), dict(skipped)
@@ -78,16 +74,15 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     """Return all edges of a shape, or of several shapes, in order."""
-    k = kernel()
     shape = bare(shape)
-    if not isinstance(shape, k.TopoDS_Shape):
+    if not isinstance(shape, kernel().TopoDS_Shape):
         if not is_series(shape):
             raise InputError(
                 f"an object of type {type(shape).__name__} is not an edge or wire of a CAD kernel. Pass a "
                 "spline through the points, or the `line` of a builder."
             )
         return [edge for item in shape for edge in drawn_edges(item)]
-    return [_drawn_edge(k.as_edge(edge)) for edge in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
+    return list(map(_drawn_edge, sub_shapes(shape, "edge")))
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:
@@ -119,7 +114,7 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     if spline.IsPeriodic():
         spline.SetNotPeriodic()
     places = range(1, spline.NbPoles() + 1)
-    points = check_places(np.array([(p.X(), p.Y(), p.Z()) for p in map(spline.Pole, places)]))
+    points = check_places(np.array([coordinates(spline.Pole(i)) for i in places]))
     weights = np.array([spline.Weight(i) for i in places]) if spline.IsRational() else None
     knots = [np.full(spline.Multiplicity(i), spline.Knot(i)) for i in range(1, spline.NbKnots() + 1)]
     drawn = DrawnEdge(np.concatenate(knots), points, spline.Degree(), weights)

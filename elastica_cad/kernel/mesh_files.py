@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import sub_shapes
+from elastica_cad.kernel.occt import coordinates, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 from elastica_cad.kernel.step_files import NamedShape, make_document
 
@@ -33,15 +33,15 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
     """
     k = kernel()
     k.BRepMesh_IncrementalMesh(body, chord, False, turn)
-    for face in map(k.as_face, sub_shapes(body, k.TopAbs_ShapeEnum.TopAbs_FACE)):
+    for face in sub_shapes(body, "face"):
         place = k.TopLoc_Location()
         net = k.BRep_Tool.Triangulation_s(face, place)
         move = place.Transformation()
-        nodes = (net.Node(i).Transformed(move) for i in range(1, net.NbNodes() + 1))
+        nodes = [coordinates(net.Node(i).Transformed(move)) for i in range(1, net.NbNodes() + 1)]
         corners = np.array([net.Triangle(i).Get() for i in range(1, net.NbTriangles() + 1)]) - 1
         if face.Orientation() == k.TopAbs_Orientation.TopAbs_REVERSED:
             corners = corners[:, ::-1]
-        yield np.array([(p.X(), p.Y(), p.Z()) for p in nodes]), corners
+        yield np.array(nodes), corners
 
 
 PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4

@@ -22,9 +22,7 @@ def make_wire(path: Path, frame: Frame | None = None) -> Shape:
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
     """Return a plane TopoDS_Face with holes. The normal is the z axis of `frame`."""
-    k = kernel()
-    shell = _read(face_brep(outline, holes, frame or Frame()))
-    return k.as_face(sub_shapes(shell, k.TopAbs_ShapeEnum.TopAbs_FACE)[0])
+    return sub_shapes(_read(face_brep(outline, holes, frame or Frame())), "face")[0]
 
 
 def make_boundary(boundary: Boundary) -> Shape:
@@ -62,7 +60,15 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
         holes = [make_solid(prism) for prism in record.removed]
-        return _only_solid(_with_few_faces(_combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)))
+        whole = _combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)
+        with_few_faces = k.ShapeUpgrade_UnifySameDomain(whole, True, True, False)
+        with_few_faces.Build()
+        solids = sub_shapes(with_few_faces.Shape(), "solid")
+        if len(solids) != 1:
+            raise InputError(
+                f"The prisms of a body form {len(solids)} separate pieces. Let them form a single piece."
+            )
+        return solids[0]
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
         return k.BRepPrimAPI_MakePrism(face, k.gp_Vec(*(record.frame.z_axis * record.thickness))).Shape()
@@ -86,32 +92,25 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
     return builder.Shape()
 
 
-def _with_few_faces(shape: Shape) -> Shape:
-    joined = kernel().ShapeUpgrade_UnifySameDomain(shape, True, True, False)
-    joined.Build()
-    return joined.Shape()
-
-
-def _only_solid(shape: Shape) -> Shape:
-    solids = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
-    if len(solids) != 1:
-        raise InputError(
-            f"The prisms of a body form {len(solids)} separate pieces. Let them form a single piece."
-        )
-    return solids[0]
-
-
-def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
-    """Return the sub-shapes of the kind `kinds[0]`, in order.
+def sub_shapes(shape: Shape, *kinds: str) -> list[Shape]:
+    """Return the sub-shapes of the kind `kinds[0]`, such as "face", in order.
 
     Sub-shapes inside the kind `kinds[1]`, if it is given, are omitted.
     """
-    explorer = kernel().TopExp_Explorer(shape, *kinds)
+    k = kernel()
+    explorer = k.TopExp_Explorer(
+        shape, *(getattr(k.TopAbs_ShapeEnum, f"TopAbs_{kind.upper()}") for kind in kinds)
+    )
     shapes = []
     while explorer.More():
-        shapes.append(explorer.Current())
+        shapes.append(getattr(k, f"as_{kinds[0]}")(explorer.Current()))
         explorer.Next()
     return shapes
+
+
+def coordinates(place: Any) -> tuple[float, float, float]:
+    """Return the coordinates of a gp_Pnt or gp_Dir."""
+    return place.X(), place.Y(), place.Z()
 
 
 def make_location(frame: Frame) -> Any:
@@ -132,14 +131,12 @@ def moved_frame(frame: Frame, motion: Any) -> Frame:
 
 def face_frame(face: Shape) -> Frame:
     """Return the frame of `make_face` after all motions of the face; y as in `moved_frame`."""
-    k = kernel()
-    return _frame_of(k.BRepAdaptor_Surface(k.as_face(face)).Plane().Position())
+    return _frame_of(kernel().BRepAdaptor_Surface(face).Plane().Position())
 
 
 def _frame_of(axes: Any) -> Frame:
-    x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
-    at = axes.Location()
-    return Frame((at.X(), at.Y(), at.Z()), x, np.cross(z, x))
+    x, z = coordinates(axes.XDirection()), coordinates(axes.Direction())
+    return Frame(coordinates(axes.Location()), x, np.cross(z, x))
 
 
 def plane_axes_of(frame: Frame) -> Any:

@@ -15,7 +15,7 @@ from elastica_cad.formats.placed_curve import JOIN, edge_chains
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges
-from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
+from elastica_cad.kernel.occt import coordinates, plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
@@ -76,13 +76,11 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
         larger = k.gp_Trsf()
         larger.SetScaleFactor(scale)
         shape = k.BRepBuilderAPI_Transform(shape, larger, True).Shape()
-    if not sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
+    if not sub_shapes(shape, "face"):
         raise InputError("The shape has no faces to cut. Export a solid, a shell or a face.")
     box = k.Bnd_Box()
     k.BRepBndLib.AddOptimal_s(shape, box, False, False)
-    low, high = (
-        np.array([corner.X(), corner.Y(), corner.Z()]) for corner in (box.CornerMin(), box.CornerMax())
-    )
+    low, high = coordinates(box.CornerMin()), coordinates(box.CornerMax())
     corners = np.array(list(product(*zip(low, high, strict=True))))
     return Surface(corners, lambda planes, half: shape_sections(shape, planes, half=half))
 

@@ -28,7 +28,7 @@ from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import free_chains
-from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
+from elastica_cad.kernel.occt import coordinates, make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.assembly import Holder, assembly_parts, bent_names, shape_parts
@@ -116,12 +116,6 @@ MANY_WIRES = 32
 """Number of wires above which a face is slow to write, because OpenCASCADE compares all pairs of wires."""
 
 
-def _has_many_wires(shape: Shape) -> bool:
-    k = kernel()
-    faces = sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE)
-    return any(len(sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)) > MANY_WIRES for face in faces)
-
-
 def _with_wires_apart(shape: Shape) -> Shape:
     """Give the wires of a face separate vertices where they share a vertex.
 
@@ -129,8 +123,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
-    for face in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
-        wires = sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)
+    for face in sub_shapes(shape, "face"):
+        wires = sub_shapes(face, "wire")
         touching = _touching(wires)
         if not touching:
             continue
@@ -160,13 +154,11 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 def _touching(wires: list[Shape]) -> list[int]:
     if len(wires) < 2:
         return []
-    k = kernel()
     owner: dict[tuple[float, float, float], int] = {}
     touching = set[int]()
     for number, wire in enumerate(wires):
-        for vertex in sub_shapes(wire, k.TopAbs_ShapeEnum.TopAbs_VERTEX):
-            place = k.BRep_Tool.Pnt_s(k.as_vertex(vertex))
-            other = owner.setdefault((place.X(), place.Y(), place.Z()), number)
+        for vertex in sub_shapes(wire, "vertex"):
+            other = owner.setdefault(coordinates(kernel().BRep_Tool.Pnt_s(vertex)), number)
             if other != number:
                 touching |= {other, number}
     return sorted(touching)
@@ -249,7 +241,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     """Return the content of a STEP file with the parts. Several parts form the assembly `name`."""
     k = kernel()
     shapes = {id(part.shape): bare(part.shape) for part in parts}
-    holed = any(map(_has_many_wires, shapes.values()))
+    faces = [face for shape in shapes.values() for face in sub_shapes(shape, "face")]
+    holed = any(len(sub_shapes(face, "wire")) > MANY_WIRES for face in faces)
     if holed:
         shapes = {number: _with_wires_apart(shape) for number, shape in shapes.items()}
     texts = [_step_text(called) for called in (*(part.name for part in parts), name)]
@@ -258,7 +251,9 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     marked = [replace(part, name=mark(k), shape=shapes[id(part.shape)]) for k, part in enumerate(parts)]
     document = make_document(marked, name=mark(len(parts)))
     stream = BytesIO()
-    elementary = all(_is_elementary(part.shape) for part in parts)
+    # separate vertices of wires change no surface
+    kinds = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
+    elementary = all(k.BRepAdaptor_Surface(face).GetType() in kinds for face in faces)
     with _own_settings({TRACES: "0" if elementary else "1"}):
         writer = k.STEPCAFControl_Writer()
         writer.SetColorMode(True)
@@ -292,13 +287,6 @@ def _step_text(name: str) -> bytes:
         return f"\\X2\\{signs[0].encode('utf-16-be', 'surrogatepass').hex().upper()}\\X0\\"
 
     return re.sub("[^ -~]+", in_hex, plain).encode()
-
-
-def _is_elementary(shape: Shape) -> bool:
-    k = kernel()
-    elementary = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
-    faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
-    return all(k.BRepAdaptor_Surface(k.as_face(face)).GetType() in elementary for face in faces)
 
 
 @contextmanager

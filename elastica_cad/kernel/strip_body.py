@@ -372,7 +372,7 @@ class StripBody:
 
     def _engraved_face(self) -> Frame:
         """Return the plane of an outline or the upper face of a flat body, at its position; else that of `flat`."""
-        faces = sub_shapes(self.wrapped, kernel().TopAbs_ShapeEnum.TopAbs_FACE)
+        faces = sub_shapes(self.wrapped, "face")
         if len(faces) == 1:
             return face_frame(faces[0])
         upper, now = Frame((0.0, 0.0, self.strip.layers[0].high)), self._start()

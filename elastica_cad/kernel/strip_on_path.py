@@ -164,15 +164,13 @@ def _require_curve(path: Any) -> None:
             f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
         )
     rows = list(path) if is_series(path) and (isinstance(path, Sequence) or hasattr(path, "tolist")) else []
-    if len(rows) and all(map(_is_point, rows)):
+    if rows and all(
+        _is_vector(row) or (bare(row) is row and is_series(row) and all(map(is_number, row))) for row in rows
+    ):
         raise InputError(
             f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
             "ec.PlaneCurve.fit(points) or a CAD library's spline."
         )
-
-
-def _is_point(value: Any) -> bool:
-    return _is_vector(value) or (bare(value) is value and is_series(value) and all(map(is_number, value)))
 
 
 def _require_tabs(ends: Any) -> None:
