@@ -210,8 +210,6 @@ MAKERS: dict[Form, Callable[..., Any]] = {"flat": flat_strip, "bent": bent_strip
 
 METHOD = "elasticStrip"
 Work = TypeVar("Work", bound=cq.Workplane)
-# largest gap, mm, between pending edges that meet
-CHAIN = 1e-4
 
 
 def register() -> None:
@@ -275,9 +273,10 @@ def _workplane_strip(
     selected = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not selected:
         raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
+    # pending edges meet if their gap is at most 1e-4 mm
     bodies: list[StripFace | StripSolid | StripCompound] = [
         MAKERS[form](chain, sheet, max_width=max_width, workplane=self.plane, **options)
-        for chain in cq.Wire.combine(_edges(selected), CHAIN)
+        for chain in cq.Wire.combine(_edges(selected), 1e-4)
     ]
     # clean only combined solids, because clean() deletes the data of a strip
     tidy = clean and bool(combine)

@@ -35,8 +35,6 @@ from elastica_cad.refusals import Length, Mass, Share, Strain
 from elastica_cad.report_rows import Row, printed_table, warning_row
 from elastica_cad.strip.strip import Strip
 
-# default least size of a batten, as a fraction of the stock size
-LEAST_FRACTION = 0.25
 MOST_STATIONS = 1000
 
 _STOCK = (
@@ -208,7 +206,7 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
             "The material of the batten is missing. Add --stock WIDTH THICKNESS for a strip, or --rod DIAMETER."
         )
     largest = rod if strip is None else strip[1]
-    least = LEAST_FRACTION * largest if chosen["least"] is None else chosen["least"]
+    least = 0.25 * largest if chosen["least"] is None else chosen["least"]
     if chosen["leaves"] is not None:
         least = max(least, largest / chosen["leaves"])
     if strip is not None:

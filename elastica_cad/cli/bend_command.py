@@ -430,7 +430,7 @@ def _rows(
     ]
     texts += [text for action in last.between for text in _warnings_on_side(action, rod, last)]
     stretch = float(norm(np.diff(last.position, axis=0)).sum()) - last.length
-    if stretch > STRETCHED_SHARE * last.length:
+    if stretch > 1e-4 * last.length:  # more than rounding errors
         texts.append(note(
             "The strip is stretched by {stretch:.2g} between its ends, because they cannot approach each other. "
             "Let an end slide, with --hold-end slide-x.",
@@ -447,10 +447,6 @@ def _rows(
         where = f"at {_place(k, shapes, moved, change)}, " if shapes[1:] else ""
         yield warning_row(f"{where}{moved.sideways[k].meaning}", "Stability")
     yield from map(warning_row, moved.warnings)
-
-
-STRETCHED_SHARE = 1e-4
-"""Stretch of a strip between its ends, as a fraction of its length, above which a warning is printed."""
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:

@@ -59,16 +59,10 @@ if TYPE_CHECKING:
 MOST_SHEETS = 3
 """Largest number of sheets that are listed without -v."""
 
-# largest ratio of widths that are reported as constant
-EVEN = 1.005
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
 NARROWEST_MM = 1.0
 """Width of the narrowest place in this example below which no strip can be cut."""
-LEAST_WIDTH_MM = 5.0
-"""Least width, mm, of the suggested strip from an enlarged curve."""
-SPARE_LENGTH = 1.002
-"""Extra factor on the suggested length of a curve, because the strain of the finished strip differs slightly."""
 
 
 @click.command()
@@ -271,12 +265,14 @@ class _Check:
             return ""
         if reason := not_tried(self.requested.curve):
             return reason
+        # the narrowest place of the suggested strip is at least 5 mm wide
         spec = common_request(self.requested.curve, self.supports).changed(
-            sheet=least["name"], max_width=rounded_up(max(WIDE_MM, LEAST_WIDTH_MM * report["ratio"]), 3)
+            sheet=least["name"], max_width=rounded_up(max(WIDE_MM, 5.0 * report["ratio"]), 3)
         )
         from elastica_cad.strip.suggestions import try_change
 
-        larger = try_change(spec, Change("size", rounded_up(SPARE_LENGTH * least["scale"], 4)))
+        # slightly larger, because the strain of the finished strip differs slightly
+        larger = try_change(spec, Change("size", rounded_up(1.002 * least["scale"], 4)))
         return "" if larger is None else f"Enlarge the curve for {least['name']}: {self.typed(larger)}."
 
     def typed(self, suggestion: "Suggestion") -> str:
@@ -312,7 +308,7 @@ def _rows(report: dict[str, Any]) -> list[Row]:
 
 
 def _widths_row(ratio: float) -> Row:
-    if ratio < EVEN:
+    if ratio < 1.005:  # no visible difference
         return Row("Widths", "the same along the whole strip")
     example = f"{WIDE_MM:g} and {WIDE_MM / ratio:.3g} mm"
     text = (

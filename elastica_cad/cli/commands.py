@@ -176,9 +176,6 @@ def _spelled(path: str) -> str:
     return f"{path} of `elastica strip`"
 
 
-NEAR_OPTION = 0.8
-"""Least similarity of an unknown option to a known option, or to a key, that is suggested instead."""
-
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 """Options of `elastica` that may also follow the name of a command, and their numbers of values."""
 
@@ -210,7 +207,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     name = word.replace("-", "_")
     options = [option for param in context.command.params for option in param.opts]
     words = [option.lstrip("-") for option in options]
-    if near := near_names(word, words, cutoff=NEAR_OPTION):
+    if near := near_names(word, words, cutoff=0.8):
         return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
     if name in ALIKE and (called := option_name(ALIKE[name])) in options:
         return f"{typed} is called {called}"

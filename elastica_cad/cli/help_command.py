@@ -45,7 +45,7 @@ def help_command(key: str | None) -> None:
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
     key = None if key is None else current_path(key)
-    text = _list_of_keys() if key is None else _explanation(key, typed_name(key))
+    text = _list_of_keys() if key is None else _explanation(key)
     answer({"key": key, "text": text})
     say(text)
 
@@ -74,13 +74,17 @@ def _in_words(kind: Kind) -> str:
     return plain.get(kind.name, "names and their values")
 
 
-def _explanation(path: str, option: str) -> str:
+def _explanation(path: str) -> str:
     record, key = next(
         ((record, f"{table}{path}") for record, table in FORMS if f"{table}{path}" in paths_of(record)),
         (DesignKeys, path),
     )
     if key not in paths_of(record):
-        options, word = _strip_options(), path.lstrip("-")
+        from elastica_cad.cli.strip_command import strip
+
+        strip_options = [option for option in strip.params if isinstance(option, click.Option)]
+        options = {name.lstrip("-"): option for option in strip_options for name in option.opts}
+        word = path.lstrip("-")
         if word in options:
             typed = " ".join(filter(None, [f"--{word}", options[word].metavar]))
             return f"{path}\n  {options[word].help}\n  elastica strip: {typed}"
@@ -107,16 +111,10 @@ def _explanation(path: str, option: str) -> str:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     if makers := makers_using(path.partition(".")[0]):
         lines.append(f"At the top of a design file, it applies to {Listed(makers)}.")
+    option = typed_name(path)
     typed = f"{option}=VALUE" if option.startswith("--set") else option
     setting = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
     return "\n".join([path, *(f"  {line}" for line in [*lines, setting])])
-
-
-def _strip_options() -> dict[str, click.Option]:
-    from elastica_cad.cli.strip_command import strip
-
-    options = [option for option in strip.params if isinstance(option, click.Option)]
-    return {name.lstrip("-"): option for option in options for name in option.opts}
 
 
 def _list_of_keys() -> str:

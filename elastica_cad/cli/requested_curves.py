@@ -30,9 +30,6 @@ from elastica_cad.report_rows import Row
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-LONGEST_LABEL = 200
-"""Largest number of characters of a label, as declared by `StripSpec.label`."""
-
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
 """Options that select a curve of a file, as messages list them."""
 
@@ -185,7 +182,8 @@ def requested_curves(
     for piece, parts, stem in zip(pieces, words, stems, strict=True):
         own, alone = in_drawing.get(piece.number, ("", False))
         name = plain_name("-".join([own, *_number_of(piece)] if own else parts))
-        label = "".join(sign if sign.isprintable() else "_" for sign in name)[:LONGEST_LABEL]
+        # `StripSpec.label` declares 200 as the largest number of characters
+        label = "".join(sign if sign.isprintable() else "_" for sign in name)[:200]
         which_options = ("--curve", str(piece.number)) if several else ()
         curves.append(RequestedCurve(path, piece, len(drawing), stem, label, which_options, unit, own, alone))
     return tuple(curves)

@@ -29,12 +29,7 @@ from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import Point, Severity
 from elastica_cad.report_rows import Row, warning_row
 
-NO_MAP = "Moving these corners cannot make the curve possible for a strip. Redraw the curve."
-
 KINDS = ("dxf", "svg", "json")
-
-MOVED = 0.1
-"""Displacement of a corner in the example of a message, as a fraction of the width of the curves."""
 
 
 @click.command()
@@ -109,7 +104,8 @@ def reshape(
     wrote(written)
     bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
-        say_rows(warning_row(NO_MAP, "Change"))
+        text = "Moving these corners cannot make the curve possible for a strip. Redraw the curve."
+        say_rows(warning_row(text, "Change"))
     left_out = len(originals) < len(chosen)
     if bad or left_out:
         ctx.exit(BAD_INPUT if left_out else NOT_REALIZABLE)
@@ -138,7 +134,7 @@ def _map_of_options(
                 "({options}), such as --top-right {x} {y}. The frame reaches from {low} to {high}."
             ),
             options=", ".join(map(option_name, CORNERS)),
-            x=typed_length(round(float(right + MOVED * (right - low[0])), 1)),
+            x=typed_length(round(float(right + 0.1 * (right - low[0])), 1)),
             y=typed_length(round(float(top), 1)),
             low=Point(low),
             high=Point((right, top)),

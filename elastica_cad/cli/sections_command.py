@@ -67,7 +67,6 @@ _IDLE = {
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
-POSITIVE = click.FloatRange(0, min_open=True)
 
 
 @click.command()
@@ -75,7 +74,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
               help="Unit of a mesh, whose file names none [default: mm]. A STEP file names it; leave out --unit "
                    "there, because it would scale the body again.")  # fmt: skip
-@click.option("--scale", type=POSITIVE, metavar="FACTOR",
+@click.option("--scale", type=click.FloatRange(0, min_open=True), metavar="FACTOR",
               help="Scale factor from file to model, in addition to the unit.")  # fmt: skip
 @click.option(
     "--radial",

@@ -71,22 +71,23 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def _without_values(words: Sequence[str], added: Collection[str]) -> list[str]:
-    remaining = list(words)
+    """Return the words without the values of single options, and of keys of `--set`, that are added anew."""
+    replaced = set[str]()
     for option in click.get_current_context().command.params:
         single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
         if single and option.nargs == 1 and set(option.opts) & set(added):
-            for name in option.opts:
-                while name in remaining:
-                    at = remaining.index(name)
-                    del remaining[at : at + 2]
-                remaining = [word for word in remaining if not word.startswith(f"{name}=")]
-    for name, setting in pairwise(added):
-        if name != "--set":
-            continue
-        key = setting.partition("=")[0]
-        for at in reversed(range(len(remaining) - 1)):
-            if remaining[at] == "--set" and remaining[at + 1].partition("=")[0] == key:
-                del remaining[at : at + 2]
+            replaced |= set(option.opts)
+    keys = {setting.partition("=")[0] for name, setting in pairwise(added) if name == "--set"}
+    remaining, following = list[str](), iter(words)
+    for word in following:
+        name, equals_sign, _ = word.partition("=")
+        if word == "--set":
+            setting = next(following, "")
+            remaining += [] if setting.partition("=")[0] in keys else [word, setting]
+        elif name not in replaced:
+            remaining.append(word)
+        elif not equals_sign:
+            next(following, None)
     return remaining
 
 

@@ -21,8 +21,6 @@ from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.report_rows import LABEL_WIDTH, Row, printed_row
 
-_KEY = "elastica.voice"
-
 
 @dataclass
 class Voice:
@@ -100,19 +98,17 @@ def say_error(text: str, details: Iterable[str] = ()) -> None:
     _print_row(Row("Error", text, tuple(details), "error"), err=True)
 
 
-NO_STRIP = NotRealizable, StrainError, FaultError, NotConvergedError
-"""Classes of errors of a valid request for which no strip can be made."""
-
-
 def exit_code(problem: ElasticaError) -> int:
     """Return the exit code of a command that ends with this error."""
-    return NOT_REALIZABLE if isinstance(problem, NO_STRIP) else BAD_INPUT
+    # errors of a valid request for which no strip can be made
+    no_strip = NotRealizable | StrainError | FaultError | NotConvergedError
+    return NOT_REALIZABLE if isinstance(problem, no_strip) else BAD_INPUT
 
 
 def voice() -> Voice:
     """Return the output settings of the running command."""
     ctx = click.get_current_context()
-    current: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
+    current: Voice = ctx.meta.setdefault("elastica.voice", Voice(ctx.info_name or "elastica"))
     return current
 
 
@@ -235,13 +231,6 @@ def _print_json(record: Any) -> None:
     echo(json.dumps(record, indent=1, ensure_ascii=False))
 
 
-LOOK_S = 0.2
-"""Interval, s, between checks whether files have changed."""
-
-GONE_LOOKS = 5
-"""Number of checks in which a file may be missing, because programs replace files when they save."""
-
-
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
     """Run `make`, and again after every change of a file that it read, until the user presses Ctrl-C.
 
@@ -268,10 +257,11 @@ def _wait_for_change(read: dict[Path, FileMark]) -> None:
     """Wait until a file has changed since it was read, and no file changes any more."""
     before, still = read, 0
     while True:
-        time.sleep(LOOK_S)
+        time.sleep(0.2)
         now = {path: mark_file(path) for path in read}
         still = still + 1 if now == before else 0
         gone = any(was and not mark for mark, was in zip(now.values(), read.values(), strict=True))
-        if now != read and still >= (GONE_LOOKS if gone else 1):
+        # a file may be missing for a moment, because programs replace files when they save
+        if now != read and still >= (5 if gone else 1):
             return
         before = now

@@ -370,16 +370,13 @@ def _read_strips(
     )
 
 
-COPIES_APART_MM = 20.0
-"""Distance, mm, between copies of a part that would otherwise be in the same position."""
-
-
 def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
+    """Place copies of a part, which would otherwise be in the same position, 20 mm apart."""
     alike = len({entry.label for entry in entries}) < len(entries)
     if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
         return list(entries)
     widths = [entry.spec.max_width or getattr(entry.spec.style, "width", None) for entry in entries]
-    apart = COPIES_APART_MM + max((w for w in widths if isinstance(w, int | float)), default=0.0)
+    apart = 20.0 + max((w for w in widths if isinstance(w, int | float)), default=0.0)
     return [
         replace(entry, spec=entry.spec.changed(frame=entry.frame.shifted(z=k * apart)))
         for k, entry in enumerate(entries)
@@ -415,17 +412,13 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     return kind, reader.given(PATTERNS[kind], table.table(kind))
 
 
-SAME_DIGITS = 11
-"""Decimals to which curves and gravity are compared, relative to the length of the curve. Mirrored curves
-differ by rounding."""
-
-
 def _comparison_key(entry: StripEntry) -> Any:
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
     numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
-    digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
+    # mirrored curves differ by rounding
+    digits = np.round(np.concatenate(numbers) / curve.length, 11) + 0.0
     placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
     values = [getattr(spec, option.name) for option in fields(spec) if option.name not in placed]
     return digits.tobytes(), value_key([*values, spec.compensate and spec.slots])

@@ -13,6 +13,7 @@ from elastica_cad._toml import parse_toml
 from elastica_cad.design.toml_text import toml_key
 from elastica_cad.errors import InputError, toml_slip
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import points_at
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import MARKS, heights_of_marks
@@ -27,14 +28,11 @@ from elastica_cad.strip.measuring import (
     row_label,
 )
 
-WIDE_MM, HIGH_MM = 180.0, 60.0
+DRAWN_MM = (180.0, 60.0)
 """Largest width and height of the drawn strip, mm. The page with its text then fits A4."""
 
 LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 """Letter height, line spacing, and position of the second column of the page, mm."""
-
-LARGEST_READING = 1e6
-"""Largest length (mm) or angle (degrees) that a report or a file of measured values may contain."""
 
 ERRORS = ("reading_error", "angle_error")
 """Keys, in a file of measured values, of the standard errors of lengths (mm) and of angles (degrees)."""
@@ -111,7 +109,7 @@ def _measures(readings: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _number(value: Any) -> float:
-    if isinstance(value, bool) or not abs(value) <= LARGEST_READING:
+    if isinstance(value, bool) or not abs(value) <= 1e6:  # the largest length (mm) or angle (degrees)
         raise ValueError
     return float(value)
 
@@ -177,31 +175,28 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     # make expected heights positive above the chord, because the report may use the opposite sign
     expected = np.array([measuring.expected[name] for name in LENGTHS[1:]])
     position = position if expected @ heights_of_marks(position) >= 0 else -position
-    low, high = position.min(axis=0), position.max(axis=0)
-    scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
-    points = (position - [low[0], low[1]]) * scale
-    marks = [np.array([np.interp(s, np.linspace(0, 1, len(points)), axis) for axis in points.T])
-             for s in MARKS]  # fmt: skip
+    scale = float(np.min(DRAWN_MM / np.maximum(np.ptp(position, axis=0), DRAWN_MM)))
+    points = (position - position.min(axis=0)) * scale
+    marks = points_at(np.array(MARKS), np.linspace(0, 1, len(points)), points)
     chord = Path([Line(points[0], points[-1])])
     drawn = Path([Line(a, b) for a, b in pairwise(points)])
     crosses = [Path([Line(at - reach, at + reach)]) for at in marks for reach in np.diag([2.0, 2.0])]
     paths = (LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, path) for path in (chord, *crosses)))
-    texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
+    texts = [Text((x + 2, y + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks.tolist(), 1)]
     places = ", ".join(f"{place:.1f}" for place in measuring.marks)
     rows = [
         (engravable(name), "Measure the strip in its fixture."),
         ("Marks", f"1, 2 and 3 at {places} mm along the free part"),
         ("Signs", "Heights above the chord and angles of ends that rise from it are positive."),
+        *(
+            (
+                row_label(measure),
+                f"{value:.1f} +/- {KINDS[measure](measuring.uncertain[measure]):.1f} {WORDS[measure]}",
+            )
+            for measure, value in measuring.expected.items()
+        ),
+        ("Causes", "Compare your differences with those that each cause makes."),
     ]
-    rows += [
-        (
-            row_label(measure),
-            f"{measuring.expected[measure]:.1f} +/- {KINDS[measure](measuring.uncertain[measure]):.1f} "
-            f"{WORDS[measure]}",
-        )
-        for measure in (*LENGTHS, *ANGLES)
-    ]
-    rows.append(("Causes", "Compare your differences with those that each cause makes."))
     for cause, changes in measuring.causes.items():
         rows.append(("Cause", MEANINGS[cause].format(amount=1)))
         if len(changes) == 1:

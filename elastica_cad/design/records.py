@@ -506,12 +506,6 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
     table[last] = value
 
 
-MOST_LISTED_KEYS = 20
-
-NEAR_KEY = 0.75
-"""Least similarity of a mistyped key to a key that is suggested, 0 to 1."""
-
-
 def current_path(path: str) -> str:
     """Return the path of a key in its present names.
 
@@ -530,9 +524,7 @@ def require_path_of(path: str, record: Record) -> Field:
         meant = meant_paths(path, known)
         tables = [name for name in known if "." not in name]
         listed = (
-            f"the keys here are {', '.join(tables)}"
-            if len(tables) <= MOST_LISTED_KEYS
-            else "`elastica help` lists them"
+            f"the keys here are {', '.join(tables)}" if len(tables) <= 20 else "`elastica help` lists them"
         )
         hint = f"did you mean {Either(meant)}?" if meant else listed
         raise InputError("The key {path} does not exist: {hint}", path=quoted(path), hint=hint)
@@ -557,7 +549,7 @@ def meant_paths(typed: str, known: Mapping[str, Field]) -> list[str]:
         return [path for path in (word, typed) if path in known][:1]
     last = typed.rpartition(".")[2]
     names = dict.fromkeys(path.rpartition(".")[2] for path in known)
-    near = [last] if last in names else near_names(last, names, cutoff=NEAR_KEY)
+    near = [last] if last in names else near_names(last, names, cutoff=0.75)
     alike = [path for path in known if path.rpartition(".")[2] in near]
     if "." in typed:
         return near_names(typed, alike) or alike

@@ -1,7 +1,7 @@
 """Conversion of edges and wires of OpenCASCADE to plane curves."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -33,9 +33,9 @@ def plane_curve(
         raise InputError(
             "A face or a body is not a curve. Use one of its edges, or cut it by planes with section_strips."
         )
-    if plane is not None:
-        return placed_curve(drawn_edges(shape), plane=plane)
-    return placed_curve(drawn_edges(shape), turned=_turned(shape) if turned is None else turned)
+    edges = _edges(shape)
+    turned = _turned(edges) if turned is None else turned
+    return placed_curve(list(map(_drawn_edge, edges)), plane=plane, turned=turned)
 
 
 def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
@@ -45,15 +45,11 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
     return isinstance(shape, list | tuple) and any(map(_has_faces, shape))
 
 
-def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
+def _turned(edges: Sequence[Shape]) -> FloatArray | None:
     """Return the rotation (3, 3) of the first edge since it was drawn, or None without rotation."""
-    shape = bare(shape)
-    if not isinstance(shape, kernel().TopoDS_Shape):
-        return next((_turned(item) for item in shape), None)
-    edge = next(iter(sub_shapes(shape, "edge")), None)
-    if edge is None or edge.Location().IsIdentity():
+    if not edges or edges[0].Location().IsIdentity():
         return None
-    place = edge.Location().Transformation()
+    place = edges[0].Location().Transformation()
     rows = [[float(place.Value(i, j)) for j in (1, 2, 3)] for i in (1, 2, 3)]
     return np.array(rows) / float(place.ScaleFactor())
 
@@ -74,6 +70,10 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     """Return all edges of a shape, or of several shapes, in order."""
+    return list(map(_drawn_edge, _edges(shape)))
+
+
+def _edges(shape: Shape | Iterable[Shape]) -> list[Shape]:
     shape = bare(shape)
     if not isinstance(shape, kernel().TopoDS_Shape):
         if not is_series(shape):
@@ -81,8 +81,8 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
                 f"an object of type {type(shape).__name__} is not an edge or wire of a CAD kernel. Pass a "
                 "spline through the points, or the `line` of a builder."
             )
-        return [edge for item in shape for edge in drawn_edges(item)]
-    return list(map(_drawn_edge, sub_shapes(shape, "edge")))
+        return [edge for item in shape for edge in _edges(item)]
+    return sub_shapes(shape, "edge")
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:

@@ -48,7 +48,6 @@ PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
 """Largest distance of triangles from faces, mm, for printing and for display, and largest angle between
 successive segments of an edge, rad."""
 
-HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
@@ -71,7 +70,8 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     rows = np.zeros(len(corners), dtype=TRIANGLE)
     rows["corners"] = corners
     rows["normal"] = _normals(corners)
-    content = HEADING + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes()
+    heading = b"binary STL, mm".ljust(80)
+    content = heading + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes()
     write_atomically(path, content)
 
 

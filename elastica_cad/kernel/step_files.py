@@ -45,9 +45,6 @@ LEAST_S, S_PER_MB = 5, 5
 BUSY = 10
 """Limit of the elapsed time, as a multiple of the CPU time limit, because the processor may be busy."""
 
-PR_SET_PDEATHSIG = 1
-"""Option of Linux's prctl: the signal that a process gets when its parent ends."""
-
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
     """Run a task in a forked copy of this process. Raise InputError if the copy crashes or takes too long.
@@ -107,7 +104,8 @@ def _limit(parent: int, seconds: int) -> None:
     if sys.platform == "linux":
         import ctypes
 
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        # option 1, PR_SET_PDEATHSIG, is the signal that a process gets when its parent ends
+        ctypes.CDLL(None).prctl(1, signal.SIGKILL)
         if os.getppid() != parent:  # the parent ended before the call of `prctl`
             os._exit(1)
 
@@ -165,13 +163,8 @@ def _touching(wires: list[Shape]) -> list[int]:
 
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
-TRACES = "write.surfacecurve.mode"
-"""Name of the setting that also writes each edge as a curve in the parameters of its faces.
-
-These curves are more than half of a file. Readers compute the curves exactly for planes, cylinders, cones, spheres
-and tori."""
-
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
+"""Kinds of surfaces for which readers compute edges exactly as curves in the parameters of the faces."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,7 +247,8 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
     # separate vertices of wires change no surface
     kinds = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
     elementary = all(k.BRepAdaptor_Surface(face).GetType() in kinds for face in faces)
-    with _own_settings({TRACES: "0" if elementary else "1"}):
+    # edges as curves in the parameters of their faces are more than half of a file
+    with _own_settings({"write.surfacecurve.mode": "0" if elementary else "1"}):
         writer = k.STEPCAFControl_Writer()
         writer.SetColorMode(True)
         writer.SetNameMode(True)

@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-LEAST_DEGREES = 7.0
-"""Angle, degrees, below which a number with decimals was probably given in radians."""
-
 LEAST_LEAN_DEGREES = 90 / degrees(1)
 """Inclination of a slot, degrees, below which a number with decimals was probably given in radians."""
 
@@ -68,7 +65,8 @@ def model_parts(
 def end_angles(angles: object) -> tuple[float | None, float | None]:
     """Convert the angles at start and end from degrees to rad. Warn if they were probably given in radians."""
     pair = angles_in_rad(angles)
-    warn_of_radians([degrees(angle) for angle in pair if angle], LEAST_DEGREES)
+    # a smaller angle with decimals was probably given in radians
+    warn_of_radians([degrees(angle) for angle in pair if angle], 7.0)
     return pair
 
 
@@ -117,12 +115,6 @@ def warn_of_strip(strip: Strip) -> None:
         ))  # fmt: skip
 
 
-OFF_PLANE_MM = 1e-4
-"""Largest distance of a point from the plane of the curve, mm, within 100 mm of the origin.
-
-Farther away, the limit grows with the distance."""
-
-
 class TupleLike(Protocol):
     """Interface of a vector with a method `toTuple`, such as a CadQuery vector."""
 
@@ -144,10 +136,6 @@ def numbers_of(point: Point) -> tuple[float, ...]:
     """
     numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
     return tuple(map(float, numbers))
-
-
-COLOR_STEP = 1e-6
-"""Difference of a component above which two colours differ, larger than rounding errors."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
@@ -323,11 +311,9 @@ class StripBody:
     def _changed_color(self) -> tuple[float, ...] | None:
         color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
         usual = (*sheet_color(self.strip.sheet), 1.0)
-        return (
-            color
-            if color and max(abs(a - b) for a, b in zip(color, usual, strict=False)) > COLOR_STEP
-            else None
-        )
+        # components of equal colours differ by rounding errors
+        differs = any(abs(a - b) > 1e-6 for a, b in zip(color, usual, strict=False))
+        return color if differs else None
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
         refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
@@ -351,7 +337,8 @@ class StripBody:
                 f"{name} is {point!r}. Pass a point in space, or two numbers in the strip's frame, in mm."
             )
         x, y, z = self.frame.local(row).tolist()
-        if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):
+        # beyond 100 mm from the origin, the limit grows with the distance
+        if abs(z) > 1e-4 * max(1.0, hypot(x, y) / 100):
             raise InputError(
                 "{name} is {z:.4g} away from the plane in which the strip bends. Pass a point in this plane.",
                 name=name,

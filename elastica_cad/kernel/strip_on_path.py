@@ -42,7 +42,6 @@ FAR_SHARE = 0.01
 SHORTEST_MM = 5.0
 """Length, mm, below which a curve shorter than its strip's width was probably drawn in metres."""
 
-KEPT_REQUESTS = 64  # number of cached strips, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
@@ -254,7 +253,7 @@ def section_requests(
     ]
 
 
-@lru_cache(maxsize=KEPT_REQUESTS)
+@lru_cache(maxsize=64)  # enough for a few models
 def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
     from elastica_cad.form_finding.nearest_record import NearestRod
 

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from elastica_cad import Frame, Hole, Model, Path, Placed, PlaneCurve, Sheet, Strip, Tab, optimal_rod
-from elastica_cad.kernel import occt, ocp_import
+from elastica_cad.kernel import occt
 from elastica_cad.kernel.mesh_files import write_stl
 from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_bytes
 from elastica_cad.model import EndFixture
@@ -131,7 +131,7 @@ def test_a_long_number_is_engraved_whole(strip, measure):
     number = "STRIP 17 OF THE PAVILION, BENT BY HAND: " * 2
     body = occt.make_solid(EndFixture.of(strip, engrave=number.strip()).solid)
     assert measure.is_valid(body)
-    assert len(occt.sub_shapes(body, ocp_import.kernel().TopAbs_ShapeEnum.TopAbs_FACE)) > 350
+    assert len(occt.sub_shapes(body, "face")) > 350
 
 
 @pytest.mark.parametrize("number", ["80O", "B&g", "abc*#", "pqGd%"])

@@ -67,7 +67,7 @@ def test_sketches_on_a_flat_part_lie_along_it(place, limited):
     body = occt.make_solid(FlatSolid(strip.outline, strip.holes, 0.8, frame))
     k = ocp_import.kernel()
     large = []
-    for face in occt.sub_shapes(body, k.TopAbs_ShapeEnum.TopAbs_FACE):
+    for face in occt.sub_shapes(body, "face"):
         surface = BRepAdaptor_Surface(k.as_face(face))
         if shown(face, "SurfaceProperties") > 0.4 * area_of(strip):
             x = surface.Plane().Position().XDirection()

@@ -66,7 +66,7 @@ def vertex_tolerances(shape):
     from OCP.BRep import BRep_Tool
 
     kernel = occt.kernel()
-    vertices = occt.sub_shapes(shape, kernel.TopAbs_ShapeEnum.TopAbs_VERTEX)
+    vertices = occt.sub_shapes(shape, "vertex")
     return [BRep_Tool.Tolerance_s(kernel.as_vertex(vertex)) for vertex in vertices]
 
 
@@ -113,7 +113,7 @@ def test_booleans_of_laminates(curve, backing, form, library, measure):
     boxes = [box_through(records[0], strip, shift) for shift in (-1.3, 0.9)]
 
     def measured(shape):
-        solids = occt.sub_shapes(shape, occt.kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+        solids = occt.sub_shapes(shape, "solid")
         return sum(measure.volume(solid, bent=form is BentSolid) for solid in solids)
 
     bodies = library(records, strip, boxes)

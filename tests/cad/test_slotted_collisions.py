@@ -14,13 +14,13 @@ def depth_in(placed, point):
     from OCP.BRepClass3d import BRepClass3d_SolidClassifier
     from OCP.BRepExtrema import BRepExtrema_DistShapeShape
     from OCP.gp import gp_Pnt
-    from OCP.TopAbs import TopAbs_IN, TopAbs_SHELL
+    from OCP.TopAbs import TopAbs_IN
 
     record, place = BentSolid.of(placed.strip, placed.frame), gp_Pnt(*point)
     solid = occt.make_solid(record)
     if BRepClass3d_SolidClassifier(solid, place, 1e-7).State() != TopAbs_IN:
         return None
-    (shell,) = occt.sub_shapes(solid, TopAbs_SHELL)
+    (shell,) = occt.sub_shapes(solid, "shell")
     return BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(place).Vertex(), shell).Value()
 
 

@@ -23,7 +23,6 @@ from elastica_cad import Path as Chain
 from elastica_cad.geometry import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
-from elastica_cad.kernel.ocp_import import kernel
 from elastica_cad.strip import FlatSolid
 
 
@@ -55,7 +54,7 @@ def test_a_body_of_many_holes_is_written_as_one_of_few(monkeypatch, tmp_path, me
         path = tmp_path / f"{most}.step"
         step.write_strip_step(strip, path)
         kinds = Counter(re.findall(r"^#\d+ = \(? ?([A-Z_0-9]+)", path.read_text(), re.MULTILINE))
-        solids = occt.sub_shapes(step.read_step_shape(path), kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+        solids = occt.sub_shapes(step.read_step_shape(path), "solid")
         found[most] = (
             kinds,
             [(measure.volume(solid, bent=False), measure.is_valid(solid)) for solid in solids],
