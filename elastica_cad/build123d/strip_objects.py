@@ -81,9 +81,8 @@ class Layer(_Pickled, bd.Solid):
 
 
 class _Jointed(_Pickled):
-    def _apply_transform(self, transformation: Any) -> Any:
-        body: Any = self
-        image = bd.Shape._apply_transform(body, transformation)
+    def _apply_transform(self: Any, transformation: Any) -> Any:
+        image = bd.Shape._apply_transform(self, transformation)
         occt.lock(image.wrapped)
         image.joints = {}
         for name, joint in getattr(self, "joints", {}).items():
@@ -106,10 +105,9 @@ class _StripShape(_Jointed, StripBody):
         return _read_frame(joints["start"].location) if "start" in joints else None
 
     @property
-    def _parts(self) -> list[bd.Compound]:
+    def _parts(self: Any) -> list[bd.Compound]:
         """Parts at several `Locations`; empty for a single location."""
-        body: Any = self
-        return [part for part in body if isinstance(part, bd.Compound)]
+        return [part for part in self if isinstance(part, bd.Compound)]
 
     @property
     def copies(self) -> "bd.ShapeList[Self]":
@@ -129,22 +127,21 @@ class _StripShape(_Jointed, StripBody):
             shapes.append(other_body)
         return shapes
 
-    def _publish_to_context(self, object_scope: Any) -> None:
+    def _publish_to_context(self: Any, object_scope: Any) -> None:
         """Publish the body to its builder.
 
         At several `Locations`, the names of joints contain the number of the copy, from the second copy on.
         """
-        body: Any = self
-        bd.BaseObject._publish_to_context(body, object_scope)
-        occt.lock(body.wrapped)
+        bd.BaseObject._publish_to_context(self, object_scope)
+        occt.lock(self.wrapped)
         parts = self._parts
         if not parts:
             return
-        places = {name: joint.relative_location for name, joint in body.joints.items()}
-        body.joints = {}
+        places = {name: joint.relative_location for name, joint in self.joints.items()}
+        self.joints = dict[str, bd.Joint]()
         for number, part in enumerate(parts, start=1):
             for name, place in places.items():
-                bd.RigidJoint(_joint_of_copy(name, number), body, part.location * place)
+                bd.RigidJoint(_joint_of_copy(name, number), self, part.location * place)
 
     @property
     def flat(self) -> "FlatStrip":
@@ -213,20 +210,17 @@ class _StripShape(_Jointed, StripBody):
             image._made = self._made.mirrored()
         return image
 
-    def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
+    def scale(self: Any, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
         """Return a scaled plain body, because a strip of another size has other properties."""
-        body: Any = self
-        return self._plain(bd.Shape.scale(body, *args, **options))
+        return self._plain(bd.Shape.scale(self, *args, **options))
 
-    def transform_geometry(self, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
+    def transform_geometry(self: Any, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
         """Return a transformed plain body, because a stretched body is not a strip."""
-        body: Any = self
-        return self._plain(bd.Shape.transform_geometry(body, t_matrix))
+        return self._plain(bd.Shape.transform_geometry(self, t_matrix))
 
-    def _plain(self, changed: bd.Shape) -> bd.Part | bd.Sketch:
-        body: Any = self
+    def _plain(self: Any, changed: bd.Shape) -> bd.Part | bd.Sketch:
         plain = bd.Sketch(changed.wrapped) if isinstance(self, bd.Sketch) else bd.Part(changed.wrapped)
-        plain.label, plain.color = body.label, body.color
+        plain.label, plain.color = self.label, self.color
         return plain
 
 

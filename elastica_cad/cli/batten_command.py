@@ -37,7 +37,9 @@ from elastica_cad.strip.strip import Strip
 
 MOST_STATIONS = 1000
 
-_STOCK = (
+
+@click.command()
+@join_options(
     sheet_options(required=True),
     click.option("--length", type=LENGTH, required=True, metavar="MM", help="Length of the batten."),
     click.option("--camber", type=float, required=True, metavar="PERCENT", help=("Depth of the camber, in % of the "
@@ -70,10 +72,6 @@ _STOCK = (
                  show_default=True, help="Paper of the print at full size."),
     output_options,
 )  # fmt: skip
-
-
-@click.command()
-@join_options(*_STOCK)
 def batten(**chosen: Any) -> None:
     """Taper a batten that bends to a wanted depth (camber).
 

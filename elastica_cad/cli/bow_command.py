@@ -76,7 +76,8 @@ class Shortening(click.ParamType):  # type: ignore[type-arg]  # no generic class
             self.fail(f"{value!r} is neither a percentage nor a length. Write 5 or 50mm.", param, ctx)
 
 
-_STOCK = (
+@click.command("bow")
+@join_options(
     curve_options,
     which_options,
     click.option("--rod", type=Diameters(), metavar="DIAMETER|LEAST:LARGEST",
@@ -96,10 +97,6 @@ _STOCK = (
                       "unit, such as 50mm; repeatable; replaces the default rows  [default: 2 5 10 20]"),
     output_options,
 )  # fmt: skip
-
-
-@click.command("bow")
-@join_options(*_STOCK)
 def bow_command(curve: Path, **chosen: Any) -> None:
     """Find the rod or strip that a cord bends into a curve.
 

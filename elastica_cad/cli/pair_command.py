@@ -51,7 +51,11 @@ class PairKeys:
 _COMMON_OPTIONS = [entry for entry in declared(FlexureSpec) if entry.option.common and entry.name != "sheet"]
 (_KERF,) = (entry for entry in declared(Cutting) if entry.name == "kerf")
 
-_WISHES = (
+
+@click.command()
+@click.argument("first", type=FILE)
+@click.argument("second", type=FILE, required=False)
+@join_options(
     click.option("--first", "first_curve", metavar="N|ID", help=("Curve of FIRST, if the file has several: "
                                                                  "number or id.")),
     click.option("--second", "second_curve", metavar="N|ID", help=("Curve of SECOND, or the second curve of "
@@ -66,12 +70,6 @@ _WISHES = (
     set_option(PairKeys),
     output_options,
 )  # fmt: skip
-
-
-@click.command()
-@click.argument("first", type=FILE)
-@click.argument("second", type=FILE, required=False)
-@join_options(*_WISHES)
 def pair(**chosen: Any) -> None:
     """Make a part with two rest shapes: a clip, a catch, a stand.
 

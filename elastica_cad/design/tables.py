@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
+from types import UnionType
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -481,22 +482,20 @@ class Table:
             for i, item in enumerate(value, start=1)
         )
 
+    def _of_kind(self, kind: type | UnionType, key: str, message: str, default: Any = None) -> Any:
+        value = self.raw(key, default)
+        if not isinstance(value, kind):
+            raise InputError(message, key=self.place(key), given=quoted(value))
+        return value
+
     def row(self, key: str) -> tuple[float, ...]:
         """Return the value of a key as numbers."""
-        values = self.raw(key)
-        if not isinstance(values, Sequence) or isinstance(values, str):
-            raise InputError(
-                "{key} is {given}. Write numbers in brackets.", key=self.place(key), given=quoted(values)
-            )
+        values = self._of_kind(list | tuple, key, "{key} is {given}. Write numbers in brackets.")
         return self.vector(key, len(values))
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
         """Return the value of a key as a string. If `choices` are given, they must contain the string."""
-        value = self.raw(key, default)
-        if not isinstance(value, str):
-            raise InputError(
-                "{key} is {given}. Write a text in quotes.", key=self.place(key), given=quoted(value)
-            )
+        value: str = self._of_kind(str, key, "{key} is {given}. Write a text in quotes.", default)
         if choices and value not in choices:
             raise InputError(
                 "{key} is {given}. Use one of {choices}.",
@@ -508,11 +507,7 @@ class Table:
 
     def flag(self, key: str) -> bool:
         """Return the value of a key, which must be true or false."""
-        value = self.raw(key)
-        if not isinstance(value, bool):
-            raise InputError(
-                "{key} is {given}. Write true or false.", key=self.place(key), given=quoted(value)
-            )
+        value: bool = self._of_kind(bool, key, "{key} is {given}. Write true or false.")
         return value
 
     def table(self, key: str) -> "Table":
@@ -521,12 +516,8 @@ class Table:
 
     def tables(self, key: str) -> "list[Table]":
         """Return the tables in the list that is the value of a key."""
-        value = self.raw(key, [])
-        if not isinstance(value, list):
-            raise InputError(
-                "{key} is {given}. Write a list of tables.", key=self.place(key), given=quoted(value)
-            )
-        return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(value, start=1)]
+        rows = self._of_kind(list, key, "{key} is {given}. Write a list of tables.", [])
+        return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(rows, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
         """Return the scope with the further names in `let`. The formula of a name may use earlier names."""

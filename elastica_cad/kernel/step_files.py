@@ -322,14 +322,15 @@ def write_strip_step(
     name = strip.label or "strip"
     names, sheets = bent_names(name, strip), bent_sheets(strip)
     frame = frame or Frame()
-    shapes = {
-        "flat": [make_solid(solid) for solid in FlatSolid.layers(strip, frame_beside(strip, frame))],
-        "bent": [make_solid(solid) for solid in BentSolid.layers(strip, frame)],
+    bodies = {
+        "flat": FlatSolid.layers(strip, frame_beside(strip, frame)),
+        "bent": BentSolid.layers(strip, frame),
     }
+    # a closed bent strip has a further body, its lap
     parts = [
-        NamedShape(f"{called} {form}", shape, sheet_color(sheet))
-        for form, solids in shapes.items()
-        for called, shape, sheet in zip(names[: len(solids)], solids, sheets[: len(solids)], strict=True)
+        NamedShape(f"{called} {form}", make_solid(solid), sheet_color(sheet))
+        for form, solids in bodies.items()
+        for called, solid, sheet in zip(names, solids, sheets, strict=False)
     ]
     write_step(parts, path, name=name, force=force)
 
