@@ -211,22 +211,28 @@ def slotted_frame(
     across = _normal_of_ribs(rails)
     space = max(SLOT_SPACING_MM, limits_or_default(shop).bridge_for(sheet))
     stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (space + clearance))
-    plans = [
-        _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
+    seats = {
+        f"rib-{n}": [rail.seat(station, across) for rail in rails]
         for n, station in enumerate(stations, start=1)
-    ]
+    }
     plates: list[BasePlate] = []
     for group, narrower in ((rails, step), (outer, 0.0)):
         size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
         for k, rail in enumerate(group):
-            slots = [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
-            held = [*rail.slots, *slots]
+            held = [*rail.slots]
+            for name, places in seats.items():
+                center, along = rail.frame.local(places[k].origin), rail.frame.axes @ places[k].x_axis
+                corners = rectangle_about(center[:2], along[:2], np.array(size))
+                held.append(TabSlot(corners, name, sheet.thickness))
             plates.append(plate_with(held, sheet, rail.frame, replace(options, name=rail.name), BasePlate))
     if gap is not None:
         pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
         plates = [pair[k] for k in (0, 1) for pair in pairs]
-    candidates = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
-    return SlottedFrame(tuple(plates), tuple(rib.checked(options) for rib in candidates))
+    joining = (
+        _rib(name, sheet, places, across, tongue, depth, behind=behind, step=step)
+        for name, places in seats.items()
+    )
+    return SlottedFrame(tuple(plates), tuple(rib.checked(options) for rib in joining))
 
 
 @dataclass
@@ -249,7 +255,8 @@ class _RailPlan:
         frame = tab_plane(tabs, name).shifted(z=-behind)
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
-    def seat(self, station: float, across: FloatArray) -> "_Seat":
+    def seat(self, station: float, across: FloatArray) -> Frame:
+        """Return the place where a rib meets the upper face: x along the rib, z normal to the face."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -257,69 +264,49 @@ class _RailPlan:
         order = np.argsort(centers @ across)
         side = float(np.interp(station, (centers @ across)[order], (centers @ along)[order]))
         height = float(self.frame.origin @ n)
-        return _Seat(station * across + side * along + height * n, along, n)
-
-    def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
-        center, along = self.frame.local(seat.point)[:2], (self.frame.axes @ seat.along)[:2]
-        return TabSlot(rectangle_about(center, along, np.array(size)), name, thickness)
-
-    def reach(self, across: FloatArray) -> FloatArray:
-        corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
-        return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
+        return Frame(station * across + side * along + height * n, along, np.cross(n, along))
 
 
-@dataclass(frozen=True, eq=False)
-class _Seat:
-    """Point where a rib meets the upper face of a rail, direction of the rib there, and normal of the face."""
+def _rib(
+    name: str,
+    sheet: Sheet,
+    seats: Sequence[Frame],
+    across: FloatArray,
+    tongue: float,
+    depth: float,
+    *,
+    behind: float,
+    step: float,
+) -> Rib:
+    """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails."""
+    frame = Frame(seats[0].origin, seats[0].x_axis, np.cross(across, seats[0].x_axis))
+    rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
+    half, full = under + depth / 2, under + depth
 
-    point: FloatArray
-    along: FloatArray
-    normal: FloatArray
+    def at(end: int, *places: tuple[float, float]) -> FloatArray:
+        """Return corners of the rib, given by distances towards the other rail and behind the face of a rail."""
+        seat, other = seats[end], seats[1 - end]
+        sign = 1.0 if (other.origin - seat.origin) @ seat.x_axis >= 0 else -1.0
+        return frame.local(seat.origin + np.array(places) @ [sign * seat.x_axis, -seat.z_axis])[:, :2]
 
-
-@dataclass(frozen=True, eq=False)
-class _RibPlan:
-    name: str
-    station: float
-    across: FloatArray
-    seats: tuple[_Seat, ...]
-
-    def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
-        """Return the rib behind the rails. Its tongues are narrower by `step` mm per side in inner rails."""
-        x_axis = self.seats[0].along
-        frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
-        rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
-        a, b = (_Corner(frame, seat, other) for seat, other in zip(self.seats, self.seats[::-1], strict=True))
-        bases = [np.array([c.at(side * tongue / 2, under) for side in (-1, 1)]) for c in (a, b)]
-        block = [
-            c.at(side * rest, down) for c in (a, b) for side in (-1, 1) for down in (under, under + depth)
-        ]
-        half, full = under + depth / 2, under + depth
-        bar = [
-            *(a.at(-rest, under), a.at(rest, under), a.at(rest, half), b.at(rest, half), b.at(rest, under)),
-            *(b.at(-rest, under), b.at(-rest, full), b.at(rest, full), a.at(rest, full), a.at(-rest, full)),
-        ]
-        for loop in (convex_corners(np.array(block)), anticlockwise(np.array(bar))):
-            drawn: FloatArray | None = loop
-            for base in bases:
-                drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
-            if drawn is not None and self_crossing(drawn, closed=True) is None:
-                label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
-                return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
-        raise InputError(
-            f"{self.name}: the rails face each other, so no rib can join them from behind. Hold the ends by "
-            "fixtures instead"
-        )
-
-
-class _Corner:
-    def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
-        self.frame, self.seat = frame, seat
-        self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along
-
-    def at(self, inward: float, behind: float) -> FloatArray:
-        point = self.seat.point + inward * self.inward - behind * self.seat.normal
-        return self.frame.local(point)[:2]
+    bases = [at(end, (-tongue / 2, under), (tongue / 2, under)) for end in (0, 1)]
+    block = [at(end, (-rest, under), (-rest, full), (rest, under), (rest, full)) for end in (0, 1)]
+    bar = [
+        at(0, (-rest, under), (rest, under), (rest, half)),
+        at(1, (rest, half), (rest, under), (-rest, under), (-rest, full), (rest, full)),
+        at(0, (rest, full), (-rest, full)),
+    ]
+    for loop in (convex_corners(np.concatenate(block)), anticlockwise(np.concatenate(bar))):
+        drawn: FloatArray | None = loop
+        for base in bases:
+            drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
+        if drawn is not None and self_crossing(drawn, closed=True) is None:
+            label = centred_text(name, at(0, (0.0, half))[0], min(LABEL_MM, 0.6 * depth), 1.6 * rest)
+            return Rib(name, sheet, frame, Path.polygon(drawn), label)
+    raise InputError(
+        f"{name}: the rails face each other, so no rib can join them from behind. Hold the ends by "
+        "fixtures instead"
+    )
 
 
 def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
@@ -334,15 +321,14 @@ def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
 def _stations_of_ribs(
     rails: Sequence[_RailPlan], across: FloatArray, count: int, space: float
 ) -> list[float]:
-    reach = np.concatenate([rail.reach(across) for rail in rails])
-    reach = reach[np.argsort(reach[:, 0])]
-    first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
-    ends = np.maximum.accumulate(reach[:, 1])[:-1]
-    wide = reach[1:, 0] - ends >= space
-    gaps = (reach[1:, 0] + ends)[wide] / 2
+    slots = [rail.frame.point(slot.corners) @ across for rail in rails for slot in rail.slots]
+    starts, ends = np.transpose(sorted((slot.min(), slot.max()) for slot in slots))
+    first, last = float(starts[0]), float(ends.max())
+    starts, ends = starts[1:], np.maximum.accumulate(ends)[:-1]
+    gaps = (starts + ends)[starts - ends >= space] / 2
     chosen = [first - space / 2, last + space / 2]
     for wanted in np.linspace(first, last, count)[1:-1]:
-        free = [float(gap) for gap in gaps if gap not in chosen]
+        free = [gap for gap in gaps.tolist() if gap not in chosen]
         if free:
             chosen.append(min(free, key=lambda gap: abs(gap - wanted)))
     return sorted(chosen)
@@ -356,17 +342,16 @@ def _with_tongue(
     `base` (2, 2) has both ends of the tongue on the side. `heights` are two distances from the side. At the
     first distance, the tongue becomes narrower by `step` on both sides. At the second distance, it ends.
     """
-    low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
         side = unit(q - p)
         outward = -left_of(side)
         off, along = (base - p) @ outward, (base - p) @ side
         if np.abs(off).max() < SIDE_TOLERANCE_MM and along.min() > 0 and along.max() < norm(q - p):
             a, b = base[np.argsort(along)]
-            rise, inset = (high * outward, step * side)
-            stepped = [a + low * outward, a + low * outward + inset] if step else []
-            back = [b + low * outward - inset, b + low * outward] if step else []
-            corners = [a, *stepped, a + rise + inset, b + rise - inset, *back, b]
+            (low, high), inset = np.multiply.outer(heights, outward), step * side
+            stepped = [a + low, a + low + inset] if step else []
+            back = [b + low - inset, b + low] if step else []
+            corners = [a, *stepped, a + high + inset, b + high - inset, *back, b]
             return np.concatenate([loop[: i + 1], corners, loop[i + 1 :]])
     return None
 
@@ -399,7 +384,6 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
 
 
 def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
-    thickness = plate.sheet.thickness
     for slot in plate.slots:
         tab = slot.tab
         if tab is None:
@@ -407,9 +391,10 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         # `profile` has x along the tab and y away from the tab's upper side; the plate's back has the points
         # p with <n, p> = low
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
-        n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
-        low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
-        walls = profile.local(plate.frame.point(np.column_stack([slot.corners, np.full(4, -thickness)])))
+        back = plate.frame.shifted(z=-plate.sheet.thickness)
+        n = (profile.axes @ back.z_axis)[:2]
+        low = float((back.origin - profile.origin) @ back.z_axis)
+        walls = profile.local(back.point(slot.corners))[:, :2]
         # direction along the back of the plate, with positive y
         level = left_of(unit(n)) * np.sign(n[0])
         for side, called in ((1.0, "a"), (-1.0, "b")):
@@ -422,7 +407,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
                     f"{Mm(np.ceil(begin + LEAST_GLUED_MM)):.0f} long"
                 )
             corner = np.array([begin, face])
-            past = float(((walls[:, :2] - corner) @ (side * level)).max())
+            past = float(((walls - corner) @ (side * level)).max())
             beside = corner + side * level * (max(past, 0.0) + size)
             corners = np.array([corner, corner + reach * np.array([1.0, 0.0]), beside])
             outline = Path.polygon(corners if side > 0 else corners[::-1])
@@ -431,23 +416,14 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    shapes: list[tuple[str, FloatArray]] = []
-    places: list[int] = []
-    for foot in feet:
-        corners = foot.outline.points(SAME_MM)
-        alike = (
-            i
-            for i, (name, known) in enumerate(shapes)
-            if name == foot.name and known.shape == corners.shape and np.abs(known - corners).max() < SAME_MM
-        )
-        place = next(alike, len(shapes))
-        if place == len(shapes):
-            shapes.append((foot.name, corners))
-        places.append(place)
-    names = distinct(name for name, _ in shapes)
-    for foot, place in zip(feet, places, strict=True):
-        name, (own_name, corners) = names[place], shapes[place]
-        yield foot if name == own_name else replace(foot, name=name, label=_label_in_triangle(name, corners))
+    corners = [foot.outline.points(SAME_MM) for foot in feet]
+    # positions are rounded, because copies of a foot differ by rounding errors
+    shapes = [(foot.name, (p.round(6) + 0.0).tobytes()) for foot, p in zip(feet, corners, strict=True)]
+    different = dict.fromkeys(shapes)
+    names = dict(zip(different, distinct(name for name, _ in different), strict=True))
+    for foot, shape, p in zip(feet, shapes, corners, strict=True):
+        name = names[shape]
+        yield foot if name == foot.name else replace(foot, name=name, label=_label_in_triangle(name, p))
 
 
 def _label_in_triangle(name: str, corners: np.ndarray) -> Text:
