@@ -234,6 +234,10 @@ class BasePlate:
     def _hole_points(self) -> list[FloatArray]:
         return [loop.points(FLAT_MM) for loop in self._opening_and_holes]
 
+    @cached_property
+    def _slot_points(self) -> list[FloatArray]:
+        return [dense_points(slot.corners) for slot in self.slots]
+
     def checked(self, options: PlateOptions) -> Self:
         """Return the plate with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
@@ -320,7 +324,7 @@ class BasePlate:
 
     def resized(self, inner: float, outer: float) -> Self:
         """Return the round plate with other radii, mm, of its opening and its rim, without checks."""
-        opening, holes = _with_holes(options_of(self), self._middle, _opening(self._middle, inner))
+        opening, holes = _opening_and_holes(options_of(self), self._middle, inner)
         return replace(self, outline=Path.circle(self._middle, outer), opening=opening, holes=holes)
 
     @property
@@ -379,7 +383,7 @@ class BasePlate:
                     point = self._middle + low * axes[1]
                     if encloses(edge, point) and not any(encloses(loop, point) for loop in loops):
                         start = point - half * axes[0]
-                        return (Text((start[0], start[1]), name, height, float(turn), ENGRAVE),)
+                        return (Text((start[0], start[1]), name, height, float(turn)),)
         return ()
 
     def _slot_label(self, slot: TabSlot) -> Text:
@@ -387,30 +391,34 @@ class BasePlate:
 
         If cuts are too near on both sides, the name is smaller.
         """
-        a, b, c, _ = slot.corners
-        along, off = unit(b - a), unit(c - b)
+        a, b, *_ = slot.corners
+        along = unit(b - a)
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
-            along, off = -along, -off
-        others = np.array([other.corners for other in self.slots if other is not slot])
-        name, cuts = engravable(slot.name), self._hole_points
+            along = -along
+        middle, axes, name = (
+            slot.corners.mean(axis=0),
+            np.array([along, left_of(along)]),
+            engravable(slot.name),
+        )
+        others = [
+            points for other, points in zip(self.slots, self._slot_points, strict=True) if other is not slot
+        ]
+        cuts = np.concatenate([*others, *map(dense_points, self._hole_points), np.zeros((0, 2))]) - middle
+        x, y = axes @ cuts.T
         for scale in LABEL_SCALES:
             height = scale * min(LABEL_MM, 0.2 * slot.size[0])
-            long, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
-            bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
-            boxes = np.array([[p - long * along, p + long * along] for p in bases])
-            low, up = boxes - DESCENDER_DEPTH * height * off, (1 + DESCENDER_DEPTH) * height * off
-            room = [1.0, 1.0]
-            if others.size:
-                labels = np.concatenate([low, low[:, ::-1] + up], axis=1)
-                room = _least_distances(labels[:, None], others).min(axis=1).tolist()
-            room = [
-                min(free, *(_distance_to(cut, box, up) for cut in cuts)) if cuts else free
-                for free, box in zip(room, low, strict=True)
-            ]
+            half, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
+            bases, room = (far, -far - height), []
+            for base in bases:
+                beside = y - base - (1 - DESCENDER_DEPTH) / 2 * height
+                apart = np.maximum(np.abs(x) - half, np.abs(beside) - (1 + DESCENDER_DEPTH) / 2 * height)
+                in_hole = any(encloses(hole, middle + base * axes[1]) for hole in self._hole_points)
+                room.append(-1.0 if in_hole else float(apart.min(initial=1.0)))
             if max(room) > 0.2 * height:
                 break
-        x, y = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0].tolist()
-        return Text((x, y), name, height, float(angle_of(along)), ENGRAVE)
+        base = bases[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1]
+        start = middle + (-half, base) @ axes
+        return Text((start[0], start[1]), name, height, float(angle_of(along)))
 
 
 def tabs_of(plate: BasePlate) -> list[PlacedTab]:
@@ -441,13 +449,6 @@ def numbered(
 def options_of(plate: BasePlate) -> PlateOptions:
     """Return the options with which a plate was checked, or the default options."""
     return plate.options or PlateOptions()
-
-
-def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
-    points = np.concatenate([low, low + up])
-    far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
-    return -far if any(encloses(loop, point) for point in points) else far
 
 
 def base_plate(
@@ -551,12 +552,12 @@ def plate_with(
     """
     loops = [slot.corners for slot in slots]
     center = np.zeros(2) if kind is Ring else _mean_center(loops)
-    nearest, farthest = around(loops, center, 0.0)
-    if kind is Ring or (options.shape == "ring" and nearest > LEAST_RING_FRACTION * farthest):
-        outline, opening = _round_rim_and_opening(loops, center, options.border)
+    inner, outer = around(loops, center, 0.0)
+    if kind is Ring or (options.shape == "ring" and inner > LEAST_RING_FRACTION * outer):
+        outline, inner = Path.circle(center, outer + options.border), inner - options.border
     else:
-        outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
-    opening, holes = _with_holes(options, center, opening)
+        outline, inner = _outline(np.concatenate(loops), options.border, options.shape), 0.0
+    opening, holes = _opening_and_holes(options, center, inner)
     plate = kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes)
     return plate.checked(options)
 
@@ -565,23 +566,13 @@ def _mean_center(loops: Sequence[FloatArray]) -> FloatArray:
     return np.asarray(np.mean([loop.mean(axis=0) for loop in loops], axis=0), dtype=float)
 
 
-def _with_holes(
-    options: PlateOptions, center: FloatArray, opening: Path | None
+def _opening_and_holes(
+    options: PlateOptions, center: FloatArray, radius: float
 ) -> tuple[Path | None, tuple[Path, ...]]:
+    opening = Path.circle(center, radius) if 2 * radius >= LEAST_OPENING_MM else None
     if options.holes is None or not options.holes.is_in(options.name):
         return opening, ()
     return options.holes.cut(center, opening, options.border)
-
-
-def _round_rim_and_opening(
-    loops: Sequence[FloatArray], center: FloatArray, border: float
-) -> tuple[Path, Path | None]:
-    inner, outer = around(loops, center, border)
-    return Path.circle(center, outer), _opening(center, inner)
-
-
-def _opening(center: FloatArray, radius: float) -> Path | None:
-    return Path.circle(center, radius) if 2 * radius >= LEAST_OPENING_MM else None
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
@@ -629,10 +620,8 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
             flattest_rad=Angle(FLATTEST_RAD),
         )
     axes, low, high = room_of_tab(tab, ground, thickness)
-    room = np.array([options.play, options.room_beside(high[1] - low[1]) / 2])
-    low, high = low - room, high + room
-    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
-    return TabSlot(box @ axes, tab.name, tab.thickness, tab)
+    size = high - low + (2 * options.play, options.room_beside(high[1] - low[1]))
+    return TabSlot(rectangle_about((low + high) / 2 @ axes, axes[0], size), tab.name, tab.thickness, tab)
 
 
 def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -643,11 +632,9 @@ def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatA
     edges = ground.local(tab.edges)
     step = ground.axes @ tab.frame.x_axis
     through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
-    points = np.concatenate(through)[:, :2]
     u = unit((ground.axes @ tab.frame.y_axis)[:2])
     axes = np.array([u, left_of(u)])
-    p = points @ axes.T
-    return axes, p.min(axis=0), p.max(axis=0)
+    return axes, *box_about(np.concatenate(through)[:, :2] @ axes.T)
 
 
 def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> None:
@@ -813,7 +800,7 @@ def _rim_text(
         most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
         if most >= inner + below:
             low = min(most, (inner + below + outer - height) / 2)
-            return (Text((center[0] - half, center[1] + low), name, height, 0.0, ENGRAVE),)
+            return (Text((center[0] - half, center[1] + low), name, height),)
     return ()
 
 
@@ -883,12 +870,13 @@ def ring_plate(
         for tab in tabs
         for hole in tab.shape.holes
     )
-    loops = tuple(Path.polygon(seat) for seat in seats)
-    seated = tuple(tab.name for tab in tabs)
-    outline, opening = _round_rim_and_opening(seats, np.zeros(2), ring_options.border)
-    opening, further = _with_holes(ring_options, np.zeros(2), opening)
+    inner, outer = around(seats, np.zeros(2), ring_options.border)
+    opening, further = _opening_and_holes(ring_options, np.zeros(2), inner)
     _refuse_holes_in_seats(name, further, seats)
-    ring = Ring(sheet, frame, outline, (), name, (), opening, (*holes, *further), seats=loops, seated=seated)
+    ring = Ring(
+        sheet, frame, Path.circle(np.zeros(2), outer), (), name, (), opening, (*holes, *further),
+        seats=tuple(map(Path.polygon, seats)), seated=tuple(tab.name for tab in tabs),
+    )  # fmt: skip
     return ring.checked(ring_options)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Annotated, NamedTuple, TypeAlias, TypeVar
+from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -12,11 +12,12 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import left_of, near_pairs, norm, unit, unit_vectors
+from elastica_cad.geometry.plane_points import box_about, left_of, near_pairs, norm, unit, unit_vectors
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.plates import (
     PITCH_MM,
     BasePlate,
+    Plate,
     TabSlot,
     around,
     dense_points,
@@ -95,9 +96,6 @@ def pairs_of_plates(plates: Sequence[BasePlate]) -> Iterator[tuple[BasePlate, Ba
 
 def _keys_of(plate: BasePlate) -> set[object]:
     return {tab.key for tab in tabs_of(plate)}
-
-
-Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def add_spacers(
@@ -366,10 +364,8 @@ def _obstacles(
         if slot.tab is not None and slot.tab.key in places:
             u = unit(slot.corners[1] - slot.corners[0])
             axes = np.array([u, left_of(u)])
-            low, high = np.quantile(
-                np.concatenate([slot.corners, places[slot.tab.key]]) @ axes.T, (0, 1), axis=0
-            )
-            tabs.append(np.array([low, (high[0], low[1]), high, (low[0], high[1])]) @ axes)
+            low, high = box_about(np.concatenate([slot.corners, places[slot.tab.key]]) @ axes.T)
+            tabs.append(rectangle_about((low + high) / 2 @ axes, u, high - low))
     edges = [dense_points(plate.outline.points(PITCH_MM / 10)) for plate in plates]
     cuts = np.concatenate([*edges, *map(dense_points, loops)])
     between = [dense_points(tab) for tab in tabs]
