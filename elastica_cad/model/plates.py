@@ -395,11 +395,8 @@ class BasePlate:
         along = unit(b - a)
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
             along = -along
-        middle, axes, name = (
-            slot.corners.mean(axis=0),
-            np.array([along, left_of(along)]),
-            engravable(slot.name),
-        )
+        middle, axes = slot.corners.mean(axis=0), np.array([along, left_of(along)])
+        name = engravable(slot.name)
         others = [
             points for other, points in zip(self.slots, self._slot_points, strict=True) if other is not slot
         ]
@@ -620,8 +617,10 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
             flattest_rad=Angle(FLATTEST_RAD),
         )
     axes, low, high = room_of_tab(tab, ground, thickness)
-    size = high - low + (2 * options.play, options.room_beside(high[1] - low[1]))
-    return TabSlot(rectangle_about((low + high) / 2 @ axes, axes[0], size), tab.name, tab.thickness, tab)
+    room = np.array([options.play, options.room_beside(high[1] - low[1]) / 2])
+    low, high = low - room, high + room
+    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    return TabSlot(box @ axes, tab.name, tab.thickness, tab)
 
 
 def room_of_tab(tab: PlacedTab, ground: Frame, thickness: float) -> tuple[FloatArray, FloatArray, FloatArray]:
