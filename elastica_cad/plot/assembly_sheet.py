@@ -40,6 +40,7 @@ from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
 from elastica_cad.plot.canvas import (
     INK,
     chinese_font,
+    draw_arrow,
     empty_figure,
     paint_patches,
     paint_polygons,
@@ -203,27 +204,30 @@ def _pages(
     texts = [*_paginated(blocks, lines)]
     first, further = (texts[0], texts[1:]) if shared and texts else ([], texts)
     for k, page in enumerate([first, *further]):
-        figure = _page(model.name, paper)
-        if len(further) > 0:
-            figure.text(1 - MARGIN / paper[0], 0.5 * MARGIN / paper[1], f"{k + 1} / {len(further) + 1}",
-                        fontsize=TEXT_POINTS, color=INK, ha="right")  # fmt: skip
+        figure = empty_figure(tuple(paper / 72.0))
+        x, y = MARGIN / paper[0], 1 - MARGIN / paper[1]
+        figure.suptitle(model.name, x=x, y=y, ha="left", fontsize=14, color=INK)
+        if further:
+            _print(figure, (paper[0] - MARGIN, 0.5 * MARGIN), f"{k + 1} / {len(further) + 1}", ha="right")
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
             count = counted(len(model.placed), "strip")
             summary = note("{count}; assembled {size} mm (x, y, z)", count=count, size=size_text(view.size))
-            figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], words.sentence(summary),
-                        fontsize=TEXT_POINTS, color=INK)  # fmt: skip
+            _print(figure, (MARGIN, top + 12.0), words.sentence(summary))
             picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
             top -= picture[1]
             view.draw(figure.add_axes(np.array([MARGIN, top, *picture]) / [*paper, *paper]), picture, words)
-        _write(figure, page, top)
+        for row, line in enumerate(page, 1):
+            for start, text in line.cells:
+                place = MARGIN + LETTER_POINTS * start, top - LEADING * row
+                _print(figure, place, text.replace(PAD, ""), fontweight=line.weight)
         yield figure
 
 
-def _page(title: str, paper: FloatArray) -> Any:
-    figure = empty_figure(tuple(paper / 72.0))
-    figure.suptitle(title, x=MARGIN / paper[0], y=1 - MARGIN / paper[1], ha="left", fontsize=14, color=INK)
-    return figure
+def _print(figure: Any, place: tuple[float, float], text: str, **style: Any) -> None:
+    """Print text at a place, points from the lower left corner of the page."""
+    x, y = place / (72.0 * figure.get_size_inches())
+    figure.text(x, y, text, fontsize=TEXT_POINTS, color=INK, **style)
 
 
 def _tables(
@@ -486,13 +490,10 @@ def _translated(table: Table, words: Wording) -> Table:
     rows = [
         [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
     ]
-    title, *head = (_heading(text, words) for text in (table.title, *table.head))
+    title, *head = (
+        words.template(f"sheet|{text}").removeprefix("sheet|") for text in (table.title, *table.head)
+    )
     return Table(title, head, rows)
-
-
-def _heading(text: str, words: Wording) -> str:
-    translated = words.template(f"sheet|{text}")
-    return text if translated.startswith("sheet|") else translated
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
@@ -540,14 +541,6 @@ def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> It
             start += free
     if page:
         yield page
-
-
-def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
-    width, height = figure.get_size_inches() * 72.0
-    for k, line in enumerate(lines, 1):
-        for start, text in line.cells:
-            x, y = (MARGIN + LETTER_POINTS * start) / width, (top - LEADING * k) / height
-            figure.text(x, y, text.replace(PAD, ""), fontsize=TEXT_POINTS, color=INK, fontweight=line.weight)
 
 
 class Label(NamedTuple):
@@ -614,9 +607,9 @@ class View:
                     painted.append((patches + shift, lit(patches) * BLOCK))
                 targets[holder.tab.key] = holder.tab.frame.origin + shift
                 continue
-            loops = [*_loops(holder)]
-            outlines += [(loop + shift, depth + shift, color) for loop, depth, color in loops]
-            names.setdefault(holder.name, _plate_label(holder.name, loops[0][0] + shift))
+            loops = [*_loops(holder, shift)]
+            outlines += loops
+            names.setdefault(holder.name, _plate_label(holder.name, loops[0][0]))
             for slot in () if isinstance(holder, Rib) else holder.slots:
                 if slot.tab is not None:
                     targets[slot.tab.key] = holder.frame.point(slot.corners.mean(axis=0)) + shift
@@ -629,10 +622,9 @@ class View:
         elements = []
         for member in moved:
             for placed in held_elements(member.strip):
-                tip = member.frame.point(placed.position + ARROW_MM * placed.outward)[0]
-                elements.append(
-                    (placed, member.frame.point(placed.position), tip if placed.is_load else None)
-                )
+                points = member.frame.point(placed.position)
+                tip = points[0] + ARROW_MM * member.frame.direction(placed.outward[0])
+                elements.append((placed, points, tip if placed.is_load else None))
         labels = [*names.values(), *(_element_label(*element) for element in elements)]
         for part in model.parts:
             for k in range(len(ENDS)):
@@ -695,13 +687,12 @@ class View:
         for _, points, tip in self.elements:
             axes.plot(*(points @ to_points).T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
             if tip is not None:
-                arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-                axes.annotate("", tip @ to_points, points[0] @ to_points, arrowprops=arrow)
+                draw_arrow(axes, tip @ to_points, points[0] @ to_points, LEAD, 0.8, "->")
         occupied = np.array(
             [_draw_dimension(axes, line @ to_points, words.sentence(text)) for line, text in self.dimensions]
         )
         for label in self.labels:
-            half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
+            half = _half_size(label.text)
             for at, side in zip(label.positions @ to_points, label.sides, strict=True):
                 center = at + np.multiply(side, half + LABEL_OFF)
                 box = np.array([center - half, center + half])
@@ -716,8 +707,7 @@ class View:
 
 def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
     center, way = line.mean(axis=0), line[1] - line[0]
-    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": INK, "lw": 0.6, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", line[0], line[1], arrowprops=arrow)
+    draw_arrow(axes, line[0], line[1], INK, 0.6, "<|-|>")
     turned = abs(way[1]) > abs(way[0])
     # if a line is too short for its text, the text is beside the line
     if norm(way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
@@ -725,9 +715,12 @@ def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
     axes.text(*center, text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
               rotation=np.degrees(angle_of(way)),
               bbox={"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none"})  # fmt: skip
-    half = np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
-    half = half[::-1] if turned else half
+    half = _half_size(text)[::-1] if turned else _half_size(text)
     return np.array([center - half, center + half])
+
+
+def _half_size(text: str) -> FloatArray:
+    return np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
 
 
 def _plate_label(name: str, loop: FloatArray) -> Label:
@@ -742,11 +735,11 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
 
 
-def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield the upper outline and holes of a plate, each with a point that sorts by depth, and its kind."""
+def _loops(plate: BasePlate | Rib, shift: FloatArray) -> Iterator[tuple[FloatArray, FloatArray, str]]:
+    """Yield the upper outline and holes of a moved plate, each with a point that sorts by depth, and its colour."""
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
-        loop = solid.frame.shifted(z=solid.thickness).point(path.points(EDGE_MM))
+        loop = solid.frame.shifted(z=solid.thickness).point(path.points(EDGE_MM)) + shift
         if k == 0:
             middle = loop.mean(axis=0)
         # holes are painted after the plate

@@ -186,6 +186,28 @@ def show_box(axes: Axes, low: Sequence[float] | FloatArray, high: Sequence[float
     axes.set_ylim(low[1], high[1])
 
 
+def hide_axes(axes: Axes) -> None:
+    """Show a drawing with equal scales, and without numbers."""
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+
+
+def draw_arrow(
+    axes: Axes, head: FloatArray, tail: FloatArray, color: str, width: float, style: str = "-|>"
+) -> None:
+    """Draw an arrow of a line width, points, from its tail to its head."""
+    arrow = {"arrowstyle": style, "color": color, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", tuple(head), tuple(tail), arrowprops=arrow)
+
+
+def write_beside(
+    axes: Axes, text: str, at: FloatArray, offset: tuple[float, float], color: str = INK, **style: Any
+) -> None:
+    """Write text at an offset, points, from a place on the drawing."""
+    style = {"fontsize": 9, "color": color} | style
+    axes.annotate(text, tuple(at), offset, textcoords="offset points", **style)
+
+
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
     """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later polygons on top.
 

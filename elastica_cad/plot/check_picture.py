@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_points import box_about, clipped
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, measured_points
-from elastica_cad.plot.canvas import INK, Figure, new_page, show_box
+from elastica_cad.plot.canvas import INK, Figure, new_page, show_box, write_beside
 from elastica_cad.plot.strip_pictures import (
     FAINT,
     LINE,
@@ -73,8 +73,7 @@ def check(check: EquilibriumCheck) -> Figure:
         points = curve.at(np.array(places)).position
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)
         for s, point in zip(places, points, strict=True):
-            beside = {"xytext": (7, 6), "textcoords": "offset points", "fontsize": 9, "color": color}
-            axes.annotate(number_text(s, ".4g"), tuple(point), **beside)
+            write_beside(axes, number_text(s, ".4g"), point, (7, 6), color)
     reach = 0.06 * extent
     low, high = box.mean(axis=0) - size / 2, box.mean(axis=0) + size / 2
     if check.line is not None:

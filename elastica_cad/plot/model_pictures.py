@@ -30,7 +30,17 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.interlocking import strip_thickness
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches, show_box
+from elastica_cad.plot.canvas import (
+    INK,
+    WIDTH_INCHES,
+    Axes,
+    Figure,
+    Panel,
+    hide_axes,
+    new_page,
+    paint_patches,
+    show_box,
+)
 from elastica_cad.plot.strip_pictures import paint_flat
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.solids import FlatSolid
@@ -320,20 +330,18 @@ def _figure(
     order = np.lexsort([middle @ toward, *sides])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
     tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
-    below = 0.0 if flat is None else WIDTH_INCHES * _flat_height(*flat) / (1.04 * flat[1])
-    headed = f"{title}, {size_text(extent)} mm" if title else f"{size_text(extent)} mm"
-    figure, (axes, *lower) = new_page([Panel(tall), *([] if flat is None else [Panel(below)])], headed)
+    panels, headed = [Panel(tall)], f"{title}, {size_text(extent)} mm" if title else f"{size_text(extent)} mm"
+    if flat is not None:
+        parts, longest = flat
+        heights = (np.ptp(part.strip.outline.bounds, axis=0)[1] + NAME_SPACE * longest for part in parts)
+        panels.append(Panel(WIDTH_INCHES * float(sum(heights)) / (1.04 * longest)))
+    figure, (axes, *lower) = new_page(panels, headed)
     if flat is not None:
         _draw_flats(lower[0], *flat)
     paint_patches(axes, plane[order], colors[order])
     axes.autoscale_view()
-    axes.set_aspect("equal")
-    axes.set_axis_off()
+    hide_axes(axes)
     return figure
-
-
-def _flat_height(parts: Sequence[EqualStrips], longest: float) -> float:
-    return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAME_SPACE * longest for part in parts)
 
 
 def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> None:
@@ -349,8 +357,7 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
         paint_flat(axes, strip, (-left, y - top))
         y -= top - bottom
     show_box(axes, (-0.02 * longest, y - 0.005 * longest), (1.02 * longest, 0.0))
-    axes.set_aspect("equal")
-    axes.set_axis_off()
+    hide_axes(axes)
 
 
 def look_from(elevation: float, azimuth: float) -> FloatArray:

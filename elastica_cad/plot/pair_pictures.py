@@ -1,14 +1,25 @@
 """Picture of a part with two states: flat part, both states, and force over travel."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from elastica_cad._types import ArrayLike
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit_vectors
-from elastica_cad.pairs.flexure import Flexure
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+from elastica_cad.pairs.flexure import CentreLine, Flexure
+from elastica_cad.plot.canvas import (
+    INK,
+    WIDTH_INCHES,
+    Axes,
+    Figure,
+    Panel,
+    draw_arrow,
+    hide_axes,
+    new_page,
+    write_beside,
+)
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
 # largest distance between splines and drawn polylines, as a fraction of the length
@@ -34,24 +45,27 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     right = 0.2 if part.pair.bistable else 0.7
     panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, right)]
     figure, (flat, bent, push) = new_page(panels)
-    flat.fill(*outlines[0].T, color=CUT, lw=0.6, ec=INK)
-    for hole in part.holes:
-        flat.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
-    _equal_scales(
-        flat,
-        f"as cut: {part.sheet.name}, {part.thickness_range[0]:.2f} to {part.thickness_range[1]:.2f} mm thick",
-    )
+
+    def paint(axes: Axes, loops: Iterable[ArrayLike], color: str = CUT) -> None:
+        for loop in loops:
+            axes.fill(*np.transpose(loop), color=color, lw=0.6, ec=INK)
+
+    def paint_holes(axes: Axes, line: CentreLine) -> None:
+        holes = (Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2))
+        paint(axes, (hole.points(chord) for hole in holes), "white")
+
+    paint(flat, outlines[:1])
+    paint_holes(flat, part.centre)
+    thin, thick = part.thickness_range
+    _equal_scales(flat, f"as cut: {part.sheet.name}, {thin:.2f} to {thick:.2f} mm thick")
     travel = part.travel
     for line in travel.position[:: max(1, len(travel.position) // 6)]:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), part.state_labels, strict=True):
         label = name.replace("$", r"\$")
         bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=label)
-        for pad in part.pads_along(line):
-            bent.fill(*np.transpose(pad), color=CUT, lw=0.6, ec=INK)
-        for place in part.hole_places(line).reshape(-1, 2):
-            hole = Path.circle(place, part.pad.hole / 2)
-            bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
+        paint(bent, part.pads_along(line))
+        paint_holes(bent, line)
     for n, curve in enumerate(drawn_as):
         points = curve.survey.position
         # curves may be drawn beside each other, but their directions matter
@@ -63,11 +77,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     else:
         start, size = travel.position[travel.force.argmax(), -1], part.pad.length
     tip = start + size * unit_vectors(np.radians(part.force_direction))
-    arrow = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
-    bent.annotate("", xy=tip, xytext=start, arrowprops=arrow)
-    bent.annotate(
-        "force", tip if part.pair.bistable else start, (6, 0), textcoords="offset points", fontsize=8
-    )
+    draw_arrow(bent, tip, start, INK, 1.5)
+    write_beside(bent, "force", tip if part.pair.bistable else start, (6, 0), "black", fontsize=8)
     corner = (0.99, bent.get_position().y1)
     figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
     _equal_scales(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
@@ -97,6 +108,5 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
 
 
 def _equal_scales(axes: Axes, title: str) -> None:
-    axes.set_aspect("equal")
-    axes.axis("off")
+    hide_axes(axes)
     axes.set_title(title, fontsize=9, loc="left")

@@ -16,7 +16,18 @@ from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
-from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, show_box
+from elastica_cad.plot.canvas import (
+    INK,
+    WIDTH_INCHES,
+    Axes,
+    Figure,
+    Panel,
+    draw_arrow,
+    hide_axes,
+    new_page,
+    show_box,
+    write_beside,
+)
 from elastica_cad.refusals import Mass, number_text
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.element_cuts import element_cuts
@@ -214,8 +225,7 @@ def _paint_bent(
         beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # move the text away from a steep tab
         inward = "left" if end.outward[0] < 0 else "right"  # keep a long text inside the axes
         align = inward if end.support.is_free else "center"
-        below = {"xytext": (beside, -6), "textcoords": "offset points", "ha": align, "va": "top"}
-        axes.annotate(angle_text, tuple(end.position), fontsize=9, color=INK, **below)
+        write_beside(axes, angle_text, end.position, (beside, -6), ha=align, va="top")
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
     at_rest, shown = None if design else _inflection_line(rod), [low, high]
     if at_rest is not None:
@@ -268,7 +278,9 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
               [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
     cuts = element_cuts(strip.rod)
     above, below = top + (2.4 if cuts else 1.6) * unit, bottom - 1.2 * unit
-    _dimension(axes, (left, above), (right, above), f"{length:.2f} mm in all, {free:.2f} mm free")
+    _dimension(
+        axes, np.array([left, above]), np.array([right, above]), f"{length:.2f} mm in all, {free:.2f} mm free"
+    )
     called, size = next(iter(strip.tapered.items()), ("width", strip.width))
     for x in _stations_of(size):
         half = float(strip.width(x)) / 2
@@ -280,8 +292,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
         )
     margin = MARGIN_FRACTION * length
     show_box(axes, (left - margin, bottom - 5.0 * unit), (right + margin, top + 5.2 * unit))
-    axes.set_aspect("equal")
-    axes.set_axis_off()
+    hide_axes(axes)
     called = "widths" if called == "width" else called
     then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
     places = "; above, places of the cord and pin cuts from the left end" if cuts else ""
@@ -355,10 +366,7 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
                 at = np.array([action.mount.point])
         mark = {"color": color, "markersize": 8, "markerfacecolor": "none", "linestyle": ":"}
         axes.plot(*at.T, MARKERS[type(action.element)], label=f"_{noun}", **mark)
-        axes.annotate(
-            noun, tuple(at.mean(axis=0)), beside, textcoords="offset points", ha="center", va="center",
-            fontsize=9, color=color,
-        )  # fmt: skip
+        write_beside(axes, noun, at.mean(axis=0), beside, color, ha="center", va="center")
 
 
 def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
@@ -374,8 +382,7 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
     for s, force, text in loads:
         head = np.array([np.interp(s, rod.s, axis) for axis in rod.position.T])
         way = ARROW_SHARE * size * unit(force)
-        arrow = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 1}
-        axes.annotate("", tuple(head), tuple(head - way), arrowprops=arrow)
+        draw_arrow(axes, head, head - way, LOAD, 1.6)
         places.append(head - 1.25 * way)
         axes.text(*places[-1], text, ha="center", va="center", fontsize=9, color=LOAD)
     return places
@@ -398,12 +405,9 @@ def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
     axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
 
 
-def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float], text: str) -> None:
-    arrow = {"arrowstyle": "<->", "color": FAINT, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-    axes.annotate("", start, end, arrowprops=arrow)
-    middle = ((start[0] + end[0]) / 2, start[1])
-    above = {"xytext": (0, 3), "textcoords": "offset points", "ha": "center", "va": "bottom"}
-    axes.annotate(text, middle, fontsize=9, color=INK, **above)
+def _dimension(axes: Axes, start: FloatArray, end: FloatArray, text: str) -> None:
+    draw_arrow(axes, start, end, FAINT, 0.8, "<->")
+    write_beside(axes, text, (start + end) / 2, (0, 3), ha="center", va="bottom")
 
 
 def finish_axes(axes: Axes, title: str) -> None:
