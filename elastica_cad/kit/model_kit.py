@@ -42,14 +42,6 @@ START_PAGE = "index.html"
 FRAME_MM = 4.0
 """Distance between a printed template and the cutting line around it, mm."""
 
-LONGEST_TITLE = 90
-"""Largest number of letters of a page title that names all parts. A longer title names only the first part."""
-
-NOT_WRITTEN = "not written"
-"""Text in the lists instead of the file name of a block, if no solids are written."""
-
-CUT_FROM = (".dxf", ".svg", ".stl")
-
 
 @dataclass(frozen=True)
 class SavedKit:
@@ -114,7 +106,8 @@ def model_kit(
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
     name, files = file_word(model.name), list[File]()
     blocks = (
-        replace(row, file=f"{PARTS}/{row.file}" if step else NOT_WRITTEN) for row in contents.cut_list.printed
+        replace(row, file=f"{PARTS}/{row.file}" if step else "not written")
+        for row in contents.cut_list.printed
     )
     rows = tuple(_rows_in_files(contents, parts=parts))
     listed = replace(contents.cut_list, rows=rows, printed=tuple(blocks))
@@ -178,7 +171,7 @@ def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
         name
         for place in (PARTS, SHEETS)
         for name in sorted(f"{place}/{path.name}" for path in Path(folder, place).glob("*.*"))
-        if name not in names and name.endswith(CUT_FROM)
+        if name not in names and name.endswith((".dxf", ".svg", ".stl"))
     )
 
 
@@ -285,7 +278,8 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     for nest in nest_pieces(small, sheet_size=size, margin=margin, kerf=0.0):
         cut = tuple(item for item in nest.paths if item.layer != SHEET)
         names = ", ".join(called[name] for name in nest.pieces)
-        if len(names) > LONGEST_TITLE:
+        # a long title names only the first part
+        if len(names) > 90:
             names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
         drawings.append(Drawing(names, cut, nest.texts))
     drawings += [

@@ -148,9 +148,6 @@ def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
         yield replace(part, name=name)
 
 
-ALONG_AXIS = 1e-4
-"""A unit vector is along an axis if its component differs from 1 by less than this."""
-
 FREE, TO_START = note("free"), note("glue to its start (1)")
 """Texts for a free end, and for the end of a closed strip, which is glued to its start."""
 
@@ -301,7 +298,8 @@ def _motions_in_space(member: Placed) -> tuple[str, str]:
 
 def _axis_in_space(axis: FloatArray) -> str:
     along = int(np.abs(axis).argmax())
-    if abs(axis[along]) > 1 - ALONG_AXIS:
+    # the axis of a frame along x, y or z, except for rounding
+    if abs(axis[along]) > 1 - 1e-4:
         return "xyz"[along]
     return f"({', '.join(f'{x:z.2f}' for x in axis)})"
 

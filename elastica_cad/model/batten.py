@@ -33,8 +33,6 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, StripSpec
 from elastica_cad.strip.tapered_solids import side_view
 
-DEFAULT_STATIONS = 21
-
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
 """Line spacing (mm) of the text below a side view, and characters per line on A4 paper."""
@@ -54,7 +52,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
         )
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
-    evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, DEFAULT_STATIONS)])
+    evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, 21)])
     s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
     bent = np.clip(s, 0.0, strip.rod.length)
     section, sizes = strip.layout.section_at(bent)

@@ -37,9 +37,6 @@ They also fix the direction of the line between the ends, which a cord does not.
 FINE_NODES = 2401
 """Number of nodes of a bow of constant section. The relative error of the force in the cord is then 2e-7."""
 
-LEAST_SLACK = 1e-6
-"""Least difference between the lengths of bow and cord, as a fraction of the length of the bow."""
-
 SHORTER = (0.02, 0.05, 0.1, 0.2)
 
 
@@ -160,7 +157,8 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     if require_number(hole, "hole", "mm") < 0:
         raise InputError("hole is {hole:g}. Give a diameter in mm, or 0 for no hole.", hole=hole)
     chord = float(norm(curve.survey.position[-1] - curve.survey.position[0]))
-    least = LEAST_SLACK * curve.length
+    # the least difference between the lengths of bow and cord
+    least = 1e-6 * curve.length
     if chord < least:
         raise InputError(
             "The curve is closed, so a cord between its ends does not bend it. Draw an open arch."

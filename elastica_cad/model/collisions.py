@@ -42,14 +42,8 @@ NEWTON_STEPS = 3
 INSCRIBED_SQUARE = np.sqrt(0.5)
 """Side of the inscribed square that replaces a round section, divided by the diameter."""
 
-SLOT_EXTENSION = 4.0
-"""Length by which a slot is extended beyond the edge of its strip, as a multiple of the slot's width."""
-
 RIM_MM = 0.002
 """Largest distance, mm, between a slot and the polygon that represents it."""
-
-SELF_PITCH_THICKNESSES = 0.25
-"""Distance, as a multiple of the thickness, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
 """Largest number of samples along a strip that may touch itself. Samples of long strips are farther apart."""
@@ -145,9 +139,8 @@ class Body:
 
     @cached_property
     def _slot_polygons(self) -> list[FloatArray]:
-        cuts = (
-            slot_cut(slot, self.strip.width, beyond=SLOT_EXTENSION * slot.width) for slot in self.strip.slots
-        )
+        # each slot is extended beyond the edge of its strip by four times its width
+        cuts = (slot_cut(slot, self.strip.width, beyond=4.0 * slot.width) for slot in self.strip.slots)
         return [cut.points(RIM_MM) for cut in cuts]
 
     def distance_from_slots(self, s: FloatArray, across: FloatArray) -> FloatArray:
@@ -376,7 +369,8 @@ def self_contact(strip: Strip) -> Places | None:
     thickness = strip.layers[-1].high if size is None else float(size.extremes[1])
     start, end = (0.0, 0.0) if strip.is_closed else (tab.length for tab in strip.ends)
     long = rod.length + start + end
-    count = min(MOST_SAMPLES, int(long / (SELF_PITCH_THICKNESSES * thickness)) + 2)
+    # samples a quarter of the thickness apart, or farther apart on a long strip
+    count = min(MOST_SAMPLES, int(long / (0.25 * thickness)) + 2)
     s = np.linspace(-start, rod.length + end, count)
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))

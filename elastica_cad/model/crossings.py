@@ -33,7 +33,6 @@ from elastica_cad.geometry.splines import SplineFunction
 STATIONS = 400
 """Least number of samples along a strip. Interpolation between samples is accurate to 1e-5 mm."""
 
-_CACHED_SPLINES = 128
 _ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
 
 InPlane = tuple[FloatArray, FloatArray]
@@ -132,7 +131,7 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
     return overlaps & overlaps.T
 
 
-@lru_cache(maxsize=_CACHED_SPLINES)
+@lru_cache(maxsize=128)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     panels = curve.smooth_panels
     t = _subdivided(panels, -(-STATIONS // (panels.size - 1)))
@@ -152,9 +151,6 @@ def _subdivided(places: FloatArray, parts: int) -> FloatArray:
 ZERO = 1e-11
 """A function is zero if its absolute value is at most this: the rounding error, mm, in a model of 10 m."""
 
-ZERO_STEPS = 80
-"""Largest number of steps of the false position method. Usually, a few steps suffice."""
-
 
 def _bracketed_zeros(
     function: Callable[[FloatArray], FloatArray],
@@ -171,7 +167,8 @@ def _bracketed_zeros(
         return low
     f, g = values
     root, h = high, g
-    for _ in range(ZERO_STEPS):
+    # a few steps usually suffice
+    for _ in range(80):
         moving = np.abs(h) > ZERO
         if not np.any(moving & (np.abs(high - low) > 1e-15 * np.maximum(np.abs(high), np.abs(low)))):
             break
@@ -195,8 +192,6 @@ MOST_NEWTON_STEPS = 30
 
 SAME_HEIGHT = 1e-9
 """Nodes of a branch are merged if their heights differ by at most this fraction of the longer strip's length."""
-
-LEVEL_SLOPE = 1e-12
 
 LEAST_SQUARED_SLOPE = 1e-14
 """Least divisor of a Newton step, which is the sum of the squared slopes of both heights.
@@ -393,7 +388,8 @@ def _branches_of_constant_height(
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
     s = strip.stations
     height, slope = heights.along(strip, s)
-    if np.abs(slope).max() < LEVEL_SLOPE:
+    # a level curve has one height, except for rounding
+    if np.abs(slope).max() < 1e-12:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
     zeros = _bracketed_zeros(
@@ -470,9 +466,6 @@ def _joined(
         chains.append(tuple(np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1)))
     return [(s_a, s_b) for s_a, s_b in chains]
 
-
-NODE_PARTS = 4
-"""Number of intervals between two nodes of an intersection curve. Each is searched for a strip edge."""
 
 ON_EDGE_MM = 1e-8
 """Distance, mm, from an edge below which the end of a crossing counts as on the edge."""
@@ -606,7 +599,8 @@ def _ranges_inside_strips(
     strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve
 ) -> list[tuple[float, float]]:
     """Return the ranges of the parameter q of an intersection curve that are inside both strips."""
-    q = _subdivided(locus.nodes, NODE_PARTS)
+    # each of four intervals between two nodes is searched for a strip edge
+    q = _subdivided(locus.nodes, 4)
     m = margins(strips, locus.at(q))  # distances (n, 4), mm, from the four edges
     i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
     on_edge = q[(m == 0).any(axis=1)]

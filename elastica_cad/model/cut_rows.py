@@ -31,8 +31,6 @@ TABLE_COLUMNS = {
 }  # fmt: skip
 """Columns of the printed table, with the format of each value."""
 
-SUMMED = ("count", "cut mm", "g")
-
 BLOCK_COLUMNS = {
     "printed block": "{0.part}", "base, length x width mm": "{0.length:.1f} x {0.width:.1f}",
     "height over the base mm": "{0.thickness:.1f}", "count": "{0.count}", "color": "{0.color}", "file": "{0.file}",
@@ -42,8 +40,6 @@ BLOCK_COLUMNS = {
 ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
 """Columns that are empty for printed blocks (the mass depends on the printer), and columns that are empty for
 pieces."""
-
-PRINTED = "printed"
 
 
 @dataclass(frozen=True)
@@ -165,7 +161,10 @@ class CutList:
         return replace(self, rows=cut, printed=printed)
 
     def __str__(self) -> str:
-        sums = [TABLE_COLUMNS[name].format(self) if name in SUMMED else "" for name in TABLE_COLUMNS]
+        sums = [
+            TABLE_COLUMNS[name].format(self) if name in ("count", "cut mm", "g") else ""
+            for name in TABLE_COLUMNS
+        ]
         pieces = [[*TABLE_COLUMNS], *_texts(self.rows, TABLE_COLUMNS), ["in all", *sums[1:]]]
         parts = [_table(pieces, right=(2, 3, 4, 5, 6), lines=(1, len(pieces) - 1))]
         if self.stock:
@@ -241,7 +240,7 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
         block, color = blocks[first], hex_color(FIXTURE_COLOR)
         length, width, height = block.size
         yield CutListRow(
-            block.label, PRINTED, round(height, 2), length, width, 1 + len(others), 0.0, 0.0,
+            block.label, "printed", round(height, 2), length, width, 1 + len(others), 0.0, 0.0,
             f"{stems[first]}.stl", color=color,
         )  # fmt: skip
 

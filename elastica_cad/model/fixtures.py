@@ -503,9 +503,6 @@ def _floors(blocks: Sequence[EndFixture]) -> list[Frame | None]:
     return floors
 
 
-TOUCHING_MM = 0.1
-"""Largest permitted overlap of blocks, mm, which can be filed off."""
-
 PITCH_MM = 0.5
 """Distance, mm, between sample points on strips and on edges of blocks that are tested for overlap."""
 
@@ -573,7 +570,8 @@ def _crossed_blocks(
 
 
 def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
-    return any(bool((part.depths(part.near(points)) > TOUCHING_MM).any()) for part in parts)
+    # an overlap of up to 0.1 mm can be filed off
+    return any(bool((part.depths(part.near(points)) > 0.1).any()) for part in parts)
 
 
 @dataclass(frozen=True, eq=False)

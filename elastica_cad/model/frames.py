@@ -46,13 +46,8 @@ from elastica_cad.strip.uncuttable_parts import (
 SHOULDER_MM = 5.0
 """Width, mm, of the shoulders of a rib, which rest against the rail beside the tongue."""
 
-SLOT_SPACING_MM = 3.0
-"""Least distance, mm, between slots of ribs and tabs. Some sheets need a larger distance."""
-
 LABEL_MM = 6.0
 """Height of the name of a rib, mm, if the rib is large enough."""
-
-MOST_RIBS = 200
 
 STEP_MM = 2.5
 """Width, mm, of the step on each side of a tongue.
@@ -62,9 +57,6 @@ A tongue is narrower in the inner rail. The steps rest against this rail and kee
 
 SIDE_TOLERANCE_MM = 1e-6
 """Distance, mm, below which a point counts as on a side of the rib."""
-
-PARALLEL_SINE = 0.1
-"""Largest sine of the angle between rails that count as parallel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +137,7 @@ def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ribs: Annotated[int, Option("Number of ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
+    ribs: Annotated[int, Option("Number of ribs between the rails.", least=2, most=200)] = 3,
     depth: Annotated[float, Option("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
     tongue: Annotated[float, Option("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
     play: Play = PLAY,
@@ -209,7 +201,8 @@ def slotted_frame(
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
     across = _normal_of_ribs(rails)
-    space = max(SLOT_SPACING_MM, limits_or_default(shop).bridge_for(sheet))
+    # slots of ribs and tabs are at least 3 mm apart, and farther in some sheets
+    space = max(3.0, limits_or_default(shop).bridge_for(sheet))
     stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (space + clearance))
     seats = {
         f"rib-{n}": [rail.seat(station, across) for rail in rails]
@@ -312,7 +305,8 @@ def _rib(
 def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
-    if np.linalg.norm(normal) < PARALLEL_SINE:
+    # the rails are almost parallel
+    if np.linalg.norm(normal) < 0.1:
         normal = a.frame.x_axis - (a.frame.x_axis @ b.frame.z_axis) * b.frame.z_axis
     normal = normal / np.linalg.norm(normal)
     return normal if normal @ a.frame.x_axis >= 0 else -normal
@@ -358,9 +352,6 @@ def _with_tongue(
 
 LEAST_GLUED_MM = 4.0
 """Least length of a tab behind its plate for gluing, mm."""
-
-FOOT_LABEL_MM = 3.0
-"""Height of the name of a foot, mm, if the foot is large enough."""
 
 
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
@@ -428,6 +419,6 @@ def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
 
 def _label_in_triangle(name: str, corners: np.ndarray) -> Text:
     sides = np.roll(corners, -1, axis=0) - corners
-    # radius of the inscribed circle of the triangle
+    # radius of the inscribed circle of the triangle; names are at most 3 mm high
     inner = abs(cross(*sides[:2])) / norm(sides).sum()
-    return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)
+    return centred_text(name, corners.mean(axis=0), min(3.0, inner / 2), 1.6 * inner)

@@ -11,8 +11,6 @@ from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import Strip
 
-PLY_SPACING_MM = 5.0
-
 
 @dataclass(frozen=True, eq=False)
 class LeafStack:
@@ -46,7 +44,8 @@ class LeafStack:
 
         Marks across each ply show the ends of the next plies.
         """
-        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + PLY_SPACING_MM
+        # the plies are at least 5 mm apart
+        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + 5.0
         moved = [
             path.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
             for i, path in enumerate(self.strip.drawings())

@@ -387,9 +387,6 @@ class Model:
         return replace(self, placed=placed)
 
 
-LARGEST_LOG_CHANGE = 0.15
-"""Largest change of the logarithm of a width in a round of corrections."""
-
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
 """`LARGEST_WIDENING` is the largest factor by which a round of corrections widens a strip.
 
@@ -418,7 +415,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         Options of `Model.interlock`, whose errors are passed on.
     """
     first = locked = model.interlock(**options)
-    wider, largest, rounds = [1.0] * len(model.strips), [LARGEST_LOG_CHANGE] * len(model.strips), ROUNDS
+    # `largest` is the largest change of the logarithm of each strip's width in a round of corrections
+    wider, largest, rounds = [1.0] * len(model.strips), [0.15] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
         # cut the slots again, because old slots may not reach the new edges
         known: dict[Any, Strip] = {}

@@ -20,9 +20,6 @@ from elastica_cad.strip.pieces import Piece
 FIT_TOLERANCE_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
-_TIE_DECIMALS = 6
-"""Decimals to which sizes in mm are rounded before sorting, so that rounding errors do not change the order."""
-
 LEAST_GAP_MM = 0.01
 """Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
 
@@ -298,7 +295,8 @@ def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float,
 
 
 def _rounded(size: float) -> float:
-    return round(size, _TIE_DECIMALS)
+    # sizes in mm are rounded before sorting, so that rounding errors do not change the order
+    return round(size, 6)
 
 
 def _drawing(

@@ -17,9 +17,6 @@ from elastica_cad.refusals import Either, FieldName, Length, Point, note
 Side: TypeAlias = Literal["bottom", "top", "start", "end"]
 SIDES: tuple[Side, ...] = get_args(Side)
 
-PAIR_SUFFIXES = ("-outer", "-lower")
-"""Endings of the name of the second plate of a pair."""
-
 
 @dataclass(frozen=True)
 class PlateHoles:
@@ -79,7 +76,8 @@ class PlateHoles:
     def is_in(self, name: str) -> bool:
         """Return True if the plate of this name has the holes."""
         require_record(name, str, "the name of a plate", "a text")
-        for ending in PAIR_SUFFIXES:
+        # endings of the name of the second plate of a pair
+        for ending in ("-outer", "-lower"):
             name = name.removesuffix(ending)
         return self.side is None or name.endswith(f"-{self.side}")
 

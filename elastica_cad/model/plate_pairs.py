@@ -47,20 +47,8 @@ from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
-LEAN_ROUNDS = 16
-"""Largest number of rounds in which slots are moved. Five rounds usually suffice."""
-
 MOST_BENT_RAD = np.radians(20.0)
 """Largest angle, rad, by which a load may bend a tab between two plates. Bending is computed for small angles."""
-
-LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""A strip is reversed if its ends are then nearer to the ends of its neighbour by more than this fraction."""
-
-PRESSED_MM = 0.01
-"""Largest gap, mm, between a tab and a wall against which the load presses the tab."""
-
-SETTLED_MM = 0.01
-"""Largest movement of slots, mm, in the last round. The movement decreases tenfold in each round."""
 
 
 def plate_pair(
@@ -360,13 +348,15 @@ def _leaned(
         for member in placed
         for index, end in enumerate(ENDS)
     ]
-    for _ in range(LEAN_ROUNDS):
+    # five rounds usually suffice, because the movement decreases tenfold in each round
+    for _ in range(16):
         leans = _displacements(ends, tab_seats(map(_with_endless_tabs, leaned)))
         first, second = (replace(plate, slots=_moved_slots(plate, leans, cures)) for plate in leaned)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (leaned, (first, second)))  # fmt: skip
         leaned = first, second
-        if np.abs(new - old).max(initial=0.0) <= SETTLED_MM:
+        # the slots are settled
+        if np.abs(new - old).max(initial=0.0) <= 0.01:
             break
     else:
         raise _bends_too_far(plates[0], tabs_of(plates[0])[0], cures)
@@ -407,7 +397,8 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple
             angle = float(np.arcsin(-(bent.frame.x_axis @ plate.frame.z_axis)))
             if lean.bend > MOST_BENT_RAD or angle < FLATTEST_RAD:
                 raise _bends_too_far(plate, tab, cures)
-            offsets, pressed = lean.shift + lean.turn * places, distances <= tab.thickness / 2 + PRESSED_MM
+            # a tab is pressed against a wall if the gap is at most 0.01 mm
+            offsets, pressed = lean.shift + lean.turn * places, distances <= tab.thickness / 2 + 0.01
             slots[k] = _moved_slot(plate, slots[k], tab, bent, offsets, pressed)
     return tuple(slots)
 
@@ -471,10 +462,6 @@ def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
     # the tab is straight beyond its last bent piece
     k = min(int(np.searchsorted(-heights, 0.0)), slopes.size) - 1
     return float(lengths[k] + heights[k] * (lengths[k + 1] - lengths[k]) / (heights[k] - heights[k + 1]))
-
-
-LEVEL_GAIN_MM = 0.5
-"""Least decrease of the height differences of tabs, mm, for which a plate is inclined."""
 
 
 def end_plates(
@@ -564,7 +551,8 @@ def _opposite(ends: FloatArray) -> BoolArray:
     while not known.all():
         steps = np.where(known[:, None] & ~known, np.minimum(alike, turned), np.inf)
         old, new = np.unravel_index(np.argmin(steps), steps.shape)
-        opposite[new] = opposite[old] ^ (turned[old, new] < (1 - LEAST_RELATIVE_DIFFERENCE) * alike[old, new])
+        # the ends are clearly nearer to those of the neighbour if the strip is reversed
+        opposite[new] = opposite[old] ^ (turned[old, new] < (1 - 1e-6) * alike[old, new])
         known[new] = True
     return opposite
 
@@ -644,7 +632,8 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
             steep=Angle(FLATTEST_RAD),
         )
     spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]
-    better = len(spread) > 1 and spread[1] < spread[0] - LEVEL_GAIN_MM
+    # incline the plate only if this reduces the height differences of tabs by more than 0.5 mm
+    better = len(spread) > 1 and spread[1] < spread[0] - 0.5
     z = normals[1 if better else 0]
     x = along - (along @ z) * z
     x = x / np.linalg.norm(x)

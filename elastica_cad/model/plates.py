@@ -56,10 +56,6 @@ FLATTEST_RAD = np.radians(15.0)
 At smaller angles, slots would be over four plate thicknesses wide.
 """
 
-LEAST_RING_FRACTION = 0.5
-"""A plate with the shape "ring" is round if its slots' inner radius exceeds this fraction of their outer
-radius."""
-
 LEAST_OPENING_MM = 20.0
 """Least diameter of the opening of a round plate, mm."""
 
@@ -69,14 +65,8 @@ PITCH_MM = 1.0
 LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""
 
-LABEL_SCALES = (1.0, 0.8, 0.6)
-"""Sizes that are tried for the name of a tab near cuts, as fractions of its usual size."""
-
 FLAT_MM = 0.01
 """Largest distance, mm, of holes from the polylines that represent them in tests of overlap."""
-
-BELOW_MM = 1e-6
-"""Least depth, mm, of the tip of a tab below the upper face of its plate."""
 
 Shape = Literal["hull", "rectangle", "ring"]
 
@@ -402,7 +392,7 @@ class BasePlate:
         ]
         cuts = np.concatenate([*others, *map(dense_points, self._hole_points), np.zeros((0, 2))]) - middle
         x, y = axes @ cuts.T
-        for scale in LABEL_SCALES:
+        for scale in (1.0, 0.8, 0.6):
             height = scale * min(LABEL_MM, 0.2 * slot.size[0])
             half, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
             bases, room = (far, -far - height), []
@@ -508,10 +498,6 @@ def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOpti
     return find_shoulder_faults(options.name, [(tab.name, depth(tab), tab.thickness) for tab in wide])
 
 
-STANDS_MM = 0.2
-"""The tip of a tab is reported if it is farther than this, mm, below the lowest plate of a base."""
-
-
 def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
     """Return a note if tabs extend below all plates of a base, so that the model would stand on their tips."""
     lowest = min(plates, key=lambda plate: float(plate.frame.origin @ plate.frame.z_axis))
@@ -523,7 +509,8 @@ def tips_below(plates: Sequence[BasePlate]) -> tuple[str, ...]:
             out = np.append(slot.corners.mean(axis=0), -thickness / 2) - start
             steepness = float(out[2] / np.linalg.norm(out))
             depth = -float(start[2]) - tab.length * steepness - thickness
-            if depth > STANDS_MM and steepness < 0:
+            # tips less than 0.2 mm below the plate are not reported
+            if depth > 0.2 and steepness < 0:
                 depths.append(depth)
     if not depths:
         return ()
@@ -550,7 +537,8 @@ def plate_with(
     loops = [slot.corners for slot in slots]
     center = np.zeros(2) if kind is Ring else _mean_center(loops)
     inner, outer = around(loops, center, 0.0)
-    if kind is Ring or (options.shape == "ring" and inner > LEAST_RING_FRACTION * outer):
+    # a plate is round if the slots surround a common centre
+    if kind is Ring or (options.shape == "ring" and inner > 0.5 * outer):
         outline, inner = Path.circle(center, outer + options.border), inner - options.border
     else:
         outline, inner = _outline(np.concatenate(loops), options.border, options.shape), 0.0
@@ -601,7 +589,7 @@ def rectangle_about(center: FloatArray, along: FloatArray, size: FloatArray) -> 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
-    return bool(start > -tab.thickness and tip < -BELOW_MM)
+    return bool(start > -tab.thickness and tip < -1e-6)
 
 
 def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOptions) -> TabSlot:
@@ -734,9 +722,6 @@ CLEAR_MM = 0.5
 
 DESCENDER_DEPTH = 1 / 3
 """Depth of letters such as g below the base line, as a fraction of their height."""
-
-SAME_LEVEL_MM = 1.0
-"""Difference of heights, mm, below which two plates count as level, so that neither is the upper plate."""
 
 NAME_TURNS = np.radians(sorted(range(-165, 181, 15), key=abs))
 """Angles, rad, by which the name of a plate is turned around its middle, in the order of preference."""
@@ -888,7 +873,8 @@ def end_names(name: str, heights: tuple[float, float]) -> dict[StripEnd, str]:
     {'start': 'ring-top', 'end': 'ring-bottom'}
     """
     first, last = heights
-    words = ENDS if abs(last - first) < SAME_LEVEL_MM else ("bottom", "top")
+    # two plates whose heights differ by less than 1 mm are level, so neither is the upper plate
+    words = ENDS if abs(last - first) < 1.0 else ("bottom", "top")
     return {
         end: f"{name}-{word}" for end, word in zip(ENDS, words if last >= first else words[::-1], strict=True)
     }

@@ -163,29 +163,8 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
     return width
 
 
-SAME_WIDTH = 5e-3
-"""Largest relative difference between the width of an outline that is requested and that of touching strips."""
-
-VISIBLE_GAP_MM = 0.05
-"""Least gap or overlap between neighbouring strips, mm, that is reported."""
-
 MOST_STRIPS = 1000
 """Largest number of strips. A sphere of 1 m would then have strips 3 mm wide."""
-
-TAB_END_MM = 2.0
-"""Length, mm, by which a tab extends beyond the second of two rings."""
-
-TAB_GAP_MM = 0.5
-"""Least gap between the tabs of neighbouring strips, mm."""
-
-TRIED_RINGS = 60
-"""Number of ring sizes that are tried if the requested ring cannot be made."""
-
-BRIDGE_ROOM_MM = 0.1
-"""Width, mm, that default tabs add to the least width of material between slots."""
-
-NARROWER_MM = (0.5, 1.5, 4.0)
-"""Reductions of the width of default tabs, mm, that are tested if the slots of bent tabs are too close."""
 
 
 def revolution(
@@ -371,7 +350,7 @@ class _Request:
         except FaultError:
             if self.gap is None or self.ends is not None:
                 raise
-            for narrower in NARROWER_MM:
+            for narrower in (0.5, 1.5, 4.0):  # mm
                 with suppress(InputError):
                     return replace(self, narrower=narrower)._made(meridian)
             raise
@@ -422,7 +401,7 @@ class _Request:
         widest, style = float(width.extremes[1]), self.style
         if isinstance(style, Perforated | Laminated):
             drawn = width_profile(style.width, meridian.curve.length, "the width of the outline")
-            if abs(float(drawn.extremes[1]) / widest - 1) > SAME_WIDTH:
+            if abs(float(drawn.extremes[1]) / widest - 1) > 5e-3:
                 raise InputError(
                     "The {count} strips touch each other, so their largest width is {width:.4g}. Set {field} to "
                     "this width, or change the number of strips.",
@@ -481,7 +460,7 @@ class _Request:
         elif warning := weight_warning(strip, self.sheet.gravity()):
             notes.append(warning)
         gaps = 2 * np.tan(np.pi / self.strips) * rod.position[:, 0] - strip.width(rod.s)
-        if float(np.abs(gaps).max()) > VISIBLE_GAP_MM:
+        if float(np.abs(gaps).max()) > 0.05:
             notes.append(note(
                 "The strips do not touch everywhere: gaps are up to {gap} wide, and overlaps up to {overlap}.",
                 gap=about(max(float(gaps.max()), 0.0)), overlap=about(max(-float(gaps.min()), 0.0)),
@@ -511,18 +490,19 @@ class _Request:
         lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
         if self.rings is not None and self.gap is not None:
             through += self.gap + self.rings.thickness
-            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + TAB_END_MM
+            # a tab extends 2 mm beyond the second ring
+            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + 2.0
             lengths = np.where(
                 steep > np.sin(FLATTEST_RAD), np.maximum(needed, RING_TAB_LENGTH), RING_TAB_LENGTH
             )
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
-        gap = TAB_GAP_MM
+        # tabs of neighbouring strips are at least 0.5 mm apart
+        gap = 0.5
         if self.rings is not None:
             # a bridge is measured along the side of a slot, which is inclined by half the angle between slots
+            # the material between slots is 0.1 mm wider than necessary
             gap = (
-                2 * PLAY
-                + (BRIDGE_ROOM_MM + self.shop.bridge_for(self.rings))
-                / float(np.cos(np.pi / self.strips)) ** 2
+                2 * PLAY + (0.1 + self.shop.bridge_for(self.rings)) / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [
                 slot_reach(float(r), float(angle), through, self.sheet.thickness)
@@ -579,7 +559,8 @@ def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
         return True
 
     start, end = meridian.ring
-    tried = np.unique(np.ceil(np.geomspace(end, start, TRIED_RINGS)[1:-1]).astype(int))
+    # 60 sizes in all
+    tried = np.unique(np.ceil(np.geomspace(end, start, 60)[1:-1]).astype(int))
     tried = tried[(tried > end) & (tried < start)]
     first = next((i for i, ring in enumerate(tried.tolist()) if works(ring)), None)
     if first is None:

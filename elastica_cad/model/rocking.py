@@ -23,9 +23,6 @@ from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
 from elastica_cad.strip.tab_seats import TabSeat
 
-GAPS_MM = (GAP_MM, 15.0, 10.0, 6.0)
-"""Distances of two plates, mm, in the order in which they are tested."""
-
 FEET_MM = 10.0
 
 
@@ -134,7 +131,8 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
     mine = [ends[key] for key in keys if key in ends]
     keep = all(member.strip.ends[k].width is None for member, k in mine)
     longest = max(tab.length for member, _ in mine for tab in member.strip.ends)
-    for gap in GAPS_MM:
+    # in the order of preference
+    for gap in (GAP_MM, 15.0, 10.0, 6.0):
         needed = (needed_length(tab, plate, gap) for plate in plates for tab in tabs_of(plate))
         length = max(longest, *needed)
         sized = fitting_tabs(placed, plates, gap, length, keep=keep)

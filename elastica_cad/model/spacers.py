@@ -42,9 +42,6 @@ WIDTHS_MM = (24.0, 18.0, 12.0)
 BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
-KEPT_OPENING = 0.5
-"""Least fraction of its radius that an opening must keep if spacers are placed inside the slots."""
-
 GRID_MM, GRID_LINES = 2.0, 60
 """Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
 
@@ -53,10 +50,6 @@ GRID_RADIUS_MM, GRID_TURN = 1.0, np.radians(2.0)
 
 MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
-
-BORDER_EXTRA_MM = 2.0
-"""Additional width, mm, of a border with a spacer: for clearance, and because a round rim recedes beside the
-spacer."""
 
 EXCHANGES = 20
 """Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""
@@ -279,8 +272,9 @@ def _sizes(plates: tuple[BasePlate, BasePlate]) -> Iterator[tuple[BasePlate, Bas
     inside, outside = np.minimum(radii, [inner, np.inf]), np.maximum(radii, [-np.inf, outer])
     narrow = first.resized(*inside[0]), second.resized(*inside[1])
     wide = first.resized(*outside[0]), second.resized(*outside[1])
+    # spacers inside the slots must leave at least half the radius of an opening
     kept = all(
-        plate.opening_radius >= KEPT_OPENING * given.opening_radius > 0
+        plate.opening_radius >= 0.5 * given.opening_radius > 0
         for plate, given in zip(narrow, plates, strict=True)
     )
     yield from (narrow, wide) if kept else (wide, narrow)
@@ -321,7 +315,8 @@ def _bridge(plate: BasePlate) -> float:
 
 
 def _border_with_spacers(plate: BasePlate) -> float:
-    return float(np.ceil(2 * _bridge(plate) + plate.sheet.thickness + BORDER_EXTRA_MM))
+    # 2 mm are for clearance, and because a round rim recedes beside a spacer
+    return float(np.ceil(2 * _bridge(plate) + plate.sheet.thickness + 2.0))
 
 
 def _tried_places(plate: BasePlate) -> FloatArray:

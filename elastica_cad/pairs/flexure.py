@@ -84,7 +84,6 @@ APART = 3.0
 
 The gap between neighbours is not checked."""
 
-CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
 # distance from a snap, as a fraction of the path, at which the shapes before and after the snap are computed
 SNAP_SHARE = 1e-3
@@ -108,14 +107,6 @@ The remaining 2 % are a reserve, because the strain between the states also depe
 OFF_MM = 0.1
 """Error of the thickness in the plane after careful cutting or printing, mm."""
 
-# largest number of corrections of the thickness, because the path changes with the thickness; usually none is
-# needed
-MOST_CORRECTIONS = 3
-# largest number of tried enlargement factors, of which usually the second is sufficient
-MOST_ENLARGEMENTS = 4
-# factor on the required thickness of an enlarged part, whose thickness changes by up to 2 % if fillets begin
-# at another node
-FILLET_SPARE = 1.03
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
 
@@ -321,7 +312,8 @@ class Flexure:
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         reduced = SPARE * most
         # after a reduction of the thickness, the strain may use the reserve of `SPARE`
-        for enough in (reduced, *[most] * MOST_CORRECTIONS):
+        # the path changes with the thickness, so the thickness is corrected; usually no correction is needed
+        for enough in (reduced, *[most] * 3):
             try:
                 bends, stretch = self._shapes_at(scale)
             except NotConvergedError:
@@ -384,7 +376,8 @@ class Flexure:
         for end in (0, -1):
             inside = np.abs(s - s[end]) <= self.fillet - _overhang(float(h[end]), self.fillet)
             root = np.flatnonzero(inside)[-1 - end]
-            bending, axial = root_factors(max(self.fillet, SHARP_MM) / float(h[root]))
+            # without fillet, the corner has a radius of half the width of a laser cut
+            bending, axial = root_factors(max(self.fillet, 0.1) / float(h[root]))
             strains[..., inside] = (bending * bent[..., root] + axial * np.abs(stretch[..., root]))[..., None]
         return strains
 
@@ -826,7 +819,7 @@ class Flexure:
 
     def _gap(self, line: "CentreLine") -> float:
         length, (low, high) = self.pair.length, self._pad_edges
-        s = np.linspace(0.0, length, CONTACT_POINTS)
+        s = np.linspace(0.0, length, 241)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
         s = np.concatenate([(low - beyond)[::-1], s, high + beyond])
         half = np.where((s < 0) | (s > length), self.pad_width / 2, self.thickness_at(s) / 2)
@@ -882,9 +875,11 @@ class Flexure:
 
         The fillet keeps its radius, so it is smaller relative to the enlarged part.
         """
-        least *= FILLET_SPARE
+        # the thickness of an enlarged part changes by up to 2 % if fillets begin at another node
+        least *= 1.03
         share = rounded_up(least / self.scale, 3)
-        for _ in range(MOST_ENLARGEMENTS):
+        # the second factor is usually sufficient
+        for _ in range(4):
             thin = share * replace(self, fillet=self.fillet / share, ignore_limits=True).scale
             if thin >= least:
                 break
@@ -1013,21 +1008,13 @@ def _overhang(h: float, r: float) -> float:
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0
     root = h + 2 * r
-    return r - give - HALF_PLANE * root * (h / root) ** 3
+    # a strip that ends in an elastic half-plane seems to be longer by 0.44 of its thickness (O'Donnell, J. Appl.
+    # Mech. 27, 1960)
+    return r - give - 0.44 * root * (h / root) ** 3
 
 
 def _distance(positions: FloatArray, others: FloatArray) -> float:
     return float(norm(positions - others).max())
-
-
-HALF_PLANE = 0.44
-"""Apparent additional length, as a multiple of the thickness, of a strip that ends in an elastic half-plane.
-
-Source: O'Donnell, J. Appl. Mech. 27, 1960."""
-
-
-SHARP_MM = 0.1
-"""Radius, mm, of a corner without fillet between strip and pad: half the width of a laser cut."""
 
 
 def root_factors(radius: float) -> tuple[float, float]:

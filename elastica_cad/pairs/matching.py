@@ -22,12 +22,8 @@ Kept: TypeAlias = Literal["ends", "shape"]
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 """Tolerances within which the ends of two curves become equal: distance / length, and angle, rad."""
 
-LONGEST_STEP = 0.02  # Newton's method approaches the new length in steps of at most this relative change
 NEWTON_STEPS = 20
 MET = 1e-13  # largest error of the end after Newton's method: fraction of the length (position), rad (angle)
-
-TANGENT_ERROR = 1e-9
-"""Largest error of a changed curve's unit tangents. Its end is off by at most this fraction of its length."""
 
 LARGEST_TURN = 0.5
 """Largest change of the tangent direction, rad, at any point of the curve."""
@@ -241,7 +237,8 @@ class _Drawn:
         _, weight, angle, _, turns = self._nodes
         drawn, (_, _, angles) = _Drawn.of(self.curve), self.clamps
         drawn_angles, numbers = drawn.clamps[2], np.zeros(3)
-        steps = max(1, ceil(abs(log(length / self.curve.length)) / LONGEST_STEP))
+        # Newton's method approaches the new length in steps of at most 2 %
+        steps = max(1, ceil(abs(log(length / self.curve.length)) / 0.02))
         for k in range(1, steps + 1):
             share = k / steps
             size = self.curve.length * (length / self.curve.length) ** share
@@ -299,4 +296,5 @@ class _Drawn:
             return unit_vectors(theta)
 
         breaks = [(jump.s / scale, jump.continuity - 1) for jump in curve.breaks]
-        return integrate_tangents(tangent, length, start, tolerance=TANGENT_ERROR, breaks=breaks)
+        # the end is off by at most this fraction of the length
+        return integrate_tangents(tangent, length, start, tolerance=1e-9, breaks=breaks)

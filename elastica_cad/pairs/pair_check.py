@@ -44,9 +44,6 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.pairs.matching import scaled_to_length
 from elastica_cad.refusals import FieldName, Length, note
 
-EQUAL_LENGTHS_SHARE = 1e-4
-"""Largest relative difference of the lengths of two curves; `matched_pair` reduces larger differences."""
-
 SAME_CLAMPS = 1e-3
 """Tolerance for equal clamps: for distances as a fraction of the length, and for angles in rad."""
 
@@ -61,12 +58,6 @@ GENTLE_SHARE = 1e-7
 
 The slope is a fraction of the largest difference divided by the length. At a zero of order 1, the width of the
 strip is proportional to the inverse of the slope, and would be too large."""
-
-SHORT_SHARE = 0.01
-"""Longest interval of equal curvature that counts as a zero of high order, as a fraction of the curve's length."""
-
-BESIDE_SHARE = 1e-4
-"""Distance from an end, as a fraction of the length, at which the sign beside a zero at the end is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
 """Functions count as linearly dependent if a singular value of their samples is relatively at most this."""
@@ -153,7 +144,8 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
             raise InputError(
                 "A strip with two states needs two ends, but a closed curve has no ends. Open the curve."
             )
-    if abs(second.length / first.length - 1) > EQUAL_LENGTHS_SHARE:
+    # `matched_pair` reduces larger differences
+    if abs(second.length / first.length - 1) > 1e-4:
         raise InputError(
             "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the "
             'same length in both. Set {field} to "ends".',
@@ -179,7 +171,8 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
+    """Return True if the curvatures are equal on too long a piece to count as a zero of high order."""
+    return zero.kind == "flat" and zero.s_end - zero.s > 0.01 * curve.length
 
 
 def _with_orders(
@@ -226,7 +219,8 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
     curve = difference.curve
     t = curve.domain[int(s > 0)]
     slope = difference.slope_at(t, left=s > 0)
-    beside = float(difference.at(curve.parameter(abs(s - BESIDE_SHARE * curve.length))))
+    # the sign beside the end
+    beside = float(difference.at(curve.parameter(abs(s - 1e-4 * curve.length))))
     sign = int(np.sign(beside))
     order = 2 if abs(slope) * curve.length <= GENTLE_SHARE * largest else 1
     return PairZero(s, t, order, sign if s > 0 else 0, 0 if s > 0 else sign)

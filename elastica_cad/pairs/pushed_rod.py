@@ -24,7 +24,6 @@ STIFF, STIFFEST = 400.0, 1000.0
 
 A thinner rod hardly stretches, and its axial forces would have large rounding errors."""
 
-MOST_ITERATIONS = 2000
 CALM = 1e-8
 """Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
 
@@ -40,9 +39,6 @@ ROUNDING = 1e-11
 """Predicted relative decrease of the energy below which a step is accepted without a check.
 
 Rounding errors hide such a small decrease."""
-
-KICK = 1e-4
-"""Asymmetric displacement, as a fraction of the length, that moves a rod away from a saddle of the energy."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -355,7 +351,7 @@ class _Chain:
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
         noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
-        for _ in range(MOST_ITERATIONS):
+        for _ in range(2000):
             band, slope = self._band(x), self.gradient(x)[1:-1]
             if held:
                 band, _ = self._holding(band, 0.0)
@@ -394,7 +390,8 @@ class _Chain:
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
         share = self.s / self.s[-1]
-        bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
+        # an asymmetric displacement moves the rod away from a saddle of the energy
+        bow = 1e-4 * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
         moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
         if held:
             moved[self.pushed, 0] = x[self.pushed, 0]

@@ -12,9 +12,6 @@ from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import direction_in_drawing
 from elastica_cad.strip.summary import LATER
 
-TURNED_DEG = 0.05
-"""Turn of the second state, degrees, above which the report states it. Curves may be drawn beside each other."""
-
 
 def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tuple[Row, ...]:
     """Return the report on a part in rows, with warnings before notes.
@@ -37,7 +34,8 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     stability = Row(note("Stability"), LATER) if live else _stability_row(part)
     rows = [_size(part), _strain(part, quick=quick), stability, *path]
     turn, moved = part.second_moved
-    if abs(turn) > TURNED_DEG:
+    # curves may be drawn beside each other, so the turn of the second state is stated
+    if abs(turn) > 0.05:
         angles = [float(np.degrees(rod.angle[0])) for rod in part.pair.states]
         text = note(
             "{second} is turned by {turn:.1f}, because both states start in the same clamp, and the drawn "

@@ -29,24 +29,17 @@ from elastica_cad.pairs.pair_check import PairedPanels, examine_pair
 State: TypeAlias = Literal["first", "second"]
 Objective: TypeAlias = Literal["ratio", "thickness"]
 
-MET_SHARE = 1e-6
-"""Largest relative violation of a limit, due to the accuracy of the linear program."""
-
 TANGENTS = 12
 """Number of tangents that replace the function K^(2/3) of the stiffness K in the first linear program."""
 
 WIDEST_TANGENTS = 1e4
 """The first tangents are at stiffnesses up to this factor below and above a typical stiffness."""
 
-TANGENT_ROUNDS = 30
 SETTLED = 1e-6
 """Relative change of the least stiffness below which no more tangents are added."""
 
 SMOOTH = 4
 """A cubic spline of the stiffness has no kinks if the curve has this number of continuous derivatives."""
-
-THICKNESS_SAMPLES = 301
-"""Number of samples of both curves for the strain limit. A flexure evaluates the strain at its own nodes."""
 
 
 @dataclass(frozen=True)
@@ -364,7 +357,8 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     from scipy.optimize import linprog
 
     panels, size, basis = paired.panels, paired.check.length, paired.solutions
-    place = panels.locate(paired.check.first.parameter(np.linspace(0.0, size, THICKNESS_SAMPLES)))
+    # a flexure evaluates the strain at its own nodes
+    place = panels.locate(paired.check.first.parameter(np.linspace(0.0, size, 301)))
 
     def rows_of(values: FloatArray) -> FloatArray:
         return PanelFunction.through(values @ basis).at(*place)
@@ -395,7 +389,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     first = np.geomspace(most / WIDEST_TANGENTS, most * WIDEST_TANGENTS, TANGENTS)
     table += [tangents(np.full(len(stiff), k)) for k in first]
     before = np.inf
-    for _ in range(TANGENT_ROUNDS):
+    for _ in range(30):
         rows = np.concatenate(table)
         result = linprog(
             -np.eye(count + 1)[-1], rows[:, :-1], rows[:, -1], bounds=(None, None), method="highs"
@@ -466,7 +460,8 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
 def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
     natural = float(np.abs(pair.natural_curvature).max())
     reached = (pair.ratio, limits.ratio), (natural, limits.natural_curvature), (pair.bend, limits.bend)
-    if any(most is not None and value > most * (1 + MET_SHARE) for value, most in reached):
+    # the linear program has an accuracy of 1e-6
+    if any(most is not None and value > most * (1 + 1e-6) for value, most in reached):
         _refuse(pair.check, limits, pair)
     return pair
 

@@ -73,7 +73,6 @@ LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter, points
 SHARED = 0.55
 FEWEST = 3  # least number of lines of a table at the foot of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its letters, points
-LABEL_OFF = 3.0  # distance of a label from its position, points
 LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and at the top and bottom, points
 LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # places of a label, as fractions of the line from tab to holder
 GAP_LETTERS = 2
@@ -82,14 +81,8 @@ TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 # distance by which plates and blocks are moved away from the strips, as a fraction of the model's size
 APART = 0.3
 BEHIND = 1.4  # ratio of the distances by which the second and the first plate of a pair are moved away
-SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
-# plates face each other if the cosine between their normals differs from -1 by less than this
-PARALLEL = 1e-6
-BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the model's size
 BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
-# strips are painted as pixels, because thousands of vector patches take minutes to open
-PAINT_DPI = 300
 
 
 LAYERS = "Glue the layers of {strips} onto each other, flat. Let the glue dry before you bend the strips."
@@ -175,7 +168,8 @@ def save_assembly_sheet(
     pages = _pages(model, [*model.plates, *holders], steps, cut_list, words, hints)
     title = words.sentence(note("{name}: assembly", name=model.name))
     with text_in(font):
-        write_pages(pages, path, title, what="assembly sheets", force=force, resolution=PAINT_DPI)
+        # strips are painted as pixels, because thousands of vector patches take minutes to open
+        write_pages(pages, path, title, what="assembly sheets", force=force, resolution=300)
     return steps
 
 
@@ -384,7 +378,8 @@ def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:
         near_plate, opposite = reversed(sides.values())
-        if near_plate.frame.z_axis @ opposite.frame.z_axis < -1 + PARALLEL:
+        # the plates face each other
+        if near_plate.frame.z_axis @ opposite.frame.z_axis < -1 + 1e-6:
             distance = abs(float((near_plate.frame.origin - opposite.frame.origin) @ near_plate.frame.z_axis))
             yield note(
                 "The inner faces of {first} and {second} are {distance:.1f} apart.",
@@ -593,7 +588,8 @@ class View:
         painted, assembled_strips, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
         moved, outs = list[Placed](), dict[object, FloatArray]()
         for member in model.placed:
-            out = SPREAD * (member.frame.point(member.strip.rod.position).mean(axis=0) - middle)
+            # each strip is moved outwards by a quarter of its distance from the middle
+            out = 0.25 * (member.frame.point(member.strip.rod.position).mean(axis=0) - middle)
             moved.append(replace(member, origin=member.origin + out))
             outs |= {tab.key: out for tab in place_tabs([member])}
             painted.append(rule_strip(moved[-1]))
@@ -603,7 +599,7 @@ class View:
             shift = _shift_away(holder, APART * extent * (BEHIND if id(holder) in second_plates else 1.0))
             if isinstance(holder, EndFixture):
                 shift = shift + outs.get(holder.tab.key, 0.0)
-                for patches, _ in holder_patches([holder], BLOCK_PATCH * extent):
+                for patches, _ in holder_patches([holder], 0.02 * extent):
                     painted.append((patches + shift, lit(patches) * BLOCK))
                 targets[holder.tab.key] = holder.tab.frame.origin + shift
                 continue
@@ -694,7 +690,8 @@ class View:
         for label in self.labels:
             half = _half_size(label.text)
             for at, side in zip(label.positions @ to_points, label.sides, strict=True):
-                center = at + np.multiply(side, half + LABEL_OFF)
+                # a label is 3 points away from its position
+                center = at + np.multiply(side, half + 3.0)
                 box = np.array([center - half, center + half])
                 separate = (box[0] > occupied[:, 1]) | (box[1] < occupied[:, 0])
                 if separate.any(axis=1).all() and (box[0] >= inside[0]).all() and (box[1] <= inside[1]).all():

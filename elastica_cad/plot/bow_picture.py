@@ -9,9 +9,6 @@ from elastica_cad.plot.canvas import INK, Figure, new_page
 from elastica_cad.plot.strip_pictures import FAINT, LINE, blend, finish_axes, numbered_panel
 from elastica_cad.strip.travel import Travel
 
-SAME_CORD_SHARE = 1e-6
-"""Least difference of the cords, as a fraction of the bow's cord, for which another shape is drawn."""
-
 
 def bow(bow: Bow, shorter: Travel) -> Figure:
     """Draw a bow with its cord, the drawn curve, and the shapes with a shorter cord.
@@ -31,7 +28,7 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
     lines = [
         axes.plot(*shape.position.T, color=color, linewidth=1.0, label=f"_{cord:.1f} mm")[0]
         for shape, cord, color in zip(shorter.rods, cords, colors, strict=True)
-        if cord < (1 - SAME_CORD_SHARE) * bow.cord
+        if cord < (1 - 1e-6) * bow.cord
     ]
     axes.plot(*wish.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
     axes.plot(*rod.position.T, color=INK, linewidth=2.2, label="bow")

@@ -22,9 +22,6 @@ Axes: TypeAlias = Any
 WIDTH_INCHES = 9.0
 """Width of all figures, inches. It fits a page in landscape."""
 
-NOTEBOOK_DPI = 90.0
-"""Resolution, dots per inch, at which a figure is as wide as a notebook's column."""
-
 RESOLUTION = 150.0
 """Default resolution of PNG files, dots per inch."""
 
@@ -34,9 +31,6 @@ MOST_RESOLUTION = 2400.0
 PICTURES = ("png", "svg", "pdf")
 
 INK = "#1f2430"
-
-SEAM_POINTS = 0.3
-"""Width, points, of the outlines of patches, which hide the seams between patches."""
 
 TITLE_POINTS = 11
 
@@ -223,7 +217,8 @@ def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **st
 
 def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: Any) -> None:
     """Paint polygons (n, k, 2) with colours (n, 3), later polygons on top, without visible seams."""
-    paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, **style)
+    # outlines hide the seams between patches
+    paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=0.3, **style)
 
 
 def empty_figure(size: tuple[float, float]) -> Figure:
@@ -247,7 +242,8 @@ def empty_figure(size: tuple[float, float]) -> Figure:
 
         def _repr_png_(self) -> bytes:
             stream = BytesIO()
-            self.savefig(stream, format="png", dpi=NOTEBOOK_DPI)
+            # at this resolution, a figure is as wide as a notebook's column
+            self.savefig(stream, format="png", dpi=90.0)
             return stream.getvalue()
 
     return Page(figsize=size)

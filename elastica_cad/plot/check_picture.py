@@ -22,8 +22,6 @@ from elastica_cad.refusals import number_text
 POINTS = 601
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
-ON_THE_LINE = 1e-6
-"""Inflections closer to the line than this fraction of the length count as on the line."""
 
 LETTERS = 96
 """Largest number of characters in a line above the picture."""
@@ -98,7 +96,7 @@ def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]
             "off the line",
             LINE,
             "D",
-            [s for s, distance in check.off_line if distance > ON_THE_LINE * check.length],
+            [s for s, distance in check.off_line if distance > 1e-6 * check.length],
         ),
         ("the line crosses here", FAINT, "X", check.crossings),
         ("the line touches here", FAINT, "P", check.touches),

@@ -184,12 +184,6 @@ RIM, MODEL_RIM = 0.035, 0.0015
 model's size.
 """
 
-ROUNDED_MM = 6
-"""Decimals to which heights of patches above a face, mm, are rounded. A patch at height 0.0 is on the face."""
-
-HOLDER_PATCH = 0.02
-"""Size of patches of holders as a fraction of the model's size. Small patches can be sorted by depth."""
-
 NAME_SPACE = 0.045
 """Space for the name of a flat part as a fraction of the longest part."""
 
@@ -249,7 +243,8 @@ def model(
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     size = float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, MODEL_RIM * size, faces) for placed in model.placed]
-    holding = holder_patches(held_by, HOLDER_PATCH * size)
+    # small patches can be sorted by depth
+    holding = holder_patches(held_by, 0.02 * size)
     painted = [*strips, *((part, lit(part) * color) for part, color in holding)]
     patches, colors = map(np.concatenate, zip(*painted, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
@@ -323,8 +318,9 @@ def _figure(
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
     # for each face: patches behind it (-1), on it (0), in front of it (1)
+    # heights are rounded, so that a patch on the face has the height 0
     sides = [
-        np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
+        np.sign(np.round((middle - face.origin) @ face.z_axis, 6)) * np.sign(face.z_axis @ toward)
         for face in faces
     ]
     order = np.lexsort([middle @ toward, *sides])

@@ -46,12 +46,6 @@ COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
 LOAD = "#c77700"
 MARKERS = {Rail: "^", Pin: "o", Tie: "s"}
 
-ARROW_SHARE = 0.08
-"""Length of the arrow of a load, as a fraction of the size of the drawing."""
-
-END_LABEL_INCHES = 0.3
-"""Space for the angle below an end, inches."""
-
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
 """Fractions of the length. If the largest displacement is between the first two, the displacement is also drawn
 enlarged to the third."""
@@ -73,8 +67,6 @@ def numbered_panel(size: FloatArray, least: float = 2.2, most: float = 5.2) -> P
 
 MARGIN_FRACTION = 0.04
 """Space beside the flat strip, as a fraction of its length."""
-COMB_FRACTION = 0.16
-"""Length of the longest tooth of the curvature comb, as a fraction of the size of the curve."""
 
 SMOOTH_MM = 0.02
 """Largest distance, mm, between a spline and the drawn polyline: less than a printed dot."""
@@ -199,7 +191,8 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
     width, height = _widened(np.ptp(points, axis=0))
-    room = END_LABEL_INCHES * max(width / WIDE, height / NUMBERED.height)
+    # space for the angles below the ends
+    room = 0.3 * max(width / WIDE, height / NUMBERED.height)
     return np.concatenate([points, *(end.position[None] - (0.0, room) for end in ends)])
 
 
@@ -381,7 +374,7 @@ def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
         loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
     for s, force, text in loads:
         head = np.array([np.interp(s, rod.s, axis) for axis in rod.position.T])
-        way = ARROW_SHARE * size * unit(force)
+        way = 0.08 * size * unit(force)
         draw_arrow(axes, head, head - way, LOAD, 1.6)
         places.append(head - 1.25 * way)
         axes.text(*places[-1], text, ha="center", va="center", fontsize=9, color=LOAD)
@@ -392,7 +385,8 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
     """Return the ends (n, 2) of the teeth of the curvature comb."""
     largest = float(np.abs(rod.curvature).max())
     extent = float(np.ptp(rod.position, axis=0).max())
-    scale = COMB_FRACTION * extent / largest if largest > 0 else 0.0
+    # the longest tooth is 16 % of the size of the curve
+    scale = 0.16 * extent / largest if largest > 0 else 0.0
     normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
     return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
 

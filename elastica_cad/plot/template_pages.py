@@ -27,7 +27,6 @@ OVERLAP_MM = 10.0  # overlap of neighbouring tiles, mm, for glue
 CHORD_MM = 0.01
 CROSS_MM = 4.0  # length of the arms of a registration mark, mm
 RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled the page
-POINTS_PER_MM = 72 / MM_PER_INCH
 MOST_TILES = 400  # largest number of pages, because more pages are probably a mistake
 
 
@@ -195,7 +194,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, t
         for y in (low[1] + OVERLAP_MM / 2, high[1] - OVERLAP_MM / 2):
             for dx, dy in ((CROSS_MM, 0.0), (0.0, CROSS_MM)):
                 axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
-    height = 3.0 * POINTS_PER_MM
+    height = 3.0 * 72 / MM_PER_INCH
     axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
     x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
     axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
