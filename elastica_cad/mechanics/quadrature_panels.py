@@ -53,8 +53,6 @@ NEAR_ZERO_SHARE = 0.05
 """Panels are refined if a mass is closer to a zero of the curvature than this fraction of the length."""
 
 FROM_LEFT = 1 + NODES
-_FROM_ENDS = np.concatenate([LEFT, -RIGHT])
-_LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,27 +163,29 @@ def cut_into_panels(
     ]
     edges = np.array(_without_close_neighbours(sorted(places + finer.tolist()), close))
     flags = _distances_from_nearest(edges, vanishing) <= close
-    cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
-    both = cut.zero_left & cut.zero_right
-    if both.any():
-        cut = cut.into(np.where(both, 2, 1))
+    tail, parts = np.full(edges.size - 1, np.inf), np.where(flags[:-1] & flags[1:], 2, 1)
     poles = np.array(vanishing)
-    done: list[_Nodes] = []
-    count = 0
     while True:
-        nodes, tail = _evaluated(excess, cut, poles, order, law, flats)
+        whole, part = np.arange(parts.size).repeat(parts), numbers_in_groups(parts)
+        edges = np.append(edges[whole] + np.diff(edges)[whole] * (part / parts[whole]), high)
+        flags = np.append(flags[whole] & (part == 0), flags[-1])
+        before = tail[whole]
+        t, velocity, stretch, kappa, flat, tail = _evaluated(excess, edges, flags, poles, order, law, flats)
         # coefficients that do not decrease when the panel is cut are rounding errors
-        settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
-        settled |= cut.right - cut.left < narrow
-        rough = (~settled).nonzero()[0]
-        if rough.size:
-            parts = _parts_per_panel(tail[rough])
-        if not rough.size or count + cut.left.size + parts.sum() > MAX_PANELS:
-            done.append(nodes)
-            return _panels(curve, done)
-        done.append(nodes.chosen(settled))
-        count += cut.left.size - rough.size
-        cut = cut.chosen(rough, tail[rough]).into(parts)
+        settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * before)) | (np.diff(edges) < narrow)
+        # halving a panel of p nodes divides its last Legendre coefficient by about 2^p
+        halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
+        parts = np.where(settled, 1, 2 ** halvings.clip(1, 3).astype(int))
+        if settled.all() or parts.sum() > MAX_PANELS:
+            break
+    edge_s = np.append(0.0, (stretch @ WEIGHTS).cumsum())
+    from_ends = in_panels(np.concatenate([LEFT, -RIGHT]), velocity)
+    return Panels(
+        edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
+        zero_left=flags[:-1], zero_right=flags[1:], flat=flat, t=t,
+        s=edge_s[:-1, None] + stretch @ LEFT.T, curvature=kappa, stretch=stretch,
+        from_left=from_ends[:, :ORDER], from_right=from_ends[:, ORDER:],
+    )  # fmt: skip
 
 
 def nearest_of(places: FloatArray, t: FloatArray) -> IntArray:
@@ -206,94 +206,26 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
     return distinct_places
 
 
-@dataclass(frozen=True, eq=False)
-class _Cut:
-    """Panels without values at their nodes.
-
-    Each panel is a part of a larger panel, whose last Legendre coefficients have the relative size `tail`.
-    """
-
-    left: FloatArray
-    right: FloatArray
-    zero_left: BoolArray
-    zero_right: BoolArray
-    tail: FloatArray
-
-    def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
-        return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
-
-    def into(self, parts: IntArray) -> "_Cut":
-        whole, count, part = (
-            np.arange(parts.size).repeat(parts),
-            parts.repeat(parts),
-            numbers_in_groups(parts),
-        )
-        left, right = self.left[whole], self.right[whole]
-        width, last = right - left, part == count - 1
-        return _Cut(
-            left + width * (part / count),
-            np.where(last, right, left + width * ((part + 1) / count)),
-            self.zero_left[whole] & (part == 0),
-            self.zero_right[whole] & last,
-            self.tail[whole],
-        )
-
-
-def _parts_per_panel(tail: FloatArray) -> IntArray:
-    """Return the numbers of parts (2, 4 or 8) of panels, from their last Legendre coefficients `tail`.
-
-    Halving a panel of p nodes divides its last Legendre coefficient by about 2^p.
-    """
-    halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
-    return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
-
-
-@dataclass(frozen=True, eq=False)
-class _Nodes:
-    """Values at the Gauss nodes of panels. The fields have the same meanings as in `Panels`.
-
-    `velocity` (N, p, 2) is the derivative of the position with respect to the panel coordinate x.
-    """
-
-    left: FloatArray
-    zero_left: BoolArray
-    zero_right: BoolArray
-    flat: BoolArray
-    t: FloatArray
-    velocity: FloatArray
-    stretch: FloatArray
-    curvature: FloatArray
-
-    def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
-        return _Nodes(
-            self.left[which], self.zero_left[which], self.zero_right[which], self.flat[which], self.t[which],
-            self.velocity[which], self.stretch[which], self.curvature[which],
-        )  # fmt: skip
-
-    @classmethod
-    def joined(cls, parts: Sequence["_Nodes"]) -> "_Nodes":
-        if len(parts) == 1:
-            return parts[0]
-        nodes = cls(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
-        return nodes.chosen(nodes.left.argsort())
-
-
 def _evaluated(
     excess: ExcessCurvature,
-    cut: _Cut,
+    edges: FloatArray,
+    at_zero: BoolArray,
     zeros: FloatArray,
     orders: IntArray,
     law: MaterialLaw | None,
     flats: Sequence[tuple[float, float]],
-) -> tuple[_Nodes, FloatArray]:
-    """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, BoolArray, FloatArray]:
+    """Return fields of `Panels` between `edges`, and the relative size (N,) of the last Legendre coefficients.
 
-    `zeros` (k,) are the sorted parameters of the zeros of curvature minus natural curvature, `orders` their orders.
+    The fields are t, the derivative (N, p, 2) of the position by the panel coordinate x, stretch, curvature and
+    flat. `at_zero` is True for the edges at a zero. `zeros` (k,) are the sorted parameters of the zeros of curvature
+    minus natural curvature, `orders` their orders.
     """
-    half = (cut.right - cut.left)[:, None] / 2
+    left, zero_left = edges[:-1], at_zero[:-1]
+    half = np.diff(edges)[:, None] / 2
     from_left = half * FROM_LEFT
-    t = cut.left[:, None] + from_left
-    beside = (cut.zero_left | cut.zero_right).nonzero()[0]
+    t = left[:, None] + from_left
+    beside = (zero_left | at_zero[1:]).nonzero()[0]
     _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.size else 2)
     velocity = d1.reshape(*t.shape, 2) * half[..., None]
     stretch = norm(velocity)
@@ -301,50 +233,33 @@ def _evaluated(
     if beside.size:
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
         slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
-        ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
-        nearest = nearest_of(zeros, ends)
+        nearest = nearest_of(zeros, edges[beside + ~zero_left[beside]])
         double = orders[nearest] == 2
         # at a double zero, the computed slope is a rounding error, so subtract it from slopes nearby
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
-        kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
+        kappa[beside] = np.where(zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
         kappa = law.effective_curvature(kappa)
-    middle = cut.left + half[:, 0]
+    middle = left + half[:, 0]
     flat = np.zeros(middle.shape, dtype=bool)
     for low, high in flats:
         flat |= (low < middle) & (middle < high)
     kappa[flat] = 0.0
-    functions = np.empty((2, *t.shape))
-    functions[0], functions[1] = stretch, 1.0
+    functions = np.stack([stretch, np.ones(t.shape)])
     if zeros.size:
         pole = nearest_of(zeros, middle)
-        functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
+        functions[1] = (from_left + (left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
         functions[1, beside] = (
-            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[nearest, None]
+            np.where(zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[nearest, None]
         )
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa
         functions[1, flat] = 1.0
-        tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
-    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, flat, t, velocity, stretch, kappa)
-    return nodes, tails.max(axis=0)
-
-
-def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
-    nodes = _Nodes.joined(parts)
-    edges = np.concatenate([nodes.left, curve.domain[1:]])
-    edge_s = np.zeros(edges.size)
-    (nodes.stretch @ WEIGHTS).cumsum(out=edge_s[1:])
-    from_ends = in_panels(_FROM_ENDS, nodes.velocity)
-    return Panels(
-        edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
-        zero_left=nodes.zero_left, zero_right=nodes.zero_right, flat=nodes.flat, t=nodes.t,
-        s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
-        from_left=from_ends[:, :ORDER], from_right=from_ends[:, ORDER:],
-    )  # fmt: skip
+        tails = np.abs(functions @ TO_COEFFICIENTS[-2:].T).max(axis=-1) / np.abs(functions).max(axis=-1)
+    return t, velocity, stretch, kappa, flat, tails.max(axis=0)
 
 
 REFINEMENTS = 6
