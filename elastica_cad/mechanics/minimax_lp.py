@@ -104,13 +104,15 @@ def minimax_ratio(
     """
     n, m = rows.shape
     offset = np.zeros(n) if offset is None else offset
+    side_rows = np.zeros((0, m)) if side_rows is None else side_rows
+    side_offset = np.zeros(len(side_rows)) if side_offset is None else side_offset
     if m == 0:
-        allowed = side_offset is None or bool(side_offset.min(initial=0.0) >= -METHOD.feasible)
-        fits = allowed and bool(offset.min() >= 1 - METHOD.feasible)
+        fits = min(offset.min() - 1, side_offset.min(initial=0.0)) >= -METHOD.feasible
         return MinimaxSolution(np.zeros(0), float(offset.max()), offset) if fits else None
-    if m == 1 and side_rows is None and not offset.any():
+    if m == 1 and not len(side_rows) and not offset.any():
         return _solution_of_one_unknown(rows[:, 0])
-    program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset)
+    program = MinimaxProgram(rows)
+    program.hold(side_rows, side_offset)
     step = max(1, n // METHOD.first_rows)
     new: Any = slice(None, None, step)
     for _ in range(METHOD.most_rounds):
@@ -152,20 +154,11 @@ class MinimaxProgram:
     ----------
     samples : (n, m) array
         Typical rows of the bounds, which determine the scaling of the unknowns.
-    side_rows, side_offset : (k, m), (k,) arrays, optional
-        Further conditions side_rows @ x + side_offset >= 0.
     most : float
         Largest useful R. There is no solution if R must be larger. With a finite limit, HiGHS is not used.
     """
 
-    def __init__(
-        self,
-        samples: FloatArray,
-        *,
-        side_rows: FloatArray | None = None,
-        side_offset: FloatArray | None = None,
-        most: float = np.inf,
-    ) -> None:
+    def __init__(self, samples: FloatArray, *, most: float = np.inf) -> None:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
@@ -176,8 +169,6 @@ class MinimaxProgram:
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
         self.limits[unknowns] = 0.0
         self.active = np.arange(unknowns + 1)
-        if side_rows is not None:
-            self.hold(side_rows, np.zeros(len(side_rows)) if side_offset is None else side_offset)
 
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray

@@ -28,7 +28,6 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, unit
 from elastica_cad.geometry.polynomials import (
-    DENSE_PARTS,
     LEFT,
     RIGHT,
     SLOPES,
@@ -286,59 +285,66 @@ class StiffnessFamily:
     Attributes
     ----------
     panels : Panels
-    rows : PanelFunction
-        Coefficients (N, p, d) of the polynomials, p for each panel and parameter.
-    offset : PanelFunction or None
-        Coefficients (N, p), or None for an offset of 0.
-    side_rows, side_offset : (k, d), (k,) arrays or None
-        Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
+    columns : PanelFunction
+        Coefficients (N, p, d + 1) of the polynomials: those of the rows, then those of the offset.
+    conditions : (k, d + 1) array
+        Conditions conditions @ (y, 1) >= 0.
     sides : tuple of PanelFunction
         Further conditions side @ y >= 0 along the whole curve, with coefficients (N, p, d) of `side`.
     """
 
     panels: Panels
-    rows: PanelFunction
-    offset: PanelFunction | None = None
-    side_rows: FloatArray | None = None
-    side_offset: FloatArray | None = None
+    columns: PanelFunction
+    conditions: FloatArray
     sides: tuple[PanelFunction, ...] = ()
+
+    @classmethod
+    def through(
+        cls,
+        panels: Panels,
+        rows: FloatArray,
+        offset: FloatArray | float = 0.0,
+        conditions: FloatArray | None = None,
+        sides: tuple[PanelFunction, ...] = (),
+    ) -> "StiffnessFamily":
+        """Return the stiffnesses for given rows (N, p, d) and offset (N, p) at the nodes of the panels."""
+        columns = np.insert(rows, rows.shape[2], offset, axis=2)
+        if conditions is None:
+            conditions = np.zeros((0, columns.shape[2]))
+        return cls(panels, PanelFunction.through(columns), conditions, sides)
 
     @property
     def freedom(self) -> int:
         """Number d of free parameters."""
-        return int(self.rows.coefficients.shape[2])
+        return int(self.columns.coefficients.shape[2]) - 1
+
+    @property
+    def is_homogeneous(self) -> bool:
+        """True if the offset is 0, so that every multiple of a stiffness is in the family."""
+        return not self.columns.coefficients[..., -1].any()
 
     @property
     def side_conditions(self) -> tuple[FloatArray, FloatArray]:
         """Rows (k, d) and offsets (k,) of the side conditions."""
-        rows = np.zeros((0, self.freedom)) if self.side_rows is None else self.side_rows
-        return rows, np.zeros(len(rows)) if self.side_offset is None else self.side_offset
+        return _rows_and_offset(self.conditions)
 
     def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return rows (n, d) and offsets (n,) at n points with the coordinates x on the panels `panel`."""
-        offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
-        return self.rows.at(panel, x), offset
+        return _rows_and_offset(self.columns.at(panel, x))
 
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
         """Rows and offsets at the sample points `Panels.dense_places`."""
-        rows = self.rows.dense
-        return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
+        return _rows_and_offset(self.columns.dense)
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return rows and offsets at the extremes of the stiffness for parameters y, and at the samples nearby."""
-        panel, sample, x = self.stiffness(y).found_extremes
-        rows, offset = self.dense
-        beside = panel * (DENSE_PARTS + 1) + sample
-        rows = np.concatenate([rows[beside], self.rows.at(panel, x)])
-        if self.offset is None:
-            return rows, np.zeros(len(rows))
-        return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
+        K = self.columns.combined(np.append(y, 1.0))
+        return self.at(*K.extreme_places)
 
-    def stiffness(self, y: FloatArray) -> PanelFunction:
-        """Return the stiffness for parameters y (d,)."""
-        K = self.rows.combined(y)
-        return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
+
+def _rows_and_offset(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
+    return columns[:, :-1], columns[:, -1]
 
 
 def least_ratio(
@@ -357,7 +363,7 @@ def least_ratio(
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
-    elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
+    elif family.freedom == 0 or (family.freedom == 1 and family.is_homogeneous and not family.sides):
         # a single free parameter only scales the stiffness, so the extremes have fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
@@ -368,7 +374,8 @@ def least_ratio(
 
 
 def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> MinimaxSolution | None:
-    return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset)
+    side_rows, side_offset = family.side_conditions
+    return minimax_ratio(rows, offset=offset, side_rows=side_rows, side_offset=side_offset)
 
 
 def _continuous_ratio(
@@ -376,9 +383,8 @@ def _continuous_ratio(
 ) -> tuple[FloatArray, float] | None:
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
-    program = MinimaxProgram(
-        np.concatenate([rows, *sides]), side_rows=family.side_rows, side_offset=family.side_offset, most=most
-    )
+    program = MinimaxProgram(np.concatenate([rows, *sides]), most=most)
+    program.hold(*family.side_conditions)
     program.demand(rows, offset, rows, offset)
     for side in sides:
         program.hold(side, np.zeros(len(side)))
@@ -428,17 +434,12 @@ def _smoothest(
     panels = family.panels
     count, order = panels.t.shape
     # changes of the slope of the stiffness at nodes (d/ds = (d/dx) / stretch) and between panels
-    columns = family.rows.coefficients
-    if family.offset is not None:
-        columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
-    slope = in_panels(_SLOPES_AT_NODES, columns) / panels.stretch[..., None]
+    slope = in_panels(_SLOPES_AT_NODES, family.columns.coefficients) / panels.stretch[..., None]
     slopes = PanelFunction.through(slope)
     bend = in_panels(_SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
     before, after = slopes.where_panels_meet
-    bends = np.concatenate([bend.reshape(count * order, -1), after - before])
-    d = family.freedom
-    bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
-    pins, pin_offset = np.zeros((0, d)), np.zeros(0)
+    bends, bend_offset = _rows_and_offset(np.concatenate([bend.reshape(count * order, -1), after - before]))
+    pins, pin_offset = np.zeros((0, family.freedom)), np.zeros(0)
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
@@ -447,7 +448,7 @@ def _smoothest(
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
         rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
-        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio, start, family.side_conditions)
+        return least_variation(rows, offset, bends, bend_offset, ratio, start, family.side_conditions)
 
     return (
         smoothest(*family.at(*places))
@@ -499,7 +500,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     if d == 0:
         return s[offset <= 0]
     size = np.maximum(np.abs(rows).max(axis=1), 1e-300)
-    if d == 1 and family.offset is None:
+    if d == 1 and family.is_homogeneous:
         sign = rows[:, 0] > 0
         return np.asarray(s[sign != (sign.mean() >= 0.5)])
     scaled = rows / size[:, None]
@@ -751,18 +752,13 @@ class ConditionedRows:
             basis = np.delete(basis, 3, axis=1)
         basis = basis @ null_space(self.conditions @ basis)
         sides = np.append(self.pushed, 3) if self.rows.loaded and loaded else self.pushed
-        return StateFamily(
-            StiffnessFamily(
-                self.panels, PanelFunction.through(self.rows.stiffness @ basis),
-                side_rows=self._sides(basis, sides) if sides.size else None,
-            ),
-            basis,
-            np.zeros(self.scale.size),
-        )  # fmt: skip
+        return self._states(basis, np.zeros(self.scale.size), sides)
 
-    def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows that require the unknowns with the indices `sides` to be 0 or more."""
-        return (columns.T / self.scale).T[sides]
+    def _states(self, basis: FloatArray, fixed: FloatArray, sides: IntArray) -> StateFamily:
+        """Return the stiffnesses for the unknowns fixed + basis @ y, of which `sides` must be 0 or more."""
+        conditions = (np.column_stack([basis, fixed]) / self.scale[:, None])[sides]
+        K, offset = self.rows.stiffness @ basis, self.rows.stiffness @ fixed
+        return StateFamily(StiffnessFamily.through(self.panels, K, offset, conditions), basis, fixed)
 
     def at_compliance(self, tau: float) -> StateFamily:
         """Return all stiffnesses in equilibrium for the least bending stiffness 1 / tau."""
@@ -773,15 +769,7 @@ class ConditionedRows:
         free, particular = _solutions(self.conditions @ basis, -self.conditions @ fixed)
         if particular is None:
             self.refuse(None)
-        fixed, basis = fixed + basis @ particular, basis @ free
-        family = StiffnessFamily(
-            self.panels, PanelFunction.through(self.rows.stiffness @ basis),
-            PanelFunction.through(self.rows.stiffness @ fixed),
-        )  # fmt: skip
-        if self.pushed.size:
-            sides = self._sides(basis, self.pushed), self._sides(fixed, self.pushed)
-            family = replace(family, side_rows=sides[0], side_offset=sides[1])
-        return StateFamily(family, basis, fixed)
+        return self._states(basis @ free, fixed + basis @ particular, self.pushed)
 
     def ratio(
         self, numbers: StateFamily, tolerance: float = _SETTLED, most: float = np.inf
@@ -790,8 +778,6 @@ class ConditionedRows:
 
         Return None if no stiffness exists. The result can also be None if the ratio is above `most`.
         """
-        if numbers.family.freedom == 0 and numbers.family.offset is None:
-            return None
         if numbers.family.freedom > 0:
             rows, _ = numbers.family.dense
             sizes = np.abs(rows).sum(axis=1)
@@ -835,7 +821,7 @@ class ConditionedRows:
 
         If inflections allow several optima, the result is the optimum with the smoothest stiffness.
         """
-        choices = numbers.family.freedom - (numbers.family.offset is None)
+        choices = numbers.family.freedom - numbers.family.is_homogeneous
         smooth = smooth and bool(self.check.zeros) and choices > 0
         optimum = self.ratio(numbers, CHOSEN / 2 if smooth else _SETTLED)
         if optimum is None:
@@ -845,13 +831,10 @@ class ConditionedRows:
             y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), y, self.places, tolerance=CHOSEN)
         return numbers.fixed + numbers.basis @ y
 
-    def _offset(self, tau: float) -> FloatArray:
-        return self.rows.stiffness @ self.at_compliance(tau).fixed
-
     @property
     def load_stiffness(self) -> float:
         """Order of magnitude of the bending stiffness that the known loads require, N mm2."""
-        return float(np.abs(self._offset(1.0)).max())
+        return float(np.abs(self.rows.stiffness @ self.at_compliance(1.0).fixed).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
         """Return the unknowns (m,) and 1 / B with the largest B for stiffnesses E I from B to `most`, N mm2.
@@ -859,16 +842,13 @@ class ConditionedRows:
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
         The result is None if no stiffness within these limits is in equilibrium.
         """
-        family = self.at_compliance(1 / most).family
+        numbers = self.at_compliance(1 / most)
         # to maximise the least K (at most 1), minimise the largest 1 + (1 - K) / size
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
-        turned = StiffnessFamily(
-            self.panels,
-            PanelFunction(-family.rows.coefficients),
-            PanelFunction.through(1 + (1 - self._offset(1 / most)) / size),
-            family.side_rows,
-            None if family.side_offset is None else family.side_offset / size,
-        )
+        conditions = numbers.family.conditions.copy()
+        conditions[:, -1] /= size
+        rows, offset = (self.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
+        turned = StiffnessFamily.through(self.panels, -rows, 1 + (1 - offset) / size, conditions)
         solution = least_ratio(turned, self.places)
         if solution is None:
             return None
@@ -876,7 +856,7 @@ class ConditionedRows:
         if softest < least / most * (1 - BOUNDED):
             return None
         trade = 1.0
-        if self.check.zeros and family.freedom > 0:
+        if self.check.zeros and numbers.family.freedom > 0:
             trade = max(1.0, min(1 + SMOOTHING_SHARE, softest * most / least))
         tau, y = trade / (softest * most), y * trade / softest
         numbers = self.at_compliance(tau)
@@ -898,7 +878,7 @@ class ConditionedRows:
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
         """Raise `NotRealizable` with the reason and with positions on the curve."""
         held = bool(self.request.elements or self.request.forces)
-        if family is None or (family.freedom == 0 and family.offset is None):
+        if family is None or (family.freedom == 0 and family.is_homogeneous):
             reason = note(
                 "With these supports, rails, pins, ties and loads, the moment cannot be 0 at every inflection "
                 "({places} from the start). Move or add a rail, pin or tie."

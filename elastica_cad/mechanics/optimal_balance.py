@@ -91,7 +91,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
         problem = ConditionedRows(request, cut.panels, moment_rows(cut.panels, request.units_on(cut.panels)))
         numbers = problem.homogeneous(loaded=False)
         # refine the intervals, because rails, pins and ties vary the stiffness strongly near zeros of the curvature
-        finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
+        finer = cut.for_stiffness(numbers.family.columns) if request.elements else None
         if finer is None:
             break
         cut = finer
@@ -468,11 +468,7 @@ def _balance_by_descent(
         here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
         share = sense * scale / limit
         rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
-        family = StiffnessFamily(
-            load.panels,
-            PanelFunction.through(rows * share[..., None]),
-            PanelFunction.through(offset * share + (1.0 - sense)),
-        )
+        family = StiffnessFamily.through(load.panels, rows * share[..., None], offset * share + (1.0 - sense))
         optimum = _best_numbers_near(family, here, reach, problem.places)
         if optimum is None:
             break
@@ -503,8 +499,8 @@ def _best_numbers_near(
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
     moves = np.concatenate([moves, -moves])
     for factor in (1.0, 4.0, 16.0, 64.0):
-        bounded = replace(family, side_rows=moves, side_offset=factor * reach - moves @ here)
-        solution = least_ratio(bounded, places)
+        conditions = np.column_stack([moves, factor * reach - moves @ here])
+        solution = least_ratio(replace(family, conditions=conditions), places)
         if solution is not None:
             return solution[0]
     return None

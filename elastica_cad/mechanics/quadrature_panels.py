@@ -218,8 +218,8 @@ def _evaluated(
     """Return fields of `Panels` between `edges`, and the relative size (N,) of the last Legendre coefficients.
 
     The fields are t, the derivative (N, p, 2) of the position by the panel coordinate x, stretch, curvature and
-    flat. `at_zero` is True for the edges at a zero. `zeros` (k,) are the sorted parameters of the zeros of curvature
-    minus natural curvature, `orders` their orders.
+    flat. `at_zero` is True for the edges at a zero. `zeros` (k,) are the sorted parameters of the zeros of
+    curvature minus natural curvature, `orders` their orders.
     """
     left, zero_left = edges[:-1], at_zero[:-1]
     half = np.diff(edges)[:, None] / 2

@@ -408,7 +408,7 @@ class PairedPanels:
     @cached_property
     def family(self) -> StiffnessFamily:
         """All stiffnesses that satisfy the conditions, as functions of free parameters (q,)."""
-        return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
+        return StiffnessFamily.through(self.panels, self.stiffness @ self.basis)
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
         """Return the parameters of the stiffness with the least ratio of largest to least value.

@@ -229,8 +229,8 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = paired.solutions
         sides = tuple(PanelFunction.through(rows @ basis) for rows in _limit_rows(paired, limits))
-        K = PanelFunction.through(_stiffness_rows(paired) @ basis)
-        ratio_numbers = paired.least_ratio(StiffnessFamily(paired.panels, K, sides=sides))
+        K = _stiffness_rows(paired) @ basis
+        ratio_numbers = paired.least_ratio(StiffnessFamily.through(paired.panels, K, sides=sides))
         if ratio_numbers is None:
             _refuse(
                 paired.check, limits, _rod_of(paired, _least_bend(paired, numbers, None), DEFAULT_SAMPLES)
