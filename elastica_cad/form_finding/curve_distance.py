@@ -157,11 +157,7 @@ class MeanDistance:
 
     def value(self, rod: MappedRod) -> float:
         """Return half the weighted mean of the squared distances."""
-        value: float = rod.remembered(self, lambda: self._value(rod.position))
-        return value
-
-    def _value(self, position: FloatArray) -> float:
-        off = position - self.targets
+        off = rod.position - self.targets
         return 0.5 * float(self.shares @ dot(off, off))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:

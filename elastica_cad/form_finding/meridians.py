@@ -493,7 +493,8 @@ def meridian(
     >>> flat.curve.is_straight, round(flat.curve.length, 6)
     (True, 50.0)
     """
-    p = _numbers(a, b, start, angle, length)
+    rows = [a], pair(b, "b of a meridian"), pair(start, "start of a meridian"), [angle, length]
+    p = np.array([require_number(number, "a number of a meridian") for row in rows for number in row])
     if not (p[3] > 0 and p[6] > 0):
         raise InputError(
             "the meridian starts at x = {p:g} and is {p_2:g} long: give positive numbers, in mm",
@@ -682,8 +683,3 @@ def _refuse_winding(p: FloatArray) -> None:
             most=Length(1 / most),
             length=Length(length),
         )
-
-
-def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: float) -> FloatArray:
-    rows = [a], pair(b, "b of a meridian"), pair(start, "start of a meridian"), [angle, length]
-    return np.array([require_number(number, "a number of a meridian") for row in rows for number in row])

@@ -430,57 +430,44 @@ class StripGrid:
             return self._sensitivities_in_python(rod, columns, to_equilibrium)
         derivatives = _native.sensitivities(
             stiffness=rod.stiffness, moments=rod.moments, all_angles=rod.all_angles, tangents=rod.tangents,
-            pull=rod.pull, shear=rod.shear, shares=self.shares, rest=self._rest, basis=self.basis, e=self.e,
+            pull=rod.pull, shear=rod.shear, shares=self.shares, basis=self.basis, e=self.e,
+            rest=np.broadcast_to(self.natural_curvature, self.shares.shape),
             carried=self.carried(rod) if self.heavy else None, length=rod.length,
             start_moment=rod.z[self.unknowns.moment], start_angle=rod.z[self.unknowns.angle],
             to_equilibrium=to_equilibrium,
         )  # fmt: skip
         return Sensitivities(self, rod, *derivatives)
 
-    @cached_property
-    def _rest(self) -> FloatArray:
-        return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
-
     def _sensitivities_in_python(self, rod: MappedRod, columns: int, to_equilibrium: bool) -> Sensitivities:
         n, u = self.edges, self.unknowns
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # the unknowns are derivatives of angles and moments in the order alpha_1, M_1, ..., alpha_{n+1}
-        right = np.zeros((2 * n + 1, columns), order="F")
+        # derivatives of angles and moments, in the order alpha_0, M_0, alpha_1, ..., M_n, alpha_{n+1}
+        right = np.zeros((2 * n + 3, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
-        np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
-        drive_angle[:, u.length] = self.shares * (M / K + self.natural_curvature)
-        drive_angle[0, u.moment] += w[0] / K[0]
-        drive_angle[0, u.angle] += 1
-        drive_moment[:, u.force] = edge * left_of(T)
-        drive_moment[:, u.length] = rod.shear / n
-        drive_moment[0, u.moment] += 1
+        drive_angle[0, u.angle] = drive_moment[0, u.moment] = 1
+        np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[1:, u.stiffness])
+        drive_angle[1:, u.length] = self.shares * (M / K + self.natural_curvature)
+        drive_moment[1:, u.force] = edge * left_of(T)
+        drive_moment[1:, u.length] = rod.shear / n
         if self.heavy:
             lift = cross(T, self.e)
             carried = self.carried(rod)
             np.multiply(
-                (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[:, u.stiffness]
+                (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[1:, u.stiffness]
             )
-            drive_moment[:, u.length] -= edge * lift * carried.sums[:-1]
+            drive_moment[1:, u.length] -= edge * lift * carried.sums[:-1]
         if to_equilibrium:
-            late = rod.z[u.moment] - M[0]
-            drive_angle[:, -1] = (
-                rod.all_angles[:-1] + w * (M / K + self.natural_curvature) - rod.all_angles[1:]
-            )
-            drive_moment[:, -1] = M[:-1] + edge * rod.shear - M[1:]
-            drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.all_angles[0]
-            drive_moment[0, -1] += late
-        solved, _ = lapack().dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
-
-        angles = np.zeros((n + 2, columns))
-        angles[0, u.angle] = 1
-        angles[1:] = solved[0::2]
-        moments = np.zeros((n + 1, columns))
-        moments[0, u.moment] = 1
-        moments[1:] = solved[1::2]
-        if to_equilibrium:
-            angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
+            turned = rod.all_angles[:-1] + w * (M / K + self.natural_curvature)
+            drive_angle[:, -1] = np.append(rod.z[u.angle], turned) - rod.all_angles
+            drive_moment[:, -1] = np.append(rod.z[u.moment], M[:-1] + edge * rod.shear) - M
+        band = np.zeros((3, 2 * n + 3))
+        band[1, 2:-1:2] = edge * rod.pull  # minus the derivative of moment M_i by angle alpha_i
+        band[1, 1::2] = -w / K
+        band[2] = -1
+        solved, _ = lapack().dtbtrs(band, right, uplo="L", diag="U", overwrite_b=1)
+        angles, moments = solved[0::2], solved[1::2]
         position = np.zeros((n + 1, 2, columns))
         step = position[1:]
         # derivatives may overflow; `linearize` then returns None
@@ -492,15 +479,6 @@ class StripGrid:
         position[:, 0, u.position.start] += 1
         position[:, 1, u.position.start + 1] += 1
         return Sensitivities(self, rod, angles, moments, position)
-
-    def _band(self, rod: MappedRod) -> FloatArray:
-        band = np.empty((3, 2 * self.edges + 1))
-        band[0] = 1
-        band[1, 0:-1:2] = rod.edge_length * rod.pull  # minus the derivative of moment M_i by angle alpha_i
-        band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
-        band[1, -1] = 0
-        band[2] = -1
-        return band
 
     def _stiffness_forces_length(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
         u = self.unknowns

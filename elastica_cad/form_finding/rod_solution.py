@@ -10,7 +10,6 @@ from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.form_finding.nearest_record import NearestRod, Status
 from elastica_cad.form_finding.rod_spec import RodSpec
 from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
-from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
@@ -35,7 +34,9 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
             "exactly. Leave out the backing and {limits}, or these elements.",
             limits=FieldName("limits"),
         )
-    weight = _weight_on(spec.weight, curve.length / spec.curve.length)
+    weight, factor = spec.weight, curve.length / spec.curve.length
+    if weight is not None:
+        weight = replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
     smoothed: Any = {"curve": curve, "smooth": 0.0, "weight": weight}
     if spec.may_change:
         from elastica_cad.form_finding.nearest_search import find_nearest
@@ -50,12 +51,6 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     except OverloadError as error:
         raise (error if widths is None else _overload_refusal(widths, error)) from None
     return rod if widths is None else _with_widest(rod, widths)
-
-
-def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
-    if weight is None:
-        return None
-    return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
 
 
 WIDTH_SHARE = 1e-6

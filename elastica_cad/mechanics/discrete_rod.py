@@ -279,20 +279,9 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
     return d, e, shift
 
 
-class ConstrainedMode(NamedTuple):
-    """Lowest mode of a matrix A with weights W under constraints C v = 0.
-
-    The eigenvalue mu, the eigenvector v (n,) and the multipliers nu (k,) satisfy A v = mu W v + C^t nu.
-    """
-
-    value: float
-    mode: FloatArray
-    multipliers: FloatArray
-
-
 def lowest_weighted(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, terms: Terms | None = None
-) -> ConstrainedMode:
+) -> tuple[float, FloatArray, FloatArray]:
     """Return the lowest mode v of a tridiagonal matrix A with weights W = `lengths`, subject to `rows` @ v = 0.
 
     The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added to A.
@@ -300,7 +289,7 @@ def lowest_weighted(
     if _native.compiled is not None and diagonal.size >= _FEW and terms is None and len(rows) <= 2:
         lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
         if lowest is not None:
-            return ConstrainedMode(*lowest)
+            return lowest
     root = np.sqrt(lengths)
     scaled = None if terms is None else terms._replace(rows=terms.rows / root)
     values, vectors = lowest_constrained(
@@ -309,7 +298,7 @@ def lowest_weighted(
     v = vectors[0] / root
     v = v if v[np.abs(v).argmax()] > 0 else -v
     if not len(rows):
-        return ConstrainedMode(float(values[0]), v, np.zeros(0))
+        return float(values[0]), v, np.zeros(0)
     residual = diagonal * v - values[0] * lengths * v
     residual[1:] += off * v[:-1]
     residual[:-1] += off * v[1:]
@@ -317,7 +306,7 @@ def lowest_weighted(
         residual += terms.on(v)
     per_length = rows / lengths
     nu = np.linalg.lstsq(per_length @ rows.T, per_length @ residual, rcond=1e-14)[0]
-    return ConstrainedMode(float(values[0]), v, nu)
+    return float(values[0]), v, nu
 
 
 @lru_cache(maxsize=4)
@@ -693,11 +682,11 @@ class DiscreteRod:
         """Stability margin; positive means stable. The computation takes O(n) operations."""
         lengths = self.edge_lengths
         diagonal, off, rows = self._second_variation
-        lowest = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
+        value, mode, multipliers = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
         nu = np.zeros(2)
         if self.compression is None:
-            nu[list(self.held)] = lowest.multipliers[: len(self.held)]
-        return Margin(lowest.value * float(lengths.sum()) ** 2, lowest.mode, nu)
+            nu[list(self.held)] = multipliers[: len(self.held)]
+        return Margin(value * float(lengths.sum()) ** 2, mode, nu)
 
     @cached_property
     def margin_derivatives(self) -> MarginDerivatives:

@@ -711,14 +711,11 @@ class ExcessCurvature:
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
-        return self.curve.zeros_along(lambda t: self.at(t) - level, self._size, breaks)
+        # the largest sum of |curvature| and |natural curvature| is the scale of rounding errors
+        t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
+        size = float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())
+        return self.curve.zeros_along(lambda t: self.at(t) - level, size, breaks)
 
     @cached_property
     def _stretch(self) -> float:
         return self.rest.stretch_to(self.curve.length) if isinstance(self.rest, RestCurvature) else 1.0
-
-    @cached_property
-    def _size(self) -> float:
-        """Largest sum of |curvature| and |natural curvature|, 1/mm, as the scale of rounding errors."""
-        t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
-        return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

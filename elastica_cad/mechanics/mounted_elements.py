@@ -106,19 +106,9 @@ class MountedElements:
             if isinstance(action.element, Rail):
                 numbers.append(float(action.s[0]))
             elif isinstance(action.element, Tie):
-                numbers.append(action.mounting.length * float(angle_of(self.chord(action, tangents))))
+                chord = self._between(action, len(tangents)) @ tangents
+                numbers.append(action.mounting.length * float(angle_of(chord)))
         return np.array([*numbers, *(0.0 for _ in self.free_axes)])
-
-    def chord(self, action: ElementForce, tangents: FloatArray) -> FloatArray:
-        """Return the vector (2,), mm, between the two points that a tie connects."""
-        return self.edge_length * (self._between(action, len(tangents)) @ tangents)
-
-    def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
-        """Return the position (2,), mm, of the strip at arc length s, or its derivative by s of the given order."""
-        reach = self.edge_length * (edge_weights(s, self.edge_length, len(tangents), order) @ tangents)
-        if order:
-            return reach
-        return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
         """Return the part (n, 2) of the edge forces lambda, 1/mm2, that rails, pins and ties cause.
@@ -145,7 +135,8 @@ class MountedElements:
         residual, places = np.zeros(k), np.zeros(k, dtype=bool)
         free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
-        shift = self.shift(numbers)
+        start = self.anchor + self.shift(numbers) - self._from_end * h * tangents.sum(axis=0)
+        shape = ShapeOfRod(tangents, h, start)
         for action, at in zip(self.actions, self._places, strict=True):
             pair, more = slice(at, at + 2), at + 2
             f = numbers[pair]
@@ -171,17 +162,17 @@ class MountedElements:
             weights = self._up_to(s, n)
             pulls[pair] = -(tangents * weights).T
             rows[pair] = -across * weights.T
-            residual[pair] = action.mounting.point - self.place(s, tangents) - shift
+            residual[pair] = action.mounting.point - shape.at(s)
             for j, axis in enumerate(free):
                 corner[at + axis, first_shift + j] = corner[first_shift + j, at + axis] = -1.0
                 residual[first_shift + j] -= f[axis]
             if slides:
-                slope, crossing = self.place(s, tangents, 1), edge_weights(s, h, n, 1)
+                slope, crossing = shape.at(s, 1), edge_weights(s, h, n, 1)
                 pulls[more] = -(tangents @ f) * crossing
                 rows[more] = -(f @ across) * crossing
                 residual[more] = -f @ slope
                 corner[pair, more] = corner[more, pair] = -slope
-                corner[more, more] = -f @ self.place(s, tangents, 2)
+                corner[more, more] = -f @ shape.at(s, 2)
         residual[first_shift:] -= self.load[free]
         if floating:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))

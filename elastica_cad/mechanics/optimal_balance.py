@@ -465,7 +465,10 @@ def _balance_by_descent(
         tangent = tangent_weight(section, EI)
         problem = load.carrying(*tangent, points)
         numbers = problem.at_compliance(1 / scale)
-        here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
+        # the parameters for which the unknowns are nearest to the present state
+        off = np.append(state / scale, 1 / scale)[: numbers.fixed.size] - numbers.fixed
+        size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
+        here = np.linalg.lstsq(numbers.basis / size[:, None], off / size, rcond=None)[0]
         share = sense * scale / limit
         rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
         family = StiffnessFamily.through(load.panels, rows * share[..., None], offset * share + (1.0 - sense))
@@ -504,13 +507,6 @@ def _best_numbers_near(
         if solution is not None:
             return solution[0]
     return None
-
-
-def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
-    return np.asarray(
-        np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
-    )
 
 
 def _unsettled(section: Section, change: float) -> NotConvergedError:

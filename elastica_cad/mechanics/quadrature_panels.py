@@ -312,7 +312,13 @@ class CutCurve:
 
         `stations` are the arc lengths, mm, of forces between the ends.
         """
-        bend = _bend_kinks(check, natural_curvature, law)
+        excess = ExcessCurvature(check.curve, natural_curvature)
+        bend = [*excess.kinks] + [
+            (place.t, place.s, continuity)
+            for curvature, continuity in (() if law is None else law.kinks)
+            for side in (-curvature, curvature)
+            for place in excess.equals(side)
+        ]
         zeros = np.array([zero.s for zero in check.zeros])
         kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations if 0 < s < check.length)]
         hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks]
@@ -353,19 +359,6 @@ class CutCurve:
 
     def _also_at(self, cuts: FloatArray) -> "CutCurve":
         return replace(self, cuts=(*self.cuts, *cuts))
-
-
-def _bend_kinks(
-    check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
-) -> list[tuple[float, float, int]]:
-    """Return parameter, arc length (mm) and number of continuous derivatives of the stiffness at each kink."""
-    excess = ExcessCurvature(check.curve, natural_curvature)
-    return [*excess.kinks] + [
-        (place.t, place.s, continuity)
-        for curvature, continuity in (() if law is None else law.kinks)
-        for side in (-curvature, curvature)
-        for place in excess.equals(side)
-    ]
 
 
 def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:

@@ -227,20 +227,9 @@ def _stability_matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray
 def _cofactors(Z: FloatArray) -> FloatArray:
     """Return cofactor matrices (k, m, m) for m <= 3, which are exact even if the determinant is 0."""
     m = Z.shape[1]
-    if m == 1:
-        return np.ones_like(Z)
-    if m == 2:
-        flipped = Z[:, ::-1, ::-1].copy()
-        flipped[:, 0, 1] *= -1
-        flipped[:, 1, 0] *= -1
-        return flipped
-    return np.stack([_cross(Z[:, i - 2], Z[:, i - 1]) for i in range(3)], axis=1)
-
-
-def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return cross products (k, 3), faster than `numpy.cross`."""
-    i, j = [1, 2, 0], [2, 0, 1]
-    return u[:, i] * v[:, j] - u[:, j] * v[:, i]
+    padded = np.tile(np.eye(3), (len(Z), 1, 1))
+    padded[:, :m, :m] = Z
+    return np.cross(padded[:, [1, 2, 0]], padded[:, [2, 0, 1]])[:, :m, :m]
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:

@@ -103,8 +103,8 @@ class CurveChanges:
         if zeros.size:
             _, moved = InflectionsOnLine(a, b, zeros).equations(curve)
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
-        size, length = np.abs(self._moment).max(), curve.length
-        centre = curve.evaluate(self._t).mean(axis=0)
+        position, length = curve.evaluate(self._t), curve.length
+        size, centre = np.abs(a + position @ b).max(), position.mean(axis=0)
         # matrix from the scaled moment and its gradient at the curve's centre to a, b_x and b_y of the line
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
@@ -132,11 +132,6 @@ class CurveChanges:
     @property
     def _moves(self) -> FloatArray:
         return self.basis[:-3]
-
-    @cached_property
-    def _moment(self) -> FloatArray:
-        a, b = self.state.line
-        return a + self.state.curve.evaluate(self._t) @ b
 
     @cached_property
     def compliance(self) -> PanelFunction:
