@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 SPANS = 1000
 # half width of the window in which the nearest point is searched, as a fraction of the curve's length
 _WINDOW_LENGTHS = 0.08
-# largest distance between a symmetric curve and its mirrored or rotated image, as a fraction of the length
-_SYMMETRIC_LENGTHS = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +114,8 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
         values, vectors = np.linalg.eigh(across.T @ across)
         axis = vectors[:, int(values.argmin())]
         error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ left_of(axis)).max()))
-    if error > _SYMMETRIC_LENGTHS:
+    # a symmetric curve differs from its mirrored or rotated image by a smaller fraction of its length
+    if error > 1e-4:
         name = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
             "the drawn curve differs from its {name} by {size}: draw a symmetric curve, or leave out "

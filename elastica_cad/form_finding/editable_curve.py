@@ -22,14 +22,10 @@ FAITHFUL = 3e-4
 LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
 # fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# in the fit, the weight of curvature errors is the square of this fraction of the rod's length
-_REACH_LENGTHS = 0.05
 # initial and largest number of knot spans: few initially, because users edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # shortest knot span as a fraction of the length, above rounding errors
 # inflections closer to an end than this fraction of the rod's length count as inflections at the end
 _SAME_LENGTHS = 1e-6
-_PARDONED = 2.0  # largest accepted error of the best fit, as a multiple of the tolerance
 # the two rods of the extrapolation have 4 and 8 times as many edges as the given rod
 _FINER = 4
 
@@ -57,7 +53,8 @@ def editable_curve(rod: Rod) -> PlaneCurve:
     shape = _continuous(rod)
     edges = np.linspace(0, float(shape.s[-1]), _FIRST_SPANS + 1)
     least, best = np.inf, None
-    while edges.size <= _MOST_SPANS and np.diff(edges).min() > _SHORTEST_SPAN:
+    # shorter knot spans, as fractions of the length, are near rounding errors
+    while edges.size <= _MOST_SPANS and np.diff(edges).min() > 1e-3:
         curve = _fitted(shape, edges)
         error = _errors(curve, shape)
         if error.max() < least:
@@ -65,7 +62,8 @@ def editable_curve(rod: Rod) -> PlaneCurve:
         if least <= 1:
             break
         edges = _refined(edges, shape.s[error > 1])
-    if best is None or least > _PARDONED:
+    # accept the best fit if its error is at most twice the tolerance
+    if best is None or least > 2.0:
         raise NotConvergedError(
             "the bent curve, {length:.6g} long, is too complex for a spline of degree 4 with {most_spans} "
             "spans: use `rod.curve`, or compute the rod with fewer `coefficients`",
@@ -178,7 +176,8 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     position, angle, kappa = shape.at(s)
     normal = left_of(unit_vectors(angle))
     typical = float(np.sqrt((kappa**2).mean())) + 1e-6
-    w = root.ravel() * _REACH_LENGTHS**2 * typical / (np.abs(kappa) + 0.1 * typical)
+    # errors of the curvature have a weight, the square of a twentieth of the rod's length
+    w = root.ravel() * 0.05**2 * typical / (np.abs(kappa) + 0.1 * typical)
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections

@@ -33,23 +33,11 @@ from elastica_cad.refusals import Angle, FieldName, Length, Severity, note
 LARGEST_SMOOTH = 1000.0
 """Largest distance that can be requested for smoothing, mm."""
 
-LITTLE_BEND_SHARE = 0.05
-"""Curvature below which an end counts as straight, as a fraction of the curve's largest curvature."""
-
-SLIGHT_MM = 0.1
-"""Displacement by smoothing, mm, above which a note becomes a warning. A cut has a larger tolerance."""
-
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""
 
 STEP_SHARE = 0.02
 """Largest step of the width that remains, as a fraction of the width."""
-
-MOST_WORSE = 1.1
-"""Largest factor by which automatic smoothing may increase the stiffness ratio.
-
-Smoothing of cubics often increases it by 5 %. With a smaller factor, a strip would lose and regain its corners
-while the curve is dragged."""
 
 PLACES, SEEN_SHARE = 401, 0.1
 """Number of stations at which curvatures with and without noise are compared, and limit of their difference.
@@ -138,7 +126,9 @@ class Smoothing:
         if self._rod_as_drawn is None:
             return True
         rod = self._weightless_rod_on(curve)
-        return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
+        # Smoothing of cubics often increases the ratio by 5 %. With a smaller factor, a strip would lose and regain
+        # its corners while the curve is dragged.
+        return rod is not None and rod.ratio < 1.1 * self._rod_as_drawn.ratio
 
     @property
     def change_by_noise(self) -> float:
@@ -192,7 +182,8 @@ class Smoothing:
         notes += self.noise
         if self.fairing is not None:
             before = self.ratio_as_drawn
-            severity: Severity = "warning" if self.moved > SLIGHT_MM else "note"
+            # a cut has a tolerance of more than 0.1 mm
+            severity: Severity = "warning" if self.moved > 0.1 else "note"
             notes.append(
                 note(
                     "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
@@ -286,7 +277,8 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
-    little = bent <= LITTLE_BEND_SHARE * np.abs(curve.survey.curvature).max()
+    # below this fraction of the largest curvature, an end counts as straight
+    little = bent <= 0.05 * np.abs(curve.survey.curvature).max()
     start, end = (bool(few and not support.angle) for few, support in zip(little, supports.ends, strict=True))
     return start, end
 

@@ -21,19 +21,8 @@ NODES = 401
 FINE_NODES = 1001
 """Number of nodes of the returned rod; with fewer nodes, a nearly unstable rod has errors of 1e-4 of its length."""
 
-SHORTEST_SHARE = 0.01
-"""Least distance between two ply ends, and least length of a ply, as fractions of the rod's length."""
-
-ROUNDINGS = (0.35, 0.5, 0.65)
-"""Fractions of a ply above which the number of plies is rounded up. Each fraction starts a search."""
-
-DIFFERENCE = 1e-4
-"""Step of finite differences with respect to the positions of ply ends, as a fraction of the length."""
-
 SETTLED = 1e-7
 """The search for ply ends stops at a smaller relative change of the ply ends or of the squared distance."""
-
-MOST_TRIALS = 60
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +92,8 @@ def lay_leaves(
     require_record(section, LeavesLaw, "section", "glued plies, as LeavesLaw(sheet, leaves, width)")
     points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
-    for rounding in ROUNDINGS:
+    # start a search for each fraction of a ply above which the number of plies is rounded up
+    for rounding in (0.35, 0.5, 0.65):
         search = _Search.of(relaxed, section, points, rounding, tangents)
         searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
@@ -195,9 +185,10 @@ class _Search:
         low = np.full(start.size, -np.inf)
         high = np.full(start.size, np.inf)
         low[: self.places.size], high[: self.places.size] = 0.0, 1.0
+        # `diff_step` is a fraction of the length, as the positions of ply ends are
         optimum = least_squares(
-            missed, start, bounds=(low, high), diff_step=DIFFERENCE, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
-            max_nfev=MOST_TRIALS, x_scale="jac",
+            missed, start, bounds=(low, high), diff_step=1e-4, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
+            max_nfev=60, x_scale="jac",
         )  # fmt: skip
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
@@ -216,7 +207,8 @@ class _Search:
 
     def _separated(self, places: FloatArray) -> FloatArray:
         m = places.size
-        clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
+        # least distance between two ply ends, and least length of a ply, as a fraction of the rod's length
+        clearance = min(0.01, 0.5 / (m + 1))
         low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)
         gaps = np.sort(places).clip(low, high) - low
         return np.asarray(np.maximum.accumulate(gaps) + low)

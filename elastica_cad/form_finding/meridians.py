@@ -19,9 +19,6 @@ from elastica_cad.geometry.splines import finite, fit_spline
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
-EXACT_POINTS = 5
-"""Number of points that determine a meridian; four points suffice if the last point is on the axis."""
-
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian."""
 
@@ -37,8 +34,6 @@ LEAST_SHARE = 1e-3
 """Least fraction of a Newton step that is tried before the search ends."""
 
 SOLVED = 1e-11  # residual below which the equations count as solved, for points scaled to an extent of 1
-LONGEST = 1.5
-"""Largest ratio of the lengths of a meridian and of a smooth curve through the points, to exclude extra turns."""
 
 GOOD = 1e-7
 """Residual below which a meridian is accepted, as a fraction of the extent of the points."""
@@ -51,9 +46,6 @@ FINER = 3
 
 BETWEEN = 8
 """Number of points between two nodes at which the residual is checked."""
-
-STUCK = 0.1
-"""The number of nodes is doubled again only if the last doubling reduced the residual to this fraction."""
 
 SETTLED = 1e-10
 """Relative change in a step at which the least-squares iteration ends."""
@@ -130,13 +122,15 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
     equations = _Equations(len(points), closes, max(FEWEST, -(-SEARCH_NODES // (len(points) - 1))))
     guess, length = _first_guess(points, equations)
     with np.errstate(over="ignore", invalid="ignore"):
-        unknown = _through(points, equations, guess, length) if len(points) <= EXACT_POINTS - closes else None
+        # five points determine a meridian, or four if the last point is on the axis
+        unknown = _through(points, equations, guess, length) if len(points) <= 5 - closes else None
         exact, places = unknown is not None, points
         if unknown is None:
             places, unknown = _nearest(points, equations, points, guess)
         curve, off, before = equations.curve(unknown, places), equations.missed(unknown, places), np.inf
         for _ in range(FINER):
-            if curve.missed < GOOD or not curve.missed < ROUGH or GOOD < off > STUCK * before:
+            # double the number of nodes again only if the last doubling reduced the residual to a tenth
+            if curve.missed < GOOD or not curve.missed < ROUGH or GOOD < off > 0.1 * before:
                 break
             finer = _Equations(len(points), closes, 2 * equations.nodes)
             unknown, equations = equations.at(finer.stations, unknown), finer
@@ -261,7 +255,8 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    best, shortest = None, LONGEST * length
+    # a meridian that is much longer than a smooth curve through the points makes extra turns
+    best, shortest = None, 1.5 * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
         start = guess.copy()
@@ -352,30 +347,15 @@ def _largest_fraction(equations: _Equations, unknown: FloatArray, step: FloatArr
 ACCURACY = 1e-12
 """Relative tolerance of the integrator, which is of order 8."""
 
-CURVE_TOLERANCE = 1e-10
-"""Tolerance of the spline, as a fraction of the length of the meridian."""
-
 NODES = 601
 SOUGHT = 25
 """Number of points of a profile curve that the search uses."""
-
-ON_AXIS_SHARE = 1e-9
-"""A last point closer to the axis than this fraction of the extent of all points is moved onto the axis."""
 
 MOST_TURNS = 20
 """Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points"
-# fraction of the largest distance from the axis; if the last point is closer, a message suggests
-# `TO_THE_POLE`
-NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = ". So near to the axis, end the points on it (x = 0), or on a ring farther away"
-
-NARROW_SHARE = 1e-3
-"""Default distance of the end of a meridian from the axis, as a fraction of the size of the meridian.
-
-The size is the sum of the length and the distance of the start from the axis.
-"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -553,7 +533,8 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         end = _end(lambda s: position(s)[:, 0], length, _distance_at_end(start, length, ring))
         curve = _fitted(position, end, length)
     except NotConvergedError as problem:
-        advice = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
+        # the last point is near the axis, compared with the largest distance from it
+        advice = TO_THE_POLE if data[-1, 0] < 0.05 * data[:, 0].max() else ""
         raise NotConvergedError(f"{HOPELESS}: {problem}{advice}") from problem
     closes = end < length
     if len(chosen) == len(data):
@@ -573,12 +554,13 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
 
 def _fitted(position: Callable[[FloatArray], FloatArray], end: float, length: float) -> PlaneCurve:
     """Return the curve up to the arc length `end`, mm, of a meridian of the given length, mm."""
-    return PlaneCurve.fit_function(position, 0.0, end, tolerance=CURVE_TOLERANCE * length, degree=5)
+    return PlaneCurve.fit_function(position, 0.0, end, tolerance=1e-10 * length, degree=5)
 
 
 def _distance_at_end(start: float, length: float, ring: float | None) -> float:
     if ring is None:
-        return min(NARROW_SHARE * (start + length), start / 2)
+        # a thousandth of the size of the meridian
+        return min(1e-3 * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
         raise InputError(
             "the radius `ring` is {ring}: give a number above 0 and below {start:g}, the radius at the start",
@@ -610,7 +592,8 @@ def _checked_points(points: ArrayLike) -> FloatArray:
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("the meridian cannot be read: give at least three points (x, y), in mm")
-    if abs(data[-1, 0]) < ON_AXIS_SHARE * np.ptp(data):
+    # move a last point onto the axis if its distance from the axis is a rounding error
+    if abs(data[-1, 0]) < 1e-9 * np.ptp(data):
         data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
     if beyond.any():

@@ -19,10 +19,6 @@ if TYPE_CHECKING:
     from elastica_cad.form_finding.nearest_task import SearchPoint
 
 
-# a rod farther from the drawn curve than this fraction of the curve's diagonal no longer resembles the curve
-_UNLIKE = 0.05
-
-
 class Status(Enum):
     """Status of a search, with a sentence for the user."""
 
@@ -40,7 +36,7 @@ def judge_search(violation: float, deviation: float, settled: bool) -> Status:
     the diagonal of the curve's bounding box. `settled` is True if the search converged."""
     if violation > MET:
         return Status.NOT_MET
-    if deviation > _UNLIKE:
+    if deviation > 0.05:  # the rod no longer resembles the curve
         return Status.FAR
     return Status.MET if settled else Status.UNSETTLED
 
@@ -205,13 +201,6 @@ class NearestRod:
         return sentences((self.verdict, *self.advice), " ")
 
 
-_MOST_ADVICE = 4
-# distance, as a fraction of the drawn curve's diagonal, below which no suggestions are made
-_SLIGHT_DIAGONALS = 1e-3
-_NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
-_LEAST_REPORTED = 1e-4
-
-
 def _advise(near: NearestRod) -> Iterator[str]:
     if near.found is None:
         return
@@ -221,19 +210,18 @@ def _advise(near: NearestRod) -> Iterator[str]:
             "Draw the curve closer to the intended shape.",
             count=len(near.ties),
         )
-    named = [binding for binding in near.binding if binding.title][:_MOST_ADVICE]
+    named = [binding for binding in near.binding if binding.title][:4]
     if near.status is Status.NOT_MET:
-        yield from (
-            _violation_sentence(near, binding) for binding in near.binding if binding.broken > _LEAST_REPORTED
-        )
+        yield from (_violation_sentence(near, binding) for binding in near.binding if binding.broken > 1e-4)
         if named:
             yield note("Relax {limits}.", limits=Either(binding.title for binding in named))
-    elif near.distance > _SLIGHT_DIAGONALS * np.hypot(*np.ptp(near.target.bounds, axis=0)):
+    # make no suggestions for a slight distance
+    elif near.distance > 1e-3 * np.hypot(*np.ptp(near.target.bounds, axis=0)):
         for binding in named:
             step, size = _step(binding)
             if not size:
                 yield note("Relax {limits}.", limits=binding.title)
-            elif binding.cost * size > _NEGLIGIBLE * near.distance:
+            elif binding.cost * size > 0.01 * near.distance:  # the effect is not negligible
                 yield note(
                     ("To come nearer to the drawn curve, relax {limit}: a change of {step} reduces the "
                      "{distance} by about {saved:.3g}."),

@@ -362,11 +362,8 @@ def _start(
     )
 
 
-_STRICTER = 6  # largest number of searches for a stack of plies, with stricter and stricter limits
-_BEYOND = 1.2  # a violated limit is tightened by this factor times the violation
 _OF_PLIES = {"ratio", "width", "length", "margin", "sheet", "strain", "ends", "tangents"}
 """Limits and kept properties that a search for plies meets, besides `Limits.at_places`."""
-_WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
 def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
@@ -385,12 +382,14 @@ def _find_leaves(request: RodSpec, section: LeavesLaw) -> NearestRod:
     ]
     if unmet:
         raise InputError(f"a stack of plies cannot meet {' or '.join(unmet)}. Leave out these limits")
-    # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies
-    fewest = int(np.ceil(section.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
+    # n plies are (n / k)^3 times as stiff as k plies, so the ratio determines the least number of plies, apart from
+    # rounding errors
+    fewest = int(np.ceil(section.leaves / limits.largest_ratio ** (1 / 3) - 1e-9))
     section = replace(section, fewest=min(max(section.fewest, fewest), section.leaves))
     strict, steps, taper = limits, 0, _taper_on_curve(request, section, limits.length)
     found = None if taper is None else _laid_leaves(taper, section, request, limits)
-    for _ in range(_STRICTER):
+    # search with stricter and stricter limits
+    for _ in range(6):
         if found is not None and not found[1]:
             break
         task = NearestTask.of(replace(request, limits=strict, section=section.relaxed))
@@ -452,13 +451,12 @@ def _laid_leaves(
     broken = [(replace(active, broken=over, title=note(active.title)), stricter)
               for active, over, stricter in found if over > MET]  # fmt: skip
     for limit, stricter in broken:
-        strict = stricter(strict, _BEYOND * limit.broken)
+        # tighten a violated limit by somewhat more than the violation
+        strict = stricter(strict, 1.2 * limit.broken)
     return laid, tuple(limit for limit, _ in broken), strict
 
 
 _MOST_NODES = 5000  # more nodes hardly change the shape
-_UNBEARABLE = 50.0
-"""Length of a curve, divided by the elasto-gravity length, above which the weight explains a failed search."""
 
 
 def nearest_rod(
@@ -574,7 +572,8 @@ def find_nearest(request: RodSpec, start: NearestRod | None = None) -> NearestRo
         return _find_rod(NearestTask.of(request), start)
     except NotConvergedError as error:
         gravity, length = request.gravity, request.curve.length
-        if gravity is None or length < _UNBEARABLE * gravity.length:
+        # only a very large weight explains a failed search
+        if gravity is None or length < 50.0 * gravity.length:
             raise
         raise NotConvergedError(far_too_heavy(gravity, length)) from error
 

@@ -17,12 +17,6 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.refusals import Length, Listed, Point, note
 
-SHOWN_PLACES = 3
-"""Largest number of positions that a message lists."""
-
-CRACK_SHARE = 1e-5
-"""Distance below which vertices of borders are merged, as a fraction of the extent of the borders."""
-
 FARTHEST_MM = 1e9
 """Largest coordinate, mm."""
 
@@ -135,7 +129,8 @@ def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
-    width = CRACK_SHARE * float(np.linalg.norm(np.ptp(points[border], axis=0)))
+    # merge vertices of borders that are closer than this fraction of the extent of the borders
+    width = 1e-5 * float(np.linalg.norm(np.ptp(points[border], axis=0)))
     pairs = cKDTree(points[border]).query_pairs(width, output_type="ndarray")
     if not len(pairs):
         return rows
@@ -198,7 +193,7 @@ def _edges(edges: IntArray) -> str:
 
 
 def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:
-    return Listed(Point(points[edge].mean(axis=0).round(6) + 0.0) for edge in edges[:SHOWN_PLACES])
+    return Listed(Point(points[edge].mean(axis=0).round(6) + 0.0) for edge in edges[:3])
 
 
 APART = 1e-10

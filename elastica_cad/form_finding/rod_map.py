@@ -70,9 +70,6 @@ class StiffnessBasis:
 SAME_SCALE = 1e-5
 """Relative change of the scale below which the search is not repeated with the new scale."""
 
-FULL_STRAIN = 1 - 2e-5
-"""Fraction of a strain limit that is used; the rest is a reserve for errors of the strain between nodes."""
-
 
 @dataclass(frozen=True, eq=False)
 class SectionScale:
@@ -211,7 +208,8 @@ class SectionScale:
         The result (n,) is for sections with the relative stiffness K = `stiffness` (n,).
         """
         layers = self.family.strains(np.ones(stiffness.size), self.family.parameter(self.scale * stiffness))
-        shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
+        # a small part of the limit is a reserve for errors of the strain between nodes
+        shares = [layer.strain / ((1 - 2e-5) * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))
 
 

@@ -37,9 +37,6 @@ from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import BareLength, FieldName, Length, note
 
-# largest derivative of an angle with respect to an unknown, rad; with larger ones, products could overflow
-_TOO_SENSITIVE = 1e50
-
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RodProblem(NonlinearProgram[MappedRod]):
@@ -79,7 +76,8 @@ class RodProblem(NonlinearProgram[MappedRod]):
         if not np.isfinite(point.moments[-1]):
             return None
         sensitivities = self.grid.sensitivities(point, to_equilibrium=True)
-        if not np.abs(sensitivities.angles).max() < _TOO_SENSITIVE:
+        # with larger derivatives, products could overflow
+        if not np.abs(sensitivities.angles).max() < 1e50:
             return None
         return Linearization(
             point, point.z, self._stacked(sensitivities),
@@ -144,12 +142,6 @@ class RodProblem(NonlinearProgram[MappedRod]):
             self.one_sided[number],
         )  # fmt: skip
 
-
-# reserve for rounding errors in the length tolerance of a pre-bent strip, as a fraction of the tolerance
-_SAME_LENGTH = 1e-6
-# tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
-_SAME_CURVATURE = 1e-6
-_LENGTHS = (0.2, 5.0)  # default limits of the length, as multiples of the length of the drawn curve
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
@@ -231,13 +223,15 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
 
 def _lengths(task: NearestTask) -> tuple[float, float]:
     target, limits = task.target, task.limits
-    low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
+    # default limits of the length, as multiples of the length of the drawn curve
+    low, high = (0.2, 5.0) if limits.length is None else np.asarray(limits.length) / target.size
     rest = task.request.natural_curvature
     blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
         wish = "`keep.length` requires" if task.keep.length else "the limit of the length requires"
         least, most = (1.0, 1.0) if task.keep.length else (low, high)
-        tolerance = LENGTHS_APART * (1 - _SAME_LENGTH)
+        # keep a small reserve for rounding errors
+        tolerance = LENGTHS_APART * (1 - 1e-6)
         low, high = (
             max(low, (1 - tolerance) * blank / target.size),
             min(high, (1 + tolerance) * blank / target.size),
@@ -347,9 +341,8 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     target = task.target
     centre, axis = symmetry_frame(target, kind)
     rest = np.broadcast_to(task.rest, (task.nodes,))
-    if np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max() > _SAME_CURVATURE * _moment_scale(
-        task
-    ):
+    # a symmetric pre-bent strip differs by a smaller fraction of its typical curvature
+    if np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max() > 1e-6 * _moment_scale(task):
         image = "mirror image" if kind == "mirror" else "image after a half turn"
         raise InputError(
             f"the pre-bent strip differs from its {image}: give a symmetric pre-bent strip, or leave out "
@@ -412,8 +405,6 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-# distance of both ends, in diagonals of the drawn curve, above which they have sides
-_ENDS_APART = 1e-3
 # an effect below this fraction of the largest effect may be an error of the quadratic program
 _IDLE = 1e-6
 
@@ -472,7 +463,7 @@ def _end_title(task: NearestTask, index: int) -> str:
     target = task.target
     off = target.position[-index] - target.position[index - 1]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1
-    if abs(off[across]) < _ENDS_APART * target.diagonal:
+    if abs(off[across]) < 1e-3 * target.diagonal:  # the ends are too close to have sides
         side = ("first", "last")[index]
     else:
         side = (("left", "right"), ("lower", "upper"))[across][int(off[across] > 0)]

@@ -53,25 +53,19 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     return rod if widths is None else _with_widest(rod, widths)
 
 
-WIDTH_SHARE = 1e-6
-"""Relative increase of the least width, so that rounding errors do not make a strip narrower than the limit."""
-
-
 def _stiffness_limits(widths: PlainSection) -> dict[str, float]:
     """Return arguments of `optimal_rod`: bending stiffnesses, N mm2, by name."""
     if np.isinf(widths.largest):
-        return {"bending_stiffness": widths.rigidity * widths.least * (1 + WIDTH_SHARE)}
+        # increase the least width, so that rounding errors do not make a strip narrower than the limit
+        return {"bending_stiffness": widths.rigidity * widths.least * (1 + 1e-6)}
     limits = {"least_stiffness": widths.least, "largest_stiffness": widths.largest}
     return {name: widths.rigidity * width for name, width in limits.items() if width}
 
 
-WIDTH_TOLERANCE_MM = 0.1
-"""Difference between the largest width and `max_width`, mm, above which a warning is added."""
-
-
 def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / widths.rigidity
-    if np.isinf(widths.largest) or widest > widths.largest - WIDTH_TOLERANCE_MM:
+    # do not warn of a difference below 0.1 mm
+    if np.isinf(widths.largest) or widest > widths.largest - 0.1:
         return rod
     warning = note(
         "The load on the strip determines its width: the widest place is {widest:.4g} wide, not {largest:g} "

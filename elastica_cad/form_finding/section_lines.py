@@ -305,17 +305,8 @@ SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
 FALSE_TURN_RAD = np.radians(4.0)
 """Angle, rad, below which a bend between two inflections counts as an artefact of the mesh."""
 
-FILLED_POINTS = 240
-"""Approximate number of points that are added to a line before a curve is fitted."""
-
 SAMPLES = 2001
 """Number of points of a curve at which its distance from the section is computed."""
-
-CLOSED_SHARE = 1e-6
-"""Gap between the ends below which a line is closed, as a fraction of its length."""
-
-CORNER_RADIUS_SHARE = 0.01
-"""Radius of curvature below which a bend counts as a corner, as a fraction of the length."""
 
 SHARP_TURN_RAD = np.radians(20.0)
 """Least change of direction at a corner, rad."""
@@ -422,7 +413,8 @@ def section_curves(
 def _curve(
     line: SectionLine, tolerance: float, wavelength: float, false_turn: float
 ) -> tuple[SectionCurve, list[str]]:
-    if line.is_closed or norm(line.points[-1] - line.points[0]) <= CLOSED_SHARE * line.length:
+    # a smaller gap between the ends, as a fraction of the length, is a rounding error
+    if line.is_closed or norm(line.points[-1] - line.points[0]) <= 1e-6 * line.length:
         raise InputError(
             "the section is a closed line (through {place}), but a strip has two ends: split it by a plane "
             "or at two points",
@@ -460,7 +452,8 @@ def _curve(
 def _filled(points: FloatArray) -> FloatArray:
     """Add points to long sides, because a curve fitted only to vertices could deviate from the sides."""
     s = lengths_along(points)
-    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
+    # add about 240 points
+    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * 240), 1).astype(int)
     index = np.arange(len(counts)).repeat(counts)
     fraction = numbers_in_groups(counts) / counts[index]
     between = points[index] + fraction[:, None] * (points[index + 1] - points[index])
@@ -529,7 +522,8 @@ def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
     samples = curve.sample(SAMPLES)
     worst = np.abs(samples.curvature).argmax()
     kappa = abs(float(samples.curvature[worst]))
-    if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:
+    # a bend with a radius below a hundredth of the length counts as a corner
+    if kappa * curve.length <= 100:
         return []
     return [
         note(

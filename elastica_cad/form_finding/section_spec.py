@@ -160,9 +160,6 @@ Triple: TypeAlias = tuple[float, float, float]
 NAMED_REASONS = 6
 """Largest number of reasons that a message lists."""
 
-SAME_PLANE = 1e-9
-"""Difference of angles or offsets below which two planes are the same, as a fraction of the largest value."""
-
 
 @dataclass(frozen=True, eq=False)
 class Surface:
@@ -447,7 +444,8 @@ def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) ->
     steps = np.diff(np.asarray(values)[ring])
     if np.isfinite(period):
         steps -= period * np.round(steps / period)
-    twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * max(1.0, float(np.abs(values).max(initial=0.0))))
+    # smaller differences, as fractions of the largest value, are rounding errors
+    twice = np.flatnonzero(np.abs(steps) <= 1e-9 * max(1.0, float(np.abs(values).max(initial=0.0))))
     if len(values) > 1 and twice.size:
         i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
         raise InputError(
