@@ -76,10 +76,7 @@ Keep = Literal["keep"]
 
 # force components up to this fraction of the largest force in the rod are rounding errors
 ROUNDED_SHARE = 1e-12
-# smaller movements of an end, as a fraction of the length, are rounding errors
-STILL_SHARE = 1e-9
 TURNED_RAD = 1e-9  # smaller rotations of an end, rad, are rounding errors
-COARSE_DEG = 60.0  # angle between neighbouring edges above which `bend` warns that the rod has too few nodes
 
 
 def bend(
@@ -494,7 +491,7 @@ def is_snap_warning(message: str) -> TypeGuard[Refusal]:
 
 def _too_coarse(state: RodState) -> tuple[str, ...]:
     turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
-    if turn < COARSE_DEG:
+    if turn < 60.0:
         return ()
     return (
         note(
@@ -581,7 +578,8 @@ class Movement:
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
         travel = np.append(0.0, norm(steps).cumsum())
         turn = np.append(0.0, turns[:, int(turns.sum(axis=0).argmax())].cumsum())
-        still = travel[-1] <= STILL_SHARE * rods[0].length
+        # smaller movements of an end are rounding errors
+        still = travel[-1] <= 1e-9 * rods[0].length
         return cls(np.zeros_like(travel) if still else travel.round(9), turn)
 
     @property

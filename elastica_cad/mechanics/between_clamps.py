@@ -19,7 +19,6 @@ from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
-OFF_PLANE = 1e-6  # largest |z|, mm, of a point that counts as in the plane of the curve
 # loads are force * length^2 / stiffness (a straight strip buckles at 2.5); beyond `LAST_EVEN_LOAD`, each load
 # is `LOAD_GROWTH` times the load before
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
@@ -237,7 +236,8 @@ def _plane_point(point: object) -> FloatArray | None:
         place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
     except (TypeError, ValueError):
         return None
-    if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
+    # the point is in the plane of the curve, except for rounding errors, mm
+    if place.shape == (3,) and abs(place[2]) <= 1e-6:
         place = place[:2]
     return place if place.shape == (2,) and np.isfinite(place).all() else None
 

@@ -14,12 +14,6 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import USUAL_RATIO, Grain, Range, Sheet
 from elastica_cad.refusals import BareLength, Length, Listed, note, sentences
 
-_NODES = 201
-
-_STEEPEST_DROOP = 0.95  # largest usable ratio of droop to overhang; beyond it, the strip hangs like a rope
-_FLATTEST_DROOP = 1e-4
-"""Least measurable ratio of droop to overhang."""
-
 
 @dataclass(frozen=True)
 class Calibration:
@@ -138,7 +132,7 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
     require_positive(overhang, "overhang", "mm")
     require_positive(elasto_gravity_length, "elasto-gravity length", "mm")
     strip = Rod.straight(
-        overhang, samples=_NODES, gravity=Gravity(elasto_gravity_length), supports=Supports("clamped", "free")
+        overhang, samples=201, gravity=Gravity(elasto_gravity_length), supports=Supports("clamped", "free")
     )
     return float(-bend(strip).position[-1, 1])
 
@@ -231,14 +225,14 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
                 d=Length(d),
                 l=Length(L),
             )
-        if d > _STEEPEST_DROOP * L:
+        if d > 0.95 * L:
             raise InputError(
                 "a droop of {d:g} on an overhang of {l:g} does not depend on the stiffness, because the "
                 "strip hangs like a rope. Use a shorter overhang; a droop of about half the overhang is best",
                 d=Length(d),
                 l=Length(L),
             )
-        if d < _FLATTEST_DROOP * L:
+        if d < 1e-4 * L:
             raise InputError(
                 "a droop of {d:g} on an overhang of {l:g} is too small to measure: use a longer overhang",
                 d=Length(d),

@@ -20,9 +20,6 @@ from elastica_cad.mechanics.loads import Supports, whole_number
 RANK_TOLERANCE = 1e-9
 """A constraint is linearly dependent if less than this fraction of its norm is independent of the others."""
 
-_FEW = 40
-"""Least number of edges for which compiled code searches for the lowest mode."""
-
 _SMOOTH = 10
 """Number of smooth trial modes with which compiled code starts the search for the lowest mode."""
 
@@ -286,7 +283,8 @@ def lowest_weighted(
 
     The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added to A.
     """
-    if _native.compiled is not None and diagonal.size >= _FEW and terms is None and len(rows) <= 2:
+    # compiled code searches for the lowest mode of rods with enough edges
+    if _native.compiled is not None and diagonal.size >= 40 and terms is None and len(rows) <= 2:
         lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
         if lowest is not None:
             return lowest

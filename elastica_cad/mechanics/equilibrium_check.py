@@ -219,23 +219,17 @@ def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
     return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
 
 
-_SAME_PLACE_SHARE = 1e-6
-"""Points closer together than this fraction of the length are the same inflection."""
-
 _WIDEST_RATIO = 1e4
 """Largest stiffness ratio of a realizable curve; above it, the result would depend on rounding errors."""
 
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which the line is tangent to the curve."""
 
-# fraction of the length around a zero of the curvature in which the stiffness 0 / 0 is replaced by its limit
-_AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
     "vertical": ("one vertical line", "The vertical line that the supports require"),
     "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
-_TURNS = 67
 
 
 @dataclass(frozen=True)
@@ -414,7 +408,8 @@ def _line_meetings(
     The moment is zero on the line. Moment and curvature must have equal signs on the whole curve, or opposite
     signs on the whole curve.
     """
-    near = _SAME_PLACE_SHARE * curve.length
+    # points that are closer together are the same inflection
+    near = 1e-6 * curve.length
     bad = dict[str, set[float]](crossing=set(), touch=set(), tangent=set())
     tangent = curve.evaluate([z.t for z in zeros], 1).reshape(-1, 2)
     sine = tangent @ line.b / norm(tangent)
@@ -446,7 +441,8 @@ def _place_of_extreme_ratio(
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
     s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
-    clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
+    # around a zero of the curvature, the stiffness 0 / 0 is replaced by its limit
+    clear = (np.abs(nodes.s - s_zero[:, None]) > 1e-4 * curve.length).all(axis=0)
     clear &= kappa != 0
     _, d1, d2, d3 = curve.derivatives(t_zero, 3)
     tangent = d1 / np.hypot(d1[:, :1], d1[:, 1:])
@@ -459,7 +455,7 @@ def _place_of_extreme_ratio(
     s = np.concatenate([nodes.s[clear], s_zero])
     arm = np.concatenate([(nodes.position[clear] - point) / kappa[clear, None], tangent / slope[:, None]])
     along = line.direction
-    turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
+    turns = np.linspace(-spare, spare, 67)[1:-1] if spare > 0 else np.zeros(1)
     normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
     K = np.abs(arm @ normals.T)
     ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
@@ -502,12 +498,6 @@ def _kind_of(normal: FloatArray | None) -> str:
 
 MOST_STEPS = 12
 """Largest number of Newton steps that move inflections onto a line."""
-
-ON_LINE_SHARE = 1e-12
-"""An inflection is on the line if its distance is below this fraction of the size of the curve."""
-
-LARGEST_MOVE_SHARE = 0.05
-"""Largest displacement of a control point, as a fraction of the length of the curve."""
 
 
 def project_inflections(
@@ -557,12 +547,11 @@ def project_inflections(
     turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
     for held in ((places, turns), (places,), ()):
         try:
-            moved, _ = least_norm_newton(
-                curve, [*needed, *held], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
-            )
+            moved, _ = least_norm_newton(curve, [*needed, *held], tolerance=1e-12, max_steps=MOST_STEPS)
         except NotConvergedError:
             continue
-        if np.abs(moved.control_points - curve.control_points).max() <= LARGEST_MOVE_SHARE * curve.length:
+        # a larger move would change the curve visibly
+        if np.abs(moved.control_points - curve.control_points).max() <= 0.05 * curve.length:
             return moved.drawn_as(curve.provenance)
     raise NotConvergedError(
         "no small move of the control points brings the inflections onto one line: draw the inflections "

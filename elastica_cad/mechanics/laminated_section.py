@@ -248,9 +248,6 @@ LEAST_SHARE = 2e-3
 TERMS, STATIONS = 24, 60
 """Numbers of terms of the polynomials in the curvature, and of stations at which the polynomials are computed."""
 
-LARGEST_STRAIN = 0.05
-"""Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""
-
 FINE_SEARLE = 3.0
 """Value of w^2 kappa / h at which the sampling of curvatures changes from uniform to logarithmic.
 
@@ -399,7 +396,8 @@ class LaminateCurl:
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )
-        reach = max(2 * LARGEST_STRAIN / section.thickness, 2 * float(np.abs(kappa).max()))
+        # no sheet withstands a surface strain of 5 %
+        reach = max(2 * 0.05 / section.thickness, 2 * float(np.abs(kappa).max()))
         fine = np.minimum(FINE_SEARLE * section.thickness / base**2, reach)
         nodes = np.arange(kappa.size)
         some = np.unique(np.linspace(0, nodes[-1], STATIONS).round().astype(int))

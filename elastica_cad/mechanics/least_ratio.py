@@ -68,9 +68,6 @@ WORST_TOLERANCE = 0.01
 Rounding errors are large under much weight, or with an inflection near an end.
 """
 
-NOISE_TIMES = 4
-"""Tolerance of the fitted stiffness, as a multiple of the rounding errors of the stiffness."""
-
 SAME_PLACE_SHARE = 1e-9
 """A knot closer than this fraction of the length to a zero of the curvature is moved to the zero."""
 
@@ -125,7 +122,8 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
                 values[inside] = np.interp(s[inside], foot, K(foot))
         return values
 
-    noise = NOISE_TIMES * K.noise([*steps, *(s for s, _ in balance.kinks)])
+    # the tolerance is a multiple of the rounding errors of the stiffness
+    noise = 4 * K.noise([*steps, *(s for s, _ in balance.kinks)])
     tolerance = min(max(TOLERANCE * K.largest, noise), WORST_TOLERANCE * K.largest)
     knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
     fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
@@ -194,12 +192,6 @@ def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile
     first = int(profile.knots.searchsorted(place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
-
-
-REPORTED_MOVE_MM = 1e-3
-"""Smallest displacement of the curve, mm, that is reported."""
-
-_LAW_SAMPLES = 2001  # number of samples along the curve for the bending moments of a material law
 
 
 def optimal_rod(
@@ -345,7 +337,7 @@ def rod_of_request(request: RodRequest) -> Rod:
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
-        t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
+        t = check.curve.parameter(np.linspace(0.0, check.length, 2001))
         law.require_design(float(np.abs(ExcessCurvature(check.curve, request.natural_curvature).at(t)).max()))
     return _unbent_rod(request) if check.any_stiffness else _bent_rod(request, balance_of(request))
 
@@ -489,7 +481,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = _without_kinks_at(balance.between, check)
-    if check.moved > REPORTED_MOVE_MM:
+    if check.moved > 1e-3:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
             if request.gravity is None
@@ -581,7 +573,6 @@ _SETTLED_SHARE = 1e-5
 _MOST_ROUNDS = 30
 """Largest number of optimal rods that are computed in the search for a laminate."""
 
-_STATIONS = 81  # number of knots of the cubic spline for the weight per length
 _DENSE = 2001  # number of points at which the width of the backing is checked
 
 
@@ -771,7 +762,8 @@ class _Base:
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
     """Return the laminate, or None without convergence, and the last relative change of its stiffness."""
-    stations = np.linspace(0.0, rod.length, _STATIONS)
+    # knots of the cubic spline for the weight per length
+    stations = np.linspace(0.0, rod.length, 81)
     w1 = _along(base.layers.base_width, stations)
     section = base.layers.section.on(w1)
     bounds = section.bending_stiffness(0.0 * w1), section.bending_stiffness(w1)

@@ -490,9 +490,6 @@ def whole_number(value: object, name: str, least: int) -> int:
 LENGTHS_APART = 0.01
 """A pre-bent strip is scaled to the length of the curve if both lengths differ by at most this fraction."""
 
-BLANK_TOLERANCE = 1e-9
-"""Largest error of the natural curvature, relative to its largest value."""
-
 _CURVATURE_SAMPLES = 401
 # positions closer to a break than this fraction of the length are at the break
 _AT_BREAK_SHARE = 1e-9
@@ -556,7 +553,7 @@ class RestCurvature(EqualByValue):
                 lambda s: blank.at(s).curvature,
                 blank.length,
                 breaks=[(place.s, place.continuity - 2) for place in blank.breaks],
-                tolerance=BLANK_TOLERANCE * size,
+                tolerance=1e-9 * size,
                 degree=5,
             )
         )

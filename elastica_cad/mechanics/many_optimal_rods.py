@@ -11,9 +11,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.rod import Rod
 
-CHUNK = 32
-"""Number of curves that are sent to a worker together. Sending a curve takes as long as computing its rod."""
-
 
 def optimal_rods(
     curves: Sequence[PlaneCurve], *, executor: Executor | None = None, **options: Any
@@ -48,7 +45,8 @@ def optimal_rods(
     require_executor(executor, "map")
     attempt = partial(_attempted, options=options)
     curves = list(curves)
-    return tuple(map(attempt, curves) if executor is None else executor.map(attempt, curves, chunksize=CHUNK))
+    # sending a curve to a worker takes as long as computing its rod, so many are sent together
+    return tuple(map(attempt, curves) if executor is None else executor.map(attempt, curves, chunksize=32))
 
 
 def _attempted(curve: PlaneCurve, options: dict[str, Any]) -> Rod | ElasticaError:

@@ -222,8 +222,6 @@ MEETS_SHARE = 1e-9
 PULLS_SHARE = 1e-9
 """Forces in the wrong direction up to this fraction of the largest force are rounding errors."""
 
-_FOOT_STEPS = 30
-
 
 @dataclass(frozen=True, eq=False)
 class ShapeOfRod:
@@ -252,7 +250,7 @@ class ShapeOfRod:
         """Return the arc length, mm, at which the rod is nearest to a point (2,)."""
         nodes = edge_positions(self.start, self.tangents, self.edge_length)
         s = self.edge_length * float(norm(nodes - point).argmin())
-        for _ in range(_FOOT_STEPS):
+        for _ in range(30):
             off, slope = point - self.at(s), self.at(s, 1)
             # limit the step, because Newton's method diverges near the centre of curvature
             spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
@@ -262,10 +260,6 @@ class ShapeOfRod:
         return s
 
 
-BALANCED = 1e-6
-"""Largest resultant of loads that balance each other, as a fraction of the sum of all forces."""
-
-
 def require_held(
     supports: Supports, elements: Sequence[PlacedElement | ElementForce], shape: ShapeOfRod, load: FloatArray
 ) -> None:
@@ -273,7 +267,8 @@ def require_held(
 
     A rod that floats needs no support if the `resultant` of its loads, `load` (3,), is 0.
     """
-    if floats(supports, elements) and np.abs(load).max() <= BALANCED:
+    # cords need no support if the loads balance each other, except for rounding errors
+    if floats(supports, elements) and np.abs(load).max() <= 1e-6:
         return
     reactions = []
     for element in elements:

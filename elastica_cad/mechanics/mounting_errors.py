@@ -15,9 +15,6 @@ from elastica_cad.mechanics.newton_continuation import newton_step
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
-SMALL_STEP = 1e-6
-"""Displacement of a rail or pin as a fraction of the length, so small that the strip responds linearly."""
-
 ROUNDING_FRACTION = 1e-6
 """Forces of rails, pins and ties up to this fraction of the largest force in the rod are rounding errors."""
 
@@ -120,5 +117,6 @@ def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatA
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step = newton_step(state, Residual(np.zeros(state.angles.size), miss))
-    small = SMALL_STEP * state.system.length
+    # so small that the strip responds linearly
+    small = 1e-6 * state.system.length
     return (state.moved(step, small).position - state.moved(step, -small).position) / (2 * small)

@@ -21,15 +21,8 @@ TOLERANCE = 1e-10
 LARGEST_TURN_RAD = 0.5
 # largest rotation of an edge in a step near a crossing of two branches of equilibria
 SMALL_TURN_RAD = 0.02
-# rotation along an unstable mode in each step of a minimisation, far above rounding errors
-SADDLE_PUSH_RAD = 0.05
-# largest rotation of an edge in a step of a minimisation before the line search
-ASTRAY_RAD = float(np.pi)
-# rotation of all edges below which Newton's method replaces the minimisation
-NEAR_REST_RAD = 1e-2
 # rotation of all edges in the last Newton step; the next rotation would be about its square
 CONVERGED_RAD = 1e-9
-MOST_DESCENT_STEPS = 300
 # accuracy, as a fraction of the path, of the point at which a rail or tie becomes slack or taut
 STOP_SHARE = 1e-3
 # least step, as a fraction of the path; the end of a branch is located with this accuracy
@@ -249,14 +242,14 @@ def relax(state: RodState) -> RodState | None:
         return None
     rest = _minimise_energy(start, np.inf)
     # Newton's method may diverge at the kink beyond which a hardening material is much stiffer
-    return _minimise_energy(start, ASTRAY_RAD) if rest is None else rest
+    return _minimise_energy(start, np.pi) if rest is None else rest
 
 
 def _minimise_energy(state: RodState, astray: float) -> RodState | None:
     """Minimise the energy in steps that turn an edge by at most `astray`, rad; return None on failure."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
-    for _ in range(MOST_DESCENT_STEPS):
+    for _ in range(300):
         rod, residual = state.discrete, state.residual
         (diagonal, off), inertia = rod.hessian, rod.unstable_modes
         convex, push = diagonal, np.zeros_like(state.angles)
@@ -270,7 +263,8 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
         turned = _turned(step)
         if not np.isfinite(turned):
             return None
-        if not inertia and turned < NEAR_REST_RAD:
+        # near the equilibrium, Newton's method replaces the minimisation
+        if not inertia and turned < 1e-2:
             corrected = correct(state)
             if (
                 corrected is not None
@@ -278,10 +272,11 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        # also step along the unstable mode, so that the minimisation does not end at a saddle point
+        # also step along the unstable mode, far beyond rounding errors, so that the minimisation does not end at a
+        # saddle point
         if inertia:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
-            step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
+            step = Step(step.angles + side * 0.05 * push, step.reactions)
             turned = _turned(step)
         descended = _descend(state, step, min(1.0, LARGEST_TURN_RAD / turned) if turned else 1.0)
         if descended is None:
@@ -343,14 +338,6 @@ def _relative_error(state: RodState, residual: Residual) -> float:
 
 # largest difference of edge angles of a straight rod; it moves an end by a micrometre in 10 m
 STRAIGHT_RAD = 1e-7
-# if the held end angles differ by more than this, the sign of the difference determines the default side
-DECIDING_TURN_RAD = 0.5
-# least distance between the ends of the first buckled rod, as a fraction of the length
-FIRST_CHORD = 0.9
-# accuracy of the bisected buckling load, as a fraction of the full load
-LOAD_RESOLUTION = 1e-7
-# amplitudes of the buckled shape, tried in this order until Newton's method converges
-AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
 def is_straight(state: RodState) -> bool:
@@ -375,7 +362,8 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
     if _must_shorten(straight):
         a, b = system.held_angles
         turn = 0.0 if a is None or b is None else b - a
-        if side is None and mode == 1 and abs(turn) > DECIDING_TURN_RAD:
+        # if the held end angles differ much, the sign of the difference determines the default side
+        if side is None and mode == 1 and abs(turn) > 0.5:
             middles = (np.arange(system.edges) + 0.5) / system.edges - 0.5
             arc = follow(system.state(straight.angles + turn * middles, state.reactions))
             if arc.arrived and not arc.state.discrete.unstable_modes:
@@ -428,7 +416,8 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = unit_vectors(angle)
-    chord = length * min(max(float(np.linalg.norm(system.chord)) / length, FIRST_CHORD), 1 - 1e-12)
+    # the ends of the first buckled rod are far apart
+    chord = length * min(max(float(np.linalg.norm(system.chord)) / length, 0.9), 1 - 1e-12)
     first = replace(
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
@@ -458,12 +447,13 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
             mode=mode,
         )
     low, high = 0.0, 1.0
-    while high - low > LOAD_RESOLUTION:
+    while high - low > 1e-7:
         middle = (low + high) / 2
         low, high = (low, middle) if modes(middle) >= mode else (middle, high)
     shape = buckling_mode(scaled(high), side, mode)[1]
     shape = shape / np.abs(shape).max()
-    for amplitude in AMPLITUDES_RAD:
+    # try smaller and smaller amplitudes, rad, until Newton's method converges
+    for amplitude in (0.2, 0.05, 0.01, 0.002):
         buckled = _reach_amplitude(system, scaled(high), shape, amplitude, high)
         if buckled is None or buckled[1] >= 1.0:
             continue

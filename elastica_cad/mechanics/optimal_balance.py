@@ -346,9 +346,6 @@ TANGENT_STEP = 1e-4
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
-SIZE_SHARE = 5e-4
-"""Fraction by which a section may be smaller than its limit. It is not visible in four digits."""
-
 HOPELESS_SHARE = 1e-4
 """The iteration stops if E I falls below this fraction of the E I of the least section."""
 
@@ -362,9 +359,6 @@ SHORTER, LONGER = 0.5, 1.2
 
 LONGEST_JUMP = float(np.log(4.0))
 """Largest change of the natural logarithm of a scale by extrapolation."""
-
-SLOWEST_RATE = 0.99
-"""Largest ratio of the last two steps of a sequence that is extrapolated."""
 
 
 def _with_section(request: RodRequest, section: Section) -> BalancedStiffness:
@@ -528,7 +522,7 @@ def extrapolated(first: float, second: float, third: float) -> float:
     from the last logarithm by at most `LONGEST_JUMP`.
     """
     step, before = third - second, second - first
-    if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
+    if before == 0 or not -0.9 < step / before < 0.99:
         return third
     return third + float(np.clip(step**2 / (before - step), -LONGEST_JUMP, LONGEST_JUMP))
 
@@ -560,7 +554,8 @@ def refuse_below_limits(section: Section, bending_stiffness: FloatArray, s: Floa
     """Refuse bending stiffnesses, N mm2, at arc lengths `s` of the same shape, mm, that need too small sections."""
     least, largest = section.limits
     sizes = section.parameter(bending_stiffness)
-    if sizes.min() < least * (1 - SIZE_SHARE):
+    # a section may be smaller than its limit by a fraction that is not visible in four digits
+    if sizes.min() < least * (1 - 5e-4):
         raise InputError(
             "with the largest {quantity} of {largest:g}, the curve requires a {quantity} of {given:.4g} at "
             "{s:.4g} from its start, but the limits allow no less than {least:g}. Widen the limits, or use "

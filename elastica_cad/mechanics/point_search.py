@@ -25,9 +25,6 @@ MOST_POINTS = 30
 DIRECTIONS = 16
 """Number of evenly spaced directions in which a control point is moved."""
 
-END_REACH = 3.0
-"""Largest move of an end control point, as a multiple of the largest move of an inner control point."""
-
 SHARES = (0.1, 0.25, 0.5, 1.0)
 """Distances by which a control point is moved, as fractions of the largest allowed distance."""
 
@@ -110,7 +107,8 @@ def move_one_point(
         low, high = curve.knots[index], curve.knots[index + curve.degree + 1]
         return sum(not low <= t <= high for t in zeros) <= ON_LINE
 
-    for indices, reach in ((inner, farthest), (ends, END_REACH * farthest)):
+    # ends may move farther than inner control points
+    for indices, reach in ((inner, farthest), (ends, 3.0 * farthest)):
         moves = [
             _Move(curve, index, direction * reach / weights[index], natural_curvature)
             for index in filter(may_help, indices)

@@ -31,7 +31,6 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-MAX_PANELS = 4000
 # last Legendre coefficients of a resolved function, as a fraction of its largest value
 RESOLVED = 1e-11
 # last Legendre coefficients below this fraction of the largest value may be rounding errors
@@ -48,9 +47,6 @@ ROUGH_AT_ZERO = 2
 
 STEP_LENGTH = 1e-5
 """Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
-
-NEAR_ZERO_SHARE = 0.05
-"""Panels are refined if a mass is closer to a zero of the curvature than this fraction of the length."""
 
 FROM_LEFT = 1 + NODES
 
@@ -176,7 +172,7 @@ def cut_into_panels(
         # halving a panel of p nodes divides its last Legendre coefficient by about 2^p
         halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
         parts = np.where(settled, 1, 2 ** halvings.clip(1, 3).astype(int))
-        if settled.all() or parts.sum() > MAX_PANELS:
+        if settled.all() or parts.sum() > 4000:
             break
     edge_s = np.append(0.0, (stretch @ WEIGHTS).cumsum())
     from_ends = in_panels(np.concatenate([LEFT, -RIGHT]), velocity)
@@ -265,12 +261,8 @@ def _evaluated(
 REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
-# relative size of the last Legendre coefficients above which a panel is cut
-_ROUGH = 1e-9
 # a knot of the load ends a panel if the stiffness has fewer than this number of continuous derivatives there
 _SMOOTH = 4
-# largest number of parts of a panel under a large weight
-_MOST_PARTS = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -346,14 +338,14 @@ class CutCurve:
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
-        parts = np.ceil(np.diff(panels.edge_s) * steep / 2).clip(1, _MOST_PARTS).astype(int)
+        parts = np.ceil(np.diff(panels.edge_s) * steep / 2).clip(1, 50).astype(int)
         edges = panels.edges
         inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
         """Halve the panels on which the stiffness is not resolved; return None if it is resolved everywhere."""
-        rough = stiffness.unresolved(_ROUGH)
+        rough = stiffness.unresolved(1e-9)
         edges = self.panels.edges
         return self._also_at(midpoints(edges)[rough]) if rough.any() else None
 
@@ -375,7 +367,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
         return []
     zero = float(zeros[np.abs(zeros - s).argmin()])
     places, reach = [], 2 * (s - zero)
-    while 0 < abs(reach) < NEAR_ZERO_SHARE * length and 0 < zero + reach < length:
+    while 0 < abs(reach) < 0.05 * length and 0 < zero + reach < length:
         places.append(zero + reach)
         reach *= 2
     return places

@@ -53,7 +53,6 @@ DEFAULT_SAMPLES = SURVEY_POINTS
 # removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
-
 DUST_SHARE = 1e-12
 """Values below this fraction of the largest value of the same unit are rounding errors and are written as 0."""
 
@@ -148,16 +147,6 @@ def _stiffness_profile_of(
     return Profile.interpolate(np.linspace(0.0, length, values.size), values), n
 
 
-DIFFERENCE_SHARE = 1e-7
-"""Step of the finite differences for the slope of the stiffness, relative to the largest change of curvature."""
-
-CURL_POINTS = 24
-"""Number of quadrature points of the energy, whose error is 1e-9 for flat and 1e-3 for pre-bent strips."""
-
-CURL_STEPS = 8
-"""Number of iterations to find the curvature for a moment."""
-
-
 @dataclass(frozen=True, eq=False)
 class CurlingLaw(MaterialLaw):
     """Law M = K m(kappa - kappa_0) at the nodes of a rod whose section depends on its curvature.
@@ -207,7 +196,7 @@ class CurlingLaw(MaterialLaw):
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return moment / design stiffness (n,), 1/mm, and its derivative (n,) by the change of curvature."""
         change = np.asarray(curvature, dtype=float)
-        step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
+        step = 1e-7 * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))
         m, slope = (change, 1.0) if self.below is None else self.below.with_slope(change)
         return m * here, (slope * here + m * (beyond - here) / step)
@@ -215,7 +204,8 @@ class CurlingLaw(MaterialLaw):
     def energy(self, curvature: ArrayLike) -> FloatArray:
         """Return the elastic energy (n,) per length, divided by the stiffness K, 1/mm2."""
         change = np.asarray(curvature, dtype=float)
-        x, weight = gauss_rule(CURL_POINTS)
+        # the error is 1e-9 for flat and 1e-3 for pre-bent strips
+        x, weight = gauss_rule(24)
         root = (x + 1) / 2  # points are denser near 0, where the stiffness changes most
         return change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change))
 
@@ -223,7 +213,7 @@ class CurlingLaw(MaterialLaw):
         """Return the changes of curvature (n,), 1/mm, for values (n,) of moment / design stiffness, 1/mm."""
         m = np.asarray(effective, dtype=float)
         change = m if self.below is None else self.below.curvature(m)
-        for _ in range(CURL_STEPS):
+        for _ in range(8):
             reached, slope = self.with_slope(change)
             change = change - (reached - m) / slope
         return change
@@ -242,21 +232,15 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference between edge lengths of a discrete rod and the arc lengths between its nodes; for
-# nodes on a curve, the difference is about (curvature * edge length)^2 / 24
-EVEN_EDGES = 1e-7
-# exponent of the correction functions at the ends, which decrease to 0 within an eighth of the length
-TURN_POWER = 8
 # few Newton steps are enough, because the initial angles are nearly exact
 NEWTON_STEPS = 5
-# largest error of the tangents of the spline
-TANGENT_RAD = 1e-8
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
     """Return True if all edges of the polygon are as long as the arc length between their nodes."""
     h = np.diff(s)
-    return bool((np.abs(norm(np.diff(position, axis=0)) - h) <= EVEN_EDGES * h).all())
+    # for nodes on a curve, the difference is about (curvature * edge length)^2 / 24
+    return bool((np.abs(norm(np.diff(position, axis=0)) - h) <= 1e-7 * h).all())
 
 
 def integrate_edges(
@@ -336,7 +320,7 @@ def integrate_edges(
         ),
         length,
         position[0] + gap * (held[1] and not held[0]),
-        tolerance=TANGENT_RAD,
+        tolerance=1e-8,
         breaks=[(joint, 1) for joint in (low, high) if 0.0 < joint < length],
     )
 
@@ -352,7 +336,8 @@ def _angle_corrections(x: FloatArray) -> FloatArray:
 
     Multiples of them are added to the tangent angle of a curve, so that its ends get given angles and positions.
     """
-    y, m = 1 - x, TURN_POWER
+    # with this exponent, the functions decrease to 0 within an eighth of the length
+    y, m = 1 - x, 8
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
     return np.concatenate([beside, np.sqrt(k) * np.sin(np.pi * x[:, None] * k)], axis=1)
@@ -362,10 +347,6 @@ def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
     """Return the angles (n,), rad, of edges between nodes (n + 1, 2), within half a turn of the nodal angles."""
     edge = angle_of(np.diff(position, axis=0))
     return np.asarray(edge + 2 * np.pi * np.round((midpoints(angle) - edge) / (2 * np.pi)))
-
-
-# half width of the band that shows the stiffness in a notebook, as a fraction of the length
-BAND_SHARE = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -556,7 +537,8 @@ class Rod:
 
     def _repr_svg_(self) -> str:
         across = left_of(unit_vectors(self.angle))
-        half = BAND_SHARE * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
+        # the band that shows the stiffness is up to 4 % of the length wide
+        half = 0.02 * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
         band = np.concatenate([self.position + half, (self.position - half)[::-1]])
         return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
 
@@ -866,10 +848,6 @@ def resample(rod: Rod, samples: int) -> Rod:
     )  # fmt: skip
 
 
-PROFILE_SHARE = 1e-6
-"""Largest error of a fitted stiffness profile, relative to the largest stiffness."""
-
-
 def as_bent(rod: Rod) -> Rod:
     """Return the rod with the stiffness of its sections in the present shape.
 
@@ -883,7 +861,7 @@ def as_bent(rod: Rod) -> Rod:
     least, follow = float(K.min()), Profile.interpolate(rod.s, share)
     profile = Profile.fit(
         lambda s: design(s) * follow(s) / least, rod.length, breaks=design.breaks, knots=design.knots,
-        tolerance=PROFILE_SHARE * float(K.max()) / least,
+        tolerance=1e-6 * float(K.max()) / least,
     )  # fmt: skip
     weight = rod.weight
     if weight is not None:  # a weight in newtons does not change with the stiffness

@@ -24,8 +24,6 @@ from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedEle
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
-# largest relative imbalance of moments that is reported if the imbalance is only a rounding error
-ROUNDED_IMBALANCE = 1e-12
 
 
 class Step(NamedTuple):
@@ -363,7 +361,7 @@ class RodState:
         """Largest imbalance of moments divided by `scale`; at most 1e-12 if it is a rounding error."""
         largest, size = float(np.abs(self.residual.imbalance).max()), self.scale
         if largest <= self.noise:
-            return min(largest / size, ROUNDED_IMBALANCE) if size > 0 else 0.0
+            return min(largest / size, 1e-12) if size > 0 else 0.0
         return largest / size
 
     @property

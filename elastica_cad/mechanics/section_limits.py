@@ -15,20 +15,13 @@ from elastica_cad.refusals import note
 STRAIN_SLACK = SEEN_APART
 """Relative tolerance of the strain limit, larger than the error of a spline fitted to a curve at the limit."""
 
-BRITTLE_FACTOR = 1.5
-"""Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
-
 BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "rod", "brittle plastic")
 """Kinds of sheets whose breaking strain is estimated with `BRITTLE_FACTOR`."""
 
-CRACKS = "the material may crack there"
-KEEPS_BEND = "the material stays bent there"
-CREEPS = "the material creeps there and stays partly bent"
-UNKNOWN = "the material may crack there, or stay bent"
 OUTCOMES = {
-    **dict.fromkeys(BRITTLE, CRACKS),
-    **dict.fromkeys(("card", "paper", "metal"), KEEPS_BEND),
-    "plastic": CREEPS,
+    **dict.fromkeys(BRITTLE, "the material may crack there"),
+    **dict.fromkeys(("card", "paper", "metal"), "the material stays bent there"),
+    "plastic": "the material creeps there and stays partly bent",
 }
 """Behaviour of a sheet beyond its strain limit, by kind of sheet."""
 
@@ -110,7 +103,9 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
     breaks = breaking_strain(sheet)
     broken = breaks is not None and strain > breaks * (1 + STRAIN_SLACK)
     state = StrainState.REFUSED if broken else StrainState.WARNED
-    return StrainVerdict(state, used, at, OUTCOMES.get(sheet.kind, UNKNOWN))
+    return StrainVerdict(
+        state, used, at, OUTCOMES.get(sheet.kind, "the material may crack there, or stay bent")
+    )
 
 
 def breaking_strain(sheet: Sheet) -> float | None:
@@ -118,7 +113,8 @@ def breaking_strain(sheet: Sheet) -> float | None:
     strain = sheet.break_strain
     if strain is not None and strain > sheet.max_strain:
         return strain
-    return BRITTLE_FACTOR * sheet.max_strain if sheet.kind in BRITTLE else None
+    # estimated breaking strain of wood and brittle plastics
+    return 1.5 * sheet.max_strain if sheet.kind in BRITTLE else None
 
 
 def thinner_for(sheet: Sheet, strain: float) -> float | None:

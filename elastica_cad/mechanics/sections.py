@@ -23,9 +23,6 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import BareLength
 from elastica_cad.refusals import Length as Mm
 
-SECANTS = 12
-"""Largest number of secant steps in the search for the width of a given bending stiffness."""
-
 SETTLED = 1e-12
 """Relative error of the stiffness below which the search for a width ends after one more step."""
 
@@ -145,7 +142,7 @@ def plate_width(
     )
     target = np.log(aim)
     log_width, last, error, slope = target, target, np.zeros(aim.shape), np.ones(aim.shape)
-    for _ in range(SECANTS):
+    for _ in range(12):
         before = error
         factor = anticlastic_factor(
             np.exp(log_width), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest

@@ -169,7 +169,6 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 
 # keys whose values are attributes of `Sheet` without conversion
 _WORDS = ("kind", "grain")
-_LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
 # for each key of the file: the attribute of `Sheet`, and the word by which the sources of the sheet name it
 _FIGURES = {
@@ -181,9 +180,6 @@ _FIGURES = {
     "shear_modulus_MPa": ("shear_modulus", "G"),
     "break_strain": ("break_strain", "break"),
 }
-# keys of properties that are estimated from other properties if they are not published
-_ESTIMATED = ("shear_modulus_MPa", "break_strain")
-
 
 LARGEST_FILE = 10**6
 """Largest size of a file of sheets, bytes."""
@@ -235,7 +231,11 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
-        fields |= {key.removesuffix("_mm"): entry[key] for key in _LIMITS if key in entry}
+        fields |= {
+            key.removesuffix("_mm"): entry[key]
+            for key in ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
+            if key in entry
+        }
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
@@ -246,7 +246,8 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
             fields["poisson_ratio"] = NominalRatio(ratio)
         for key, (stem, label) in _FIGURES.items():
             if key not in entry:
-                if key not in _ESTIMATED:
+                # these are estimated from other properties if they are not published
+                if key not in ("shear_modulus_MPa", "break_strain"):
                     sources.append(f"{label} not published: measure it on a coupon")
                 continue
             figure = entry[key]
@@ -1042,7 +1043,6 @@ _COLOR_BY_KIND = {
     "composite": (0.78, 0.80, 0.60),
     "rod": (0.78, 0.80, 0.60),
 }
-_USUAL_COLOR = (0.80, 0.74, 0.62)
 
 
 def sheet_color(sheet: Sheet) -> Color:
@@ -1057,4 +1057,4 @@ def sheet_color(sheet: Sheet) -> Color:
     for name, color in _COLOR_BY_NAME.items():
         if sheet.name.startswith(name):
             return color
-    return _COLOR_BY_KIND.get(sheet.kind, _USUAL_COLOR)
+    return _COLOR_BY_KIND.get(sheet.kind, (0.80, 0.74, 0.62))

@@ -250,8 +250,6 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
 SAFE_MARGIN = 5.0
 # least margin of a rod that is rated stable, as a fraction of its margin when straight, without forces
 UNLOADED_SHARE = 0.5
-# largest imbalance of moments, relative to the moments, that `stability` accepts
-OUT_OF_BALANCE = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -359,7 +357,7 @@ def stability(rod: Rod) -> Stability:
         raise InputError(
             f"stability was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
         )
-    if rod.residual > OUT_OF_BALANCE:
+    if rod.residual > 0.05:
         raise InputError(
             f"the rod is not in equilibrium (residual {rod.residual:.2g}): pass the result of `bend`"
         )

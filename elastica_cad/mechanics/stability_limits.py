@@ -27,8 +27,6 @@ LARGEST_TURN_RAD = 0.3
 FIRST_STEPS = 16
 # accuracy of the stability limit, as a fraction of the path
 RESOLUTION_SHARE = 1e-9
-# rotation along the critical mode before the search for the next stable shape
-PUSH_RAD = 0.02
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -255,7 +253,7 @@ def _limit_at(
     kind = _kind_of_limit(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
-    push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
+    push = Step(0.02 * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
     rest = relax(state.moved(push).under(course.system(beyond)))
     before, after = state.rod(course.loaded(t)), None if rest is None else rest.rod(course.loaded(beyond))
     return StabilityLimit(t, course.entry(t), kind, before, after, *np.array(visited).T)

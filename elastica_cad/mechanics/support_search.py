@@ -31,9 +31,6 @@ CLEARLY_BETTER = 2.0
 MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""
 
-MOST_STABLE_TRIED = 3
-"""Largest number of rails, of pins and of ties for which the stability of the rod is computed."""
-
 
 def suggest_support(
     curve: PlaneCurve,
@@ -110,7 +107,8 @@ def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element
         with suppress(ElasticaError):
             if (ratio := ratio_within(request, most)) is not None:
                 possible.append((ratio, i))
-    for ratio, i in sorted(possible)[:MOST_STABLE_TRIED]:
+    # compute the stability of few rods only
+    for ratio, i in sorted(possible)[:3]:
         with suppress(ElasticaError):
             if stability(rod_of_request(requests[i])).stable:
                 return ratio, requests[i].between[-1]

@@ -558,19 +558,14 @@ SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
 SMOOTHED = (Change("smooth", SMOOTH_WITHIN + 0.0),)
 """Smoothing that messages suggest if the curvature jumps, with the largest displacement of the curve, mm."""
 
-
 PLACES = 721
 """Number of points along a closed curve among which the flattest point is chosen."""
-
-CLEAR_SHARE = 0.05
-"""A point is near an inflection if its curvature is below this fraction of the largest curvature."""
 
 PLACE_DIGITS = 6
 """Number of decimals of a start point in mm, so that equal curves from two programs begin at the same point."""
 
 ALIKE = 1e-6
 """Points are equally flat if their curvatures differ by less than this fraction of the largest curvature."""
-
 
 NEAR_KNOT_SHARE = 1e-5
 """A start closer to a knot than this fraction of the parameter range is moved to the knot.
@@ -632,16 +627,14 @@ def flattest_place(curve: PlaneCurve) -> float:
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
-    bent[bent < CLEAR_SHARE * largest] = np.inf
+    # points of smaller curvature are near an inflection
+    bent[bent < 0.05 * largest] = np.inf
     first = float(nodes.s[np.flatnonzero(bent <= bent.min() + ALIKE * largest)[0]])
     return min(round(first, PLACE_DIGITS), curve.length)
 
 
 AT_END_SHARE = 1e-6
 """A zero of the curvature closer to an end than this fraction of the length is at the end."""
-
-SEAM_SHARE = 0.01
-"""The start of a closed curve is moved if the curvature there is below this fraction of the largest."""
 
 PINNED_SHARE = 1e-6
 """At a pinned end, a curvature up to this fraction of the largest curvature counts as 0."""
@@ -678,11 +671,6 @@ The jump is multiplied by the length of the curve and divided by the curvature.
 
 If the width of a strip is a fifteenth of its length, the corner has 10 degrees.
 """
-
-TINY = float(np.finfo(float).tiny)
-
-# minima of the absolute curvature below this fraction of the largest curvature are located exactly
-_DIP_SHARE = 0.01
 
 
 def examine_curvature(
@@ -766,7 +754,7 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
     # keep the start of a `RestCurvature`, whose arc length is measured from there
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
-    if np.abs(excess.at(curve.domain)).min() > SEAM_SHARE * largest:
+    if np.abs(excess.at(curve.domain)).min() > 0.01 * largest:  # the start is bent
         return excess, ()
     place = flattest_place(curve)
     message = note(
@@ -815,7 +803,8 @@ def faint_places(
     s = curve.survey.s
     bent = np.abs(change)
     inside = bent[1:-1]
-    dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
+    # only deep minima are located exactly
+    dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < 0.01 * largest)
     places = []
     for i in np.flatnonzero(dips) + 1:
         low, high = s[i - 1], s[i + 1]
@@ -1004,7 +993,7 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
     before = np.where(after == low, high, after)  # the start of a closed curve follows its end
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
-    size = np.maximum(np.abs(kappa).max(axis=0), TINY)
+    size = np.maximum(np.abs(kappa).max(axis=0), float(np.finfo(float).tiny))
     with np.errstate(over="ignore"):  # where the curvature is 0, the relative jump is infinite
         return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 

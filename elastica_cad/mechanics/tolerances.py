@@ -189,10 +189,7 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     return replace(rod, weight=weight, bending_stiffness=B)
 
 
-_RODS_PER_TASK = 16
-
 MOST_SAMPLES = 100_000
-
 
 SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
 """Ranges that may contain negative values."""
@@ -468,9 +465,7 @@ def _outcomes_of(
     effective = [_without_ineffective_changes(rod, v) for v in todo]
     different = list(dict.fromkeys(effective))
     bent = partial(_outcome, rod, max_width)
-    answers = (
-        map(bent, different) if executor is None else executor.map(bent, different, chunksize=_RODS_PER_TASK)
-    )
+    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=16)
     outcomes = dict(zip(different, answers, strict=True))
     return [outcomes[v] for v in effective]
 

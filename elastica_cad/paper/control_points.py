@@ -204,22 +204,14 @@ class CurveChanges:
 
 # penalty of a violated bound, relative to half the mean square distance from the drawn curve
 _PENALTY = 0.1
-# penalty of a violated linear condition of a step; larger than those of violated bounds
-_ROW_PENALTY = 10.0
-# accuracy of the quadratic program of a step, relative to the penalties
-_ACCURACY = 1e-12
 # a missing stability margin is divided by this value to obtain its violation
 _MARGIN_UNIT = 50.0
-# largest stiffness ratio after a step, as a multiple of the present ratio or of its bound, whichever is larger
-_COARSE = 3.0
 # aims of a step: factor on the present stiffness ratio, and addition to the present stability margin
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 # a search ends at a smaller predicted gain of a step, as a fraction of half the mean square distance
 _SETTLED = 1e-3
-# gain of a step, relative to the squared length, that is only a rounding error
-_RESOLUTION = 1e-12
 # relative distance from the bounds at the samples, so that bounds also hold between the samples
 _INSIDE = 1e-5
 _ENFORCED = 1e-11
@@ -328,7 +320,8 @@ def move_within(
         aim = bounds.inside().from_here(state)
         points, size, promised = _step(changes, changes.offsets(curve) / state.curve.length, aim, radius)
         gain = distance + _PENALTY * aim.broken(state) - promised
-        settled = gain <= _RESOLUTION + (_SETTLED * distance if bounds.broken(state) == 0 else 0.0)
+        # a smaller gain is a rounding error
+        settled = gain <= 1e-12 + (_SETTLED * distance if bounds.broken(state) == 0 else 0.0)
         if settled:
             break
         moved = _state_after(state.curve, points, constraints)
@@ -336,7 +329,7 @@ def move_within(
             further = CurveChanges(moved, constraints)
             new_distance = _half_square(further, curve)
             achieved = distance + _PENALTY * (aim.broken(state) - aim.broken(moved)) - new_distance
-            coarse = moved.ratio > _COARSE * max(state.ratio, bounds.ratio)
+            coarse = moved.ratio > 3.0 * max(state.ratio, bounds.ratio)
             if achieved > 0.05 * gain and not coarse:
                 state, changes, distance = moved, further, new_distance
                 history.append(_route_step(state, distance, bounds))
@@ -414,9 +407,10 @@ def _step(
         conditions = np.concatenate([conditions, row[None]])
     for _ in range(_ROUNDS):
         rows, right = conditions[:, :-1], conditions[:, -1]
-        penalty, one_sided = np.full(right.size, _ROW_PENALTY), np.ones(right.size, dtype=bool)
+        # the linear conditions have larger penalties than the bounds
+        penalty, one_sided = np.full(right.size, 10.0), np.ones(right.size, dtype=bool)
         program = QuadraticProgram(H, g, lower, upper, rows, right, penalty, one_sided)
-        solution = solve_quadratic(program, accuracy=_ACCURACY)
+        solution = solve_quadratic(program, accuracy=1e-12)
         u, c, s = solution.x[:r], solution.x[r], solution.x[r + 1]
         compliances = C + dC @ u
         low = _peaks(c - aim.ratio * (compliances + s), above=1e-8)
