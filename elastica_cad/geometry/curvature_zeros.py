@@ -81,7 +81,7 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
     bezier = _unit_sized(bezier)
     numerator, noise = _curvature_numerator(bezier)
     flat = _straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
-    return _places(_Pieces(numerator, noise, flat, smooth), edges)
+    return _places(numerator, noise, flat, smooth, edges)
 
 
 def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
@@ -92,7 +92,7 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
     extent = float(np.ptp(project(bezier), axis=(0, 1)).max())
     level = 1e-12 * norm(b) * extent * bezier[..., 2].max(axis=1)
     on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
-    return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
+    return _places(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool), edges)
 
 
 def function_zero_places(
@@ -135,7 +135,7 @@ def function_zero_places(
     flat, noise = largest <= _FLAT * size, _FOLLOWED_NOISE * np.maximum(size, largest)
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[starts.searchsorted(edges[1:-1]) - 1] = smooth
-    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
+    return _places(values @ _TO_BERNSTEIN.T, noise, flat, joined, np.append(starts, edges[-1]))
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
@@ -191,66 +191,44 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
     return np.asarray(8 * _EPS * sizes * (1 + np.abs(centre).max()))
 
 
-@dataclass(frozen=True, eq=False)
-class _Pieces:
-    """Polynomials with the sign of a function along a curve, as Bernstein coefficients (p, n)."""
-
-    coefficients: FloatArray
-    noise: FloatArray
-    flat: BoolArray
-    smooth: BoolArray
-
-
-def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
-    count = f.flat.size
-    c, zero = without_end_roots(f.coefficients, f.noise, ~f.flat)
-    for i in range(count - 1):
-        if f.flat[i] or f.flat[i + 1] or not f.smooth[i]:
-            continue
+def _places(
+    coefficients: FloatArray, noise: FloatArray, flat: BoolArray, smooth: BoolArray, edges: FloatArray
+) -> tuple[ZeroPlace, ...]:
+    """Return the zeros along a curve of polynomials with Bernstein coefficients (p, n)."""
+    count = flat.size
+    c, zero = without_end_roots(coefficients, noise, ~flat)
+    for i in np.flatnonzero(smooth & ~flat[:-1] & ~flat[1:]):
         differ = c[i, -1] * c[i + 1, 0] < 0
         if zero[i, 1] != zero[i + 1, 0] or (differ and not zero[i, 1]):
             for j, side in ((i, 1), (i + 1, 0)):
                 if not zero[j, side]:
                     c[j] = divide_out_end_root(c[j], at_end=bool(side))
                     zero[j, side] = True
-    curved = np.flatnonzero(~f.flat)
-    inside: dict[int, list[tuple[float, bool]]] = {int(i): [] for i in curved}
-    for root in roots(c[curved], f.noise[curved]):
+    curved = np.flatnonzero(~flat)
+    inside: list[list[tuple[float, bool]]] = [[] for _ in edges]
+    for root in roots(c[curved], noise[curved]):
         inside[curved[root.piece]].append((root.u, root.crossing))
-    start, stop = (np.where(f.flat, 0, np.sign(c[:, side])).astype(int).tolist() for side in (0, -1))
+    signs = np.where(flat[:, None], 0, np.sign(c[:, [0, -1]])).astype(int).tolist()
+    # the pieces before and after each edge; beyond the ends of the curve the sign is 0
+    before, after = [0, *(sign for _, sign in signs)], [*(sign for sign, _ in signs), 0]
+    vanishes = zip([False, *zero[:, 1].tolist()], [*zero[:, 0].tolist(), False], strict=True)
+    is_flat = [False, *flat.tolist(), False]
     places: list[ZeroPlace] = []
-    for i in range(count):
-        places.extend(_at_start(f, edges, i, zero=zero, start=start, stop=stop))
-        if f.flat[i]:
-            continue
-        before, width = start[i], edges[i + 1] - edges[i]
+    for i, (t, vanish) in enumerate(zip(edges.tolist(), vanishes, strict=True)):
+        if is_flat[i + 1] and not is_flat[i]:
+            last = is_flat.index(False, i + 1) - 1
+            places.append(ZeroPlace(t, float(edges[last]), "flat", before[i], after[last]))
+        elif not is_flat[i]:
+            kind: ZeroKind | None = None
+            if before[i] * after[i] < 0:
+                kind = "crossing" if all(vanish) else "jump"
+            elif any(vanish):
+                kind = "touch" if 0 < i < count else "end"
+            if kind:
+                places.append(ZeroPlace(t, t, kind, before[i], after[i]))
+        sign = after[i]
         for u, crossing in inside[i]:
-            t, after = float(edges[i] + u * width), -before if crossing else before
-            places.append(ZeroPlace(t, t, "crossing" if crossing else "touch", before, after))
-            before = after
-    if not f.flat[-1] and zero[-1, 1]:
-        t = float(edges[-1])
-        places.append(ZeroPlace(t, t, "end", stop[-1], 0))
+            at, following = t + u * float(edges[i + 1] - edges[i]), -sign if crossing else sign
+            places.append(ZeroPlace(at, at, "crossing" if crossing else "touch", sign, following))
+            sign = following
     return tuple(places)
-
-
-def _at_start(
-    f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
-) -> list[ZeroPlace]:
-    t = float(edges[i])
-    if f.flat[i]:
-        if i and f.flat[i - 1]:
-            return []
-        bent = [j for j in range(i, f.flat.size) if not f.flat[j]]
-        last = bent[0] if bent else f.flat.size
-        after = start[last] if last < f.flat.size else 0
-        return [ZeroPlace(t, float(edges[last]), "flat", stop[i - 1] if i else 0, after)]
-    if i == 0:
-        return [ZeroPlace(t, t, "end", 0, start[0])] if zero[0, 0] else []
-    if f.flat[i - 1]:
-        return []
-    before, after = stop[i - 1], start[i]
-    if before * after < 0:
-        both = zero[i - 1, 1] and zero[i, 0]
-        return [ZeroPlace(t, t, "crossing" if both else "jump", before, after)]
-    return [ZeroPlace(t, t, "touch", before, after)] if zero[i - 1, 1] or zero[i, 0] else []
