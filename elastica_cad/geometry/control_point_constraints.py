@@ -47,11 +47,8 @@ class EndPositions:
         The residuals are the distances, mm, in x and y of the fixed ends of the curve from their points. The matrix
         has their derivatives by the control points.
         """
-        held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
-        if not held:
-            return _no_equations(curve)
-        t = np.array([at for at, _ in held])
-        gap = curve.evaluate(t) - np.array([p for _, p in held])
+        t, points = _at_held_ends(curve, self.start, self.end)
+        gap = curve.evaluate(t) - points
         return gap.ravel(), directed_rows(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
 
 
@@ -71,11 +68,7 @@ class EndTangents:
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the components of the velocities at the ends along the given normals."""
-        ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
-        held = [(t, n) for t, n in ends if n is not None]
-        if not held:
-            return _no_equations(curve)
-        t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
+        t, normal = _at_held_ends(curve, self.start_normal, self.end_normal)
         return dot(curve.evaluate(t, 1), normal), directed_rows(curve.basis(t, 1), normal)
 
 
@@ -319,9 +312,17 @@ def _no_equations(curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
     return np.zeros(0), np.zeros((0, curve.control_points.size))
 
 
+def _at_held_ends(
+    curve: PlaneCurve, start: FloatArray | None, end: FloatArray | None
+) -> tuple[FloatArray, FloatArray]:
+    """Return the parameters (k,) of the ends with a given vector, and these vectors (k, 2)."""
+    held = [(t, v) for t, v in zip(curve.domain, (start, end), strict=True) if v is not None]
+    return np.array([t for t, _ in held]), np.reshape([v for _, v in held], (-1, 2))
+
+
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
     """Return the derivatives (k, 2 m) of sum_i basis[k, i] <direction[k], q_i> by the control points q_i."""
-    return (basis[:, :, None] * direction[:, None, :]).reshape(len(basis), -1)
+    return (basis[:, :, None] * direction[:, None, :]).reshape(len(basis), 2 * basis.shape[1])
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:

@@ -197,7 +197,7 @@ def _places(
     """Return the zeros along a curve of polynomials with Bernstein coefficients (p, n)."""
     count = flat.size
     c, zero = without_end_roots(coefficients, noise, ~flat)
-    for i in np.flatnonzero(smooth & ~flat[:-1] & ~flat[1:]):
+    for i in np.flatnonzero(smooth & ~flat[:-1] & ~flat[1:]).tolist():
         differ = c[i, -1] * c[i + 1, 0] < 0
         if zero[i, 1] != zero[i + 1, 0] or (differ and not zero[i, 1]):
             for j, side in ((i, 1), (i + 1, 0)):

@@ -205,11 +205,6 @@ class RationalPieces:
         """Parameters (p + 1,) of the ends of the p pieces."""
         return self.spans.edges
 
-    @property
-    def ends(self) -> tuple[list[float], list[float]]:
-        """First and last point in homogeneous coordinates x w, y w, w."""
-        return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
-
     def inside(self, t: FloatArray) -> FloatArray:
         """Return the parameters clipped to the domain, and refuse those that are clearly outside."""
         a, b = self.edges[0], self.edges[-1]
@@ -405,13 +400,6 @@ def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *
     ])  # fmt: skip
 
 
-def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
-    """Return the number of continuous derivatives at each interior knot (p - 1,), from its multiplicity."""
-    t = pieces.edges[1:-1]
-    repeated = knots.searchsorted(t, side="right") - knots.searchsorted(t)
-    return pieces.spans.degree - repeated
-
-
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
     """Return how many of angle, curvature and its derivatives, in this order, agree on both sides of each knot."""
     before, after = sides.before, sides.after
@@ -433,18 +421,20 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
-    if np.ptp(control_points, axis=0).max() == 0:
+    size = np.ptp(control_points, axis=0).max()
+    if size == 0:
         raise InputError("all control points coincide, so the curve has no length: draw the curve again")
     t = pieces.tangent_cones.standstill
     if t is None:
         return
     at = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
-    size = np.ptp(control_points, axis=0).max()
+    dense = [np.linspace(a, b, 65) for a, b in pairwise(np.append(pieces.edges[pieces.edges < t], t))]
+    length = sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense)
     where = note(
         "the curve has no tangent at {place}, {s} from its start",
         place=at,
-        s=Length(_length_until(pieces, t)),
+        s=Length(length),
     )
     if not twins.size:
         raise InputError(
@@ -466,11 +456,6 @@ def _refuse_standstill(
         place=where,
         cause=cause,
     )
-
-
-def _length_until(pieces: RationalPieces, t: float) -> float:
-    dense = [np.linspace(a, b, 65) for a, b in pairwise(np.append(pieces.edges[pieces.edges < t], t))]
-    return float(sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense))
 
 
 SAME_KNOT = 1e-12

@@ -53,7 +53,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
                 f"the loop at {place(path.start)} encloses no area, so it has no offset: leave out this loop"
             )
         left = -distance * float(np.sign(path.area))
-    moved = Path(_Ring(_elements(path, left, tolerance), path.closed, distance).joined(), path.closed)
+    moved = Path(_joined(_elements(path, left, tolerance), path.closed, distance), path.closed)
     _refuse_collisions(path, moved, distance, tolerance)
     return moved
 
@@ -137,51 +137,48 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
     return Arc(before.end, abs(left), first, first + turn)
 
 
-@dataclass(frozen=True, eq=False)
-class _Ring:
-    """Pieces of the offset path in order, trimmed at their crossings. Vanished pieces are removed."""
+def _joined(elements: list[_Element], closed: bool, distance: float) -> list[Segment]:
+    """Return the pieces of the offset path in order, trimmed at their crossings, without vanished pieces."""
+    alive = {i: element.piece for i, element in enumerate(elements) if element.piece is not None}
+    while True:
+        lost = _lost_element(elements, alive, closed, distance)
+        if lost is not None:
+            raise InputError(
+                "an offset of {distance:g} removes the path at {at}: make that part larger or the offset smaller",
+                distance=Length(distance),
+                at=place(lost.source),
+            )
+        failed = None
+        starts, ends = dict.fromkeys(alive, 0.0), dict.fromkeys(alive, 1.0)
+        order = [*alive]
+        for i, j in pairwise([*order, order[0]] if closed else order):
+            cut = _meeting_parameters(alive[i], alive[j])
+            if cut is None:
+                failed = min(i, j, key=lambda k: alive[k].length)
+                break
+            ends[i], starts[j] = cut
+        if failed is None:
+            inverted = [i for i in alive if ends[i] - starts[i] <= 1e-9]
+            if not inverted:
+                return [trim_segment(piece, starts[i], ends[i]) for i, piece in alive.items()]
+            failed = min(inverted, key=lambda k: alive[k].length)
+        del alive[failed]
 
-    elements: list[_Element]
-    closed: bool
-    distance: float
 
-    def joined(self) -> list[Segment]:
-        alive = {i: element.piece for i, element in enumerate(self.elements) if element.piece is not None}
-        while True:
-            self._refuse_losses(alive)
-            failed = None
-            starts, ends = dict.fromkeys(alive, 0.0), dict.fromkeys(alive, 1.0)
-            order = [*alive]
-            for i, j in pairwise([*order, order[0]] if self.closed else order):
-                cut = _meeting_parameters(alive[i], alive[j])
-                if cut is None:
-                    failed = min(i, j, key=lambda k: alive[k].length)
-                    break
-                ends[i], starts[j] = cut
-            if failed is None:
-                inverted = [i for i in alive if ends[i] - starts[i] <= 1e-9]
-                if not inverted:
-                    return [trim_segment(piece, starts[i], ends[i]) for i, piece in alive.items()]
-                failed = min(inverted, key=lambda k: alive[k].length)
-            del alive[failed]
-
-    def _refuse_losses(self, alive: dict[int, Segment]) -> None:
-        n, first = len(self.elements), min(alive, default=0)
-        alone = self.closed and len(alive) == 1 < n
-        if not alive or (alone and not meets(alive[first], alive[first])):
-            self._refuse(self.elements[0].source)
-        run = 0.0
-        for k in range(first, first + n):
-            run = 0.0 if k % n in alive else run + self.elements[k % n].source_length
-            if run > _LOST_OFFSETS * abs(self.distance):
-                self._refuse(self.elements[k % n].source)
-
-    def _refuse(self, at: FloatArray) -> None:
-        raise InputError(
-            "an offset of {distance:g} removes the path at {at}: make that part larger or the offset smaller",
-            distance=Length(self.distance),
-            at=place(at),
-        )
+def _lost_element(
+    elements: list[_Element], alive: dict[int, Segment], closed: bool, distance: float
+) -> _Element | None:
+    """Return a vanished element if the vanished part of the path is too long, else None."""
+    n, first = len(elements), min(alive, default=0)
+    alone = closed and len(alive) == 1 < n
+    if not alive or (alone and not meets(alive[first], alive[first])):
+        return elements[0]
+    run = 0.0
+    for k in range(first, first + n):
+        run = 0.0 if k % n in alive else run + elements[k % n].source_length
+        if run > _LOST_OFFSETS * abs(distance):
+            return elements[k % n]
+    return None
 
 
 def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:

@@ -100,10 +100,11 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     """Return the distances (n,), mm, of points (n, 2) from a spline: Newton's method from the nearest chords."""
-    u, q = chords(spline, _chord_tolerance(spline))
+    flat = 1e-3 * max(1.0, spline.length / 100)
+    u, q = chords(spline, flat)
     chord, where = _to_chords(p, q[:-1], q[1:])
     # keep all chords that may be the nearest, because chords differ from the spline
-    close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
+    close = chord <= chord.min(axis=1, keepdims=True) + 2 * flat
     # of neighbouring chords, only the nearest is kept
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
@@ -124,7 +125,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
     # Newton's method failed: it left the chord, did not converge, or found a point beyond the chord's distance
     failed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
-    failed |= best > chord[rows, i] + _chord_tolerance(spline)
+    failed |= best > chord[rows, i] + flat
     if failed.any():
         best[failed] = np.minimum(best[failed], _distances_by_sampling(p[failed], curve, *spans[:, failed]))
     least = np.full(count, np.inf)
@@ -142,10 +143,6 @@ def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, hi
         least = np.minimum(least, gap[rows, k])
         low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]
     return least
-
-
-def _chord_tolerance(spline: Spline) -> float:
-    return 1e-3 * max(1.0, spline.length / 100)
 
 
 JOIN = 1e-6

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import hypot
 
 import numpy as np
 
@@ -31,10 +30,9 @@ from elastica_cad.geometry.nurbs_curve import (
     agreeing_orders,
     curvature,
     curvature_slope,
-    knot_orders,
     tabulate_tangent_angle,
 )
-from elastica_cad.geometry.plane_points import norm
+from elastica_cad.geometry.plane_points import norm, project
 from elastica_cad.geometry.self_intersections import find_self_intersections
 from elastica_cad.geometry.splines import adaptive_spline, finite, is_clamped
 from elastica_cad.refusals import Length
@@ -170,21 +168,20 @@ class PlaneCurve(NurbsCurve):
 
     def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the signed curvature, 1/mm, at parameters t."""
-        t = numbers(t, "parameters")
-        return curvature(*self._pieces.at(t.ravel(), 2, left=require_flag(left, "left"))[1:]).reshape(t.shape)
+        return curvature(*self._derivatives(t, 2, left)[1:]).reshape(np.shape(t))
 
     def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the derivative of the curvature by arc length, 1/mm2, at parameters t."""
-        t = numbers(t, "parameters")
-        return curvature_slope(*self._pieces.at(t.ravel(), 3, left=require_flag(left, "left"))[1:]).reshape(
-            t.shape
-        )
+        return curvature_slope(*self._derivatives(t, 3, left)[1:]).reshape(np.shape(t))
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
         """Return the angle of the tangent, rad, at parameters t: continuous, and in [-pi, pi] at the start."""
         t = numbers(t, "parameters")
-        _, d1 = self._pieces.at(t.ravel(), 1, left=require_flag(left, "left"))
+        _, d1 = self._derivatives(t, 1, left)
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
+
+    def _derivatives(self, t: ArrayLike, order: int, left: bool) -> list[FloatArray]:
+        return self._pieces.at(numbers(t, "parameters").ravel(), order, left=require_flag(left, "left"))
 
     def __repr__(self) -> str:
         rational = ", rational" if self.weights is not None else ""
@@ -346,8 +343,8 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def is_closed(self) -> bool:
         """True if both ends are the same point within 1e-9 of the length."""
-        (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
-        return hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0) <= 1e-9 * self.length
+        start, end = project(self._pieces.bezier[[0, -1], [0, -1]])
+        return bool(norm(end - start) <= 1e-9 * self.length)
 
     def self_intersections(self) -> FloatArray:
         """Return pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
@@ -368,7 +365,10 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def _knot_orders(self) -> IntArray:
-        return knot_orders(self._pieces, self.knots)
+        """Numbers (p - 1,) of continuous derivatives at the interior knots, from their multiplicities."""
+        t = self._pieces.edges[1:-1]
+        repeated = self.knots.searchsorted(t, side="right") - self.knots.searchsorted(t)
+        return self.degree - repeated
 
     def _is_smooth(self, order: int) -> bool:
         """Return True if the knot multiplicities alone prove that the curve has `order` continuous derivatives."""

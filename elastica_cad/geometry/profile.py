@@ -146,7 +146,7 @@ class Profile:
     @property
     def extremes(self) -> tuple[float, float]:
         """Smallest and largest value, except for rounding errors. The values on both sides of a jump count."""
-        (_, low), (_, high) = self._extreme_points
+        low, high = self._extreme_points[1].tolist()
         return low, high
 
     @property
@@ -157,11 +157,12 @@ class Profile:
     @property
     def extreme_places(self) -> tuple[float, float]:
         """Arc lengths, mm, of the smallest and of the largest value."""
-        (first, _), (second, _) = self._extreme_points
+        first, second = self._extreme_points[0].tolist()
         return first, second
 
     @cached_property
-    def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
+    def _extreme_points(self) -> tuple[FloatArray, FloatArray]:
+        """Arc lengths (2,), mm, and values (2,) of the smallest and of the largest value."""
         pieces = self._function.pieces
         at_knots = pieces[:, [0, -1]]
         # only a piece with a coefficient outside the range of knot values can leave this range
@@ -173,8 +174,8 @@ class Profile:
         start, end = edges[:-1], edges[1:]
         places = np.concatenate([start, end, start[index] + u * (end - start)[index]])
         values = np.concatenate([*at_knots.T, value_and_slope(pieces[index], u)[0]])
-        low, high = values.argmin(), values.argmax()
-        return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
+        both = [values.argmin(), values.argmax()]
+        return places[both], values[both]
 
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:
@@ -223,8 +224,8 @@ class Profile:
         """
         changed = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
         if factor > 0 and "_extreme_points" in vars(self):
-            points = [(place, low + (value - least) * factor) for place, value in self._extreme_points]
-            vars(changed)["_extreme_points"] = tuple(points)
+            places, values = self._extreme_points
+            vars(changed)["_extreme_points"] = places, low + (values - least) * factor
         return changed
 
     @cached_property

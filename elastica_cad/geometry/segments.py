@@ -393,11 +393,7 @@ def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
 
     The chords between the points are within `tolerance` mm of the segment.
     """
-    u = _initial_parameters(segment, tolerance)
-    if not isinstance(segment, Spline):
-        return u, segment.at(u)
-    which = np.zeros(u.size, dtype=int)
-    return _halve_chords(lambda _, u: segment.at(u), which, u, which == 0, tolerance)[1:]
+    return _chords([segment], tolerance)[1:]
 
 
 def chord_points(segment: Segment, tolerance: float) -> FloatArray:
@@ -496,12 +492,18 @@ class SegmentTable:
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
     """Return the points (n, 2) of the `chords` of all segments, and the segment index (n,) of each point."""
+    return _chords(segments, tolerance)[::2]
+
+
+def _chords(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Return segment indices (n,), parameters u (n,) and points (n, 2) of the `chords` of all segments."""
     places = [_initial_parameters(segment, tolerance) for segment in segments]
     which, u = np.arange(len(places)).repeat([row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     if not bent.any():
-        return which, np.concatenate([segment.at(u) for segment, u in zip(segments, places, strict=True)])
-    return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]
+        points = [segment.at(u) for segment, u in zip(segments, places, strict=True)]
+        return which, u, np.concatenate(points)
+    return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)
 
 
 def _kind(segment: Segment) -> Hashable:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.nurbs_curve import (
     NurbsCurve,
     cut_into_tangent_cones,
@@ -60,7 +60,10 @@ def find_self_intersections(
         first, second = first[overlap], second[overlap]
         joined = high[first] >= low[second]
         onward = np.zeros(first.size, dtype=bool)
-        onward[joined] = _one_way(hodograph(part), first[joined], second[joined])
+        along = unit(hodograph(part))
+        both = np.concatenate([along[first[joined]], along[second[joined]]], axis=1)
+        # neighbours whose velocities are in a common half plane meet only at their joint
+        onward[joined] = (np.einsum("pnk,pk->pn", both, both.sum(axis=1)) > 0).all(axis=1)
         first, second = first[~onward], second[~onward]
         size = (box[:, 1] - box[:, 0]).max(axis=1)
         tiny = np.maximum(size[first], size[second]) < small
@@ -74,13 +77,6 @@ def find_self_intersections(
             break
         part, low, high, first, second = _halved(part, low, high, first, second)
     return _distinct(_polished(np.concatenate(guesses), motion, edges, small), edges)
-
-
-def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
-    """Return flags of pairs of neighbouring pieces that meet only at their joint."""
-    along = unit(velocity)
-    both = np.concatenate([along[first], along[second]], axis=1)
-    return np.asarray((np.einsum("pnk,pk->pn", both, both.sum(axis=1)) > 0).all(axis=1))
 
 
 def _halved(

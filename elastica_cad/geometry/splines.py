@@ -473,7 +473,12 @@ def adaptive_spline(
         raise InputError(f"the function is {quoted(function)}: give a function of the arc length")
     if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
         raise InputError(f"the degree of a spline is {degree!r}: use 1 to {_MOST_DEGREE}")
-    edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
+    rows = numbers(breaks, "breaks")
+    if rows.size and rows.shape[1:] != (2,):
+        raise InputError(
+            "`breaks` cannot be read: give pairs of a place and the number of continuous derivatives there"
+        )
+    edges, order = _first_edges(domain, rows.tolist(), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
     while True:
         low, widths = edges[:-1], np.diff(edges)
@@ -483,7 +488,7 @@ def adaptive_spline(
         weights = np.sqrt(widths[:, None] * weight)
         spans = bezier_spans(full, degree)
         coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
-        probed = _evaluated(spans, coefficients, x[:, sites.size :])
+        probed = SplineFunction(full, coefficients, degree)(x[:, sites.size :])
         error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
         # a steep part causes errors beside it, so divide the worst spans first
@@ -499,15 +504,6 @@ def adaptive_spline(
         edges = np.append(start, edges[-1])
 
 
-def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
-    rows = numbers(breaks, "breaks")
-    if rows.size and rows.shape[1:] != (2,):
-        raise InputError(
-            "`breaks` cannot be read: give pairs of a place and the number of continuous derivatives there"
-        )
-    return [(place, int(continuity)) for place, continuity in rows.tolist()]
-
-
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
@@ -519,13 +515,12 @@ def _first_edges(
             continue
         before = order.get(latest)
         apart = _ALIKE if before is not None and max(before, continuity) > 0 else _SAME_BREAK_SHARE
-        if before is None or place - latest > apart * length:
-            order[place] = continuity
-            latest = place
-        elif continuity < before:
+        if before is not None and place - latest <= apart * length:
+            if continuity >= before:
+                continue
             del order[latest]
-            order[place] = continuity
-            latest = place
+        order[place] = int(continuity)
+        latest = place
     edges = np.array([first, *sorted(order), last])
     inside = distinct(knots[(knots > first) & (knots < last)])
     after = edges.searchsorted(inside)
@@ -571,12 +566,6 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
             "No spline follows the function, because its places are too close together. Set a larger tolerance."
         )
     return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
-
-
-def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
-    basis, index = spans.local_basis(x.ravel())
-    values = np.einsum("nj,nj...->n...", basis, coefficients[spans.columns[index]])
-    return np.asarray(values.reshape(*x.shape, *coefficients.shape[1:]), dtype=float)
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
@@ -732,7 +721,10 @@ class _Problem:
 
     def at(self, t: FloatArray, weight: float) -> FloatArray:
         basis = self._basis(t)
-        weighted = basis.T * self._end_emphasis(t)
+        edges = self.spans.edges
+        from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
+        # least squares alone would be inaccurate in the first and last knot span
+        weighted = basis.T / np.sqrt(from_ends.clip(1e-3, 1.0))
         normal = weighted @ basis + weight * self.penalty
         ends = self.data[[0, -1]]
         right = weighted @ self.data - normal[:, [0, -1]] @ ends
@@ -746,12 +738,6 @@ class _Problem:
 
     def _gap(self, control: FloatArray, t: FloatArray) -> FloatArray:
         return self.data - self._basis(t) @ control
-
-    def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Return weights (n,), larger in the first and last knot span, where least squares would be inaccurate."""
-        edges = self.spans.edges
-        from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
-        return np.asarray(1 / np.sqrt(from_ends.clip(1e-3, 1.0)))
 
     def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
         """Return the parameters of the curve points nearest to the data, by a single Gauss-Newton step from t."""

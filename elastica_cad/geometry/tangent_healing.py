@@ -117,7 +117,10 @@ def heal_tangents(
         if knots[node + 1] in removable:
             _smooth_node(points, node, degree)
     if knots[degree] in removable:
-        _smooth_seam(points, degree)
+        around = _control_points_at_seam(points, degree)
+        _smooth_node(around, degree, degree)
+        points[-degree:-1] = around[1:degree]
+        points[1:degree] = around[degree + 1 : -1]
     moved = float(norm(points - control_points).max())
     return Healing(
         knots, points, degree, weights, moved, tuple(t for t in explained if t.t in removable), undecided
@@ -165,13 +168,6 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
-
-
-def _smooth_seam(points: FloatArray, degree: int) -> None:
-    around = _control_points_at_seam(points, degree)
-    _smooth_node(around, degree, degree)
-    points[-degree:-1] = around[1:degree]
-    points[1:degree] = around[degree + 1 : -1]
 
 
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
