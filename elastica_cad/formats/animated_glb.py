@@ -74,8 +74,11 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
             "material": k,
             "targets": targets,
         }
+        c = np.asarray(mesh.color)
+        # glTF needs the linear values of an sRGB colour (transfer function of IEC 61966-2-1)
+        linear = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
         paint = {
-            "baseColorFactor": [*_linear_color(mesh.color), 1.0],
+            "baseColorFactor": [*linear.tolist(), 1.0],
             "metallicFactor": 0.0,
             "roughnessFactor": 0.8,
         }
@@ -91,13 +94,6 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
         "nodes": nodes, "meshes": shapes, "materials": materials,
         "animations": [{"name": "travel", "channels": channels, "samplers": samplers}],
     })  # fmt: skip
-
-
-def _linear_color(color: tuple[float, ...]) -> list[float]:
-    """Return the linear values of an sRGB colour for glTF (transfer function of IEC 61966-2-1)."""
-    c = np.asarray(color)
-    linear: list[float] = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4).tolist()
-    return linear
 
 
 class _Buffers:

@@ -29,7 +29,7 @@ from elastica_cad.strip.bent_boundary import (
     Surface,
     trace_turn,
 )
-from elastica_cad.strip.flat_pattern import on_segment
+from elastica_cad.strip.flat_pattern import on_segment, parameter_range
 
 # default tolerance, mm, of edges and faces in OpenCASCADE
 EDGE_TOLERANCE_MM = 1e-7
@@ -103,9 +103,8 @@ def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> Binar
                 continue
             edge = boundary.edges[use.edge]
             number = _added(tables.traces, _trace(use.trace, turn))
-            limits = edge.first, edge.last
-            start, end = _trace_ends(use.trace, *limits)
-            ends = *_turned(turn, start), *_turned(turn, end)
+            limits = np.array([edge.first, edge.last])
+            ends = (_trace_ends(use.trace, limits) @ turn.T).ravel()
             traces[use.edge].append(pack("<B3i6d", 2, number, surface, 0, *limits, *ends))
     edges = tables.edges(boundary, traces, gap)
     faces = []
@@ -170,15 +169,9 @@ def _placed_in_space(
             placed = PlacedSegment(segment if forward else segment.reversed(), frame)
             uses.append(EdgeUse(len(edges), forward))
             ends = (start, end) if forward else (end, start)
-            edges.append(Edge(placed, *_parameter_range(placed.segment), *ends))
+            edges.append(Edge(placed, *parameter_range(placed.segment), *ends))
         loops.append(tuple(uses))
     return frame.point(np.array(corners)), tuple(edges), loops
-
-
-def _parameter_range(segment: Segment) -> tuple[float, float]:
-    if isinstance(segment, Arc):
-        return segment.start_angle, segment.end_angle
-    return segment.curve.domain if isinstance(segment, Spline) else (0.0, segment.length)
 
 
 class _Tables:
@@ -289,25 +282,17 @@ def _surface(surface: Surface) -> bytes:
 
 def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
     if isinstance(trace, StraightTrace):
-        return pack("<B4d", _LINE, *_turned(turn, trace.origin), *_turned(turn, trace.direction))
+        return pack("<B4d", _LINE, *turn @ trace.origin, *turn @ trace.direction)
     if isinstance(trace, Line):
-        return pack("<B4d", _LINE, *_turned(turn, trace.start.tolist()), *_turned(turn, trace.direction))
+        return pack("<B4d", _LINE, *turn @ trace.start, *turn @ trace.direction)
     if isinstance(trace, Arc):
         return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
     return _placed(trace.curve, trace.curve.control_points @ turn.T)
 
 
-def _turned(turn: FloatArray, place: Sequence[float]) -> tuple[float, float]:
-    (a, b), (c, d) = turn.tolist()
-    x, y = place
-    return a * x + b * y, c * x + d * y
-
-
-def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Sequence[Sequence[float]]:
+def _trace_ends(trace: StraightTrace | Segment, limits: FloatArray) -> FloatArray:
     if isinstance(trace, StraightTrace):
-        (x, y), (dx, dy) = trace.origin, trace.direction
-        return (x + first * dx, y + first * dy), (x + last * dx, y + last * dy)
-    if isinstance(trace, Spline) and (first, last) == trace.curve.domain:
-        return trace.start.tolist(), trace.end.tolist()
-    ends: list[list[float]] = on_segment(trace, np.array((first, last))).tolist()
-    return ends
+        return trace.origin + limits[:, None] * trace.direction
+    if isinstance(trace, Spline) and tuple(limits) == trace.curve.domain:
+        return np.array([trace.start, trace.end])
+    return on_segment(trace, limits)

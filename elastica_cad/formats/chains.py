@@ -169,18 +169,14 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     ]
     if not ended:
         return [*chains], [[] for _ in chains]
-    circles: dict[int, list[Run]] = {}
-    hole_numbers = set()
+    # for each circle, the chains on whose ends it is
+    homes: dict[int, list[int]] = {}
     for i, chain in enumerate(chains):
         circle = _circle(chain)
-        if circle is None:
-            continue
-        for k in ended:
-            if any(_is_on_edge(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
-                circles.setdefault(k, []).append(chain)
-                hole_numbers.add(i)
-    curve_numbers = [i for i in range(len(chains)) if i not in hole_numbers]
-    return [chains[i] for i in curve_numbers], [circles.get(i, []) for i in curve_numbers]
+        if circle is not None:
+            homes[i] = [k for k in ended if any(_is_on_edge(*circle, chains[k][end]) for end in (0, -1))]
+    curves = [i for i in range(len(chains)) if not homes.get(i)]
+    return [chains[i] for i in curves], [[chains[j] for j in homes if i in homes[j]] for i in curves]
 
 
 def _is_line(edge: Edge) -> bool:
@@ -583,17 +579,13 @@ def curve_from_points(
             raise
         pieces = [_polyline(points)]
     if len(pieces) == 1:
-        _require_near(pieces[0], points, tolerance)
+        near = allowed_distance(points)
+        if tolerance > near:
+            _require_distance(float(distances(Spline(pieces[0]), points).max()), near)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
     drawn = replace(drawn, vertices=points) if sides else replace(drawn, measured=measured)
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
-
-
-def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> None:
-    allowed = allowed_distance(points)
-    if tolerance > allowed:
-        _require_distance(float(distances(Spline(curve), points).max()), allowed)
 
 
 def _require_distance(distance: float, allowed: float) -> None:

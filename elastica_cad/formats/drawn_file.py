@@ -408,7 +408,12 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
         drawn, flat = curve.curve.provenance, curve.chain
         if curve.flatten is not None:
             flat = curve.flatten(curve.chain)
-            operations["turned"] |= _is_turned(curve.chain, flat)
+            plane, read = (
+                np.concatenate([edge.points[:, :2] for edge in run]) for run in (curve.chain, flat)
+            )
+            operations["turned"] |= bool(
+                np.abs(plane - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max()
+            )
         away = _distance(curve.curve, flat)
         pointwise = "point" in curve.kinds and not curve.curve.is_straight
         operations["fitted"] |= pointwise or ("polyline" in curve.kinds and away > EXACT_MM)
@@ -423,11 +428,6 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 _MOST_POINTS = 200
 # a curve counts as turned if flattening moves a control point by more than this fraction of the curve's size
 _LEAST_SLOPE = 1e-3
-
-
-def _is_turned(chain: Run, flat: Run) -> bool:
-    drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
-    return bool(np.abs(drawn - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max())
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:

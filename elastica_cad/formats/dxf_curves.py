@@ -3,9 +3,10 @@
 import re
 import struct
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Set
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from itertools import islice
 from math import prod, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -64,15 +65,13 @@ def _dxf_rounding(path: Path) -> float:
     data = path.read_bytes()
     if data.startswith(b"AutoCAD Binary DXF"):
         return 0.0
-    sections = list(_SECTION.finditer(data))
-    numbers: list[str] = []
-    for section in reversed(sections):
-        begin, end = section.end(), data.find(b"ENDSEC", section.end())
-        for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
-            numbers.append(match[1].decode("ascii"))
-            if len(numbers) >= _MOST_NUMBERS:
-                break
-    return half_last_place(numbers)
+    begins = [section.end() for section in _SECTION.finditer(data)]
+    ends = [data.find(b"ENDSEC", begin) for begin in begins]
+    spans = [(begin, len(data) if end < 0 else end) for begin, end in zip(begins, ends, strict=True)]
+    numbers = (
+        match[1].decode("ascii") for span in reversed(spans) for match in _PLACES.finditer(data, *span)
+    )
+    return half_last_place(islice(numbers, _MOST_NUMBERS))
 
 
 def _check_depth(depth: int) -> None:
@@ -149,7 +148,12 @@ def read_dxf_drawing(
     )
     scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
-    skipped = _curves_on_paper(document)
+    skipped = Counter(
+        f"on paper layout {layout.name}"
+        for layout in document.layouts
+        for entity in layout
+        if layout.is_any_paperspace and entity.dxftype() in _CURVES
+    )
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
@@ -163,22 +167,15 @@ def read_dxf_drawing(
     return replace(drawn, unit=known)
 
 
-def _curves_on_paper(document: "Drawing") -> Counter[str]:
-    papers = (layout for layout in document.layouts if layout.is_any_paperspace)
-    return Counter(
-        f"on paper layout {layout.name}"
-        for layout in papers
-        for entity in layout
-        if entity.dxftype() in _CURVES
-    )
-
-
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
     good = 0
-    hidden = _Hidden.of(document)
+    frozen = {str(layer.dxf.name).lower() for layer in document.layers if layer.is_frozen()}
+    off = {str(layer.dxf.name).lower() for layer in document.layers if layer.is_off()}
+    # a block is hidden if its layer is frozen, but not if its layer is off
+    hidden = {True: frozen, False: frozen | off}
     for entity, placement, layer in _entities(document.modelspace(), 0, skipped, hidden):
         kind = entity.dxftype()
         try:
@@ -294,42 +291,19 @@ def _unit_code(document: "Drawing") -> int:
     return code
 
 
-@dataclass(frozen=True)
-class _Hidden:
-    """Lower-case names of layers that are off or frozen (`layers`), and of frozen layers (`frozen`)."""
-
-    layers: frozenset[str]
-    frozen: frozenset[str]
-
-    @classmethod
-    def of(cls, document: "Drawing") -> "_Hidden":
-        frozen = frozenset(str(layer.dxf.name).lower() for layer in document.layers if layer.is_frozen())
-        off = (str(layer.dxf.name).lower() for layer in document.layers if layer.is_off())
-        return cls(frozen.union(off), frozen)
-
-    def hides(self, entity: Any, layer: str) -> bool:
-        """Return True if an entity on `layer` is not displayed.
-
-        A block is hidden if its layer is frozen, but not if its layer is off.
-        """
-        layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
-        if layer.lower() in layers:
-            return True
-        return entity.dxf.is_supported("invisible") and bool(entity.dxf.get("invisible", 0))
-
-
 def _entities(
     layout: Iterable[Any],
     depth: int,
     skipped: Counter[str],
-    hidden: _Hidden,
+    hidden: Mapping[bool, Set[str]],
     placement: FloatArray = MODEL_SPACE,
     outer: str = "0",
 ) -> Iterator[tuple[Any, FloatArray, str]]:
     """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
 
     An entity on layer 0 of a block takes the layer of the insertion. Hidden entities are counted in
-    `skipped`. Placements of nested blocks are matrices, because unequal scales and rotations combine to a
+    `skipped`; `hidden` has the lower-case names of the layers that hide blocks (True) and other entities (False).
+    Placements of nested blocks are matrices, because unequal scales and rotations combine to a
     shear.
     """
     from ezdxf.lldxf.const import DXFError
@@ -337,9 +311,11 @@ def _entities(
     for entity in layout:
         layer = str(entity.dxf.get("layer", "0")) if entity.dxf.is_supported("layer") else "0"
         layer = outer if layer == "0" and depth else layer
-        if hidden.hides(entity, layer):
+        is_block = entity.dxftype() == "INSERT"
+        is_invisible = entity.dxf.is_supported("invisible") and entity.dxf.get("invisible", 0)
+        if is_invisible or layer.lower() in hidden[is_block]:
             skipped[f"hidden on layer {layer}"] += 1
-        elif entity.dxftype() != "INSERT":
+        elif not is_block:
             if not (depth and entity.dxftype() == "ATTDEF"):
                 yield entity, placement, layer
         else:
@@ -365,7 +341,8 @@ def _run(entity: Any) -> Run | None:
     if kind in ("ARC", "CIRCLE"):
         return (_circle(entity, full=kind == "CIRCLE"),)
     if kind == "ELLIPSE":
-        return (_ellipse(entity),)
+        angles = _arc_angles(entity.dxf.start_param, entity.dxf.end_param)
+        return (Edge.arc(entity.dxf.center, entity.dxf.major_axis, entity.minor_axis, *angles),)
     if kind == "SPLINE" or (
         kind == "HELIX"
         and abs(entity.dxf.turns * entity.dxf.turn_height) <= FLAT_HELIX * abs(entity.dxf.radius)
@@ -393,11 +370,6 @@ def _circle(entity: Any, *, full: bool) -> Edge:
     return Edge.arc(to_world(entity.dxf.center), x_axis, y_axis, *_arc_angles(radians(start), radians(end)))
 
 
-def _ellipse(entity: Any) -> Edge:
-    angles = _arc_angles(entity.dxf.start_param, entity.dxf.end_param)
-    return Edge.arc(entity.dxf.center, entity.dxf.major_axis, entity.minor_axis, *angles)
-
-
 def _arc_angles(start: float, end: float) -> tuple[float, float]:
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
@@ -405,13 +377,7 @@ def _arc_angles(start: float, end: float) -> tuple[float, float]:
 
 def _spline(entity: Any) -> Edge:
     if not len(entity.control_points):
-        if len(entity.fit_points) < 2:
-            raise InputError("a SPLINE has neither control points nor fit points: draw the SPLINE again")
-        places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
-        if entity.closed and len(places) > 2:
-            around = places if np.array_equal(places[0], places[-1]) else np.vstack([places, places[:1]])
-            return _cubic_spline(around, "periodic")
-        return _spline_through_fit_points(entity, places)
+        return _spline_through_fit_points(entity)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
@@ -456,10 +422,17 @@ def _without_doubled_poles(
     return np.delete(knots, doubled), np.delete(poles, doubled, axis=0)
 
 
-def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
-    """Return the cubic spline through points (n, 3), with the end tangents of the entity or zero end
-    curvature.
+def _spline_through_fit_points(entity: Any) -> Edge:
+    """Return the cubic spline through the fit points, with the end tangents of the entity or zero end curvature.
+
+    A closed spline has neither, because it is smooth where it starts and ends.
     """
+    if len(entity.fit_points) < 2:
+        raise InputError("a SPLINE has neither control points nor fit points: draw the SPLINE again")
+    points = np.array([tuple(p) for p in entity.fit_points], dtype=float)
+    if entity.closed and len(points) > 2:
+        around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
+        return _cubic_spline(around, "periodic")
     ends = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)

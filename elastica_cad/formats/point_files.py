@@ -403,28 +403,16 @@ def _first_data(rows: list[Row]) -> int:
 
     This is the first row with two numbers, else the first row with one number, else the second filled row.
     """
-    filled = [k for k, (_, cells) in enumerate(rows) if cells]
+    filled, forms = [k for k, (_, cells) in enumerate(rows) if cells], (_NUMBER, _GROUPED, _UNIT_BEHIND)
     for least in (2, 1):
         for k in filled:
-            if sum(map(_looks_like_number, rows[k][1])) >= least:
+            cells = rows[k][1]
+            numbers = [
+                cell for cell in cells if is_in_inches(cell) or any(form.fullmatch(cell) for form in forms)
+            ]
+            if len(numbers) >= least:
                 return k
     return filled[1] if len(filled) > 1 else len(rows)
-
-
-def _looks_like_number(cell: str) -> bool:
-    return any(form.fullmatch(cell) for form in (_NUMBER, _GROUPED, _UNIT_BEHIND)) or is_in_inches(cell)
-
-
-def _in_mm(cell: str, scale: float) -> float:
-    """Return the length, mm, in a cell. A number without feet and inches has the unit `scale` mm.
-
-    Raises
-    ------
-    ValueError
-        The text is not a length.
-    """
-    inches = read_offset(cell)
-    return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
 
 
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
@@ -438,7 +426,8 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     values = []
     for cell in cells:
         try:
-            values.append(_in_mm(cell, scale))
+            inches = read_offset(cell)
+            values.append(scale * read_number(cell) if inches is None else MM_PER_INCH * inches)
         except ValueError:
             raise InputError(
                 "row {row} has {cell!r} instead of a number: write a number such as 12.5, or # before a comment",

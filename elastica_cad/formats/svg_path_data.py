@@ -5,7 +5,7 @@ SVG 2, section 9.3 ("Path data") and appendix B.2 (arcs). https://www.w3.org/TR/
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -32,6 +32,8 @@ _ARGUMENTS = {
     "C": _arguments("nnnnnn"), "S": _arguments("nnnn"), "Q": _arguments("nnnn"), "T": _arguments("nn"),
     "A": _arguments("nnnffnn"), "Z": _arguments(""),
 }  # fmt: skip
+# commands after which S and T mirror the handle
+_AFTER = {"S": "CS", "T": "QT"}
 # largest number of commands of a path with all its subpaths
 _MOST_SEGMENTS = 20 * MOST_PIECES
 
@@ -52,25 +54,6 @@ class PathData:
     rounding: float
 
 
-@dataclass
-class _Pen:
-    here: FloatArray = field(default_factory=lambda: np.zeros(2))
-    start: FloatArray = field(default_factory=lambda: np.zeros(2))
-    handle: FloatArray | None = None
-    before: str = ""
-    run: list[Edge] = field(default_factory=list)
-    runs: list[tuple[Edge, ...]] = field(default_factory=list)
-
-    def close_run(self) -> None:
-        if self.run:
-            self.runs.append(tuple(self.run))
-            self.run = []
-
-    def add(self, edge: Edge | None) -> None:
-        if edge is not None:
-            self.run.append(edge)
-
-
 def path_data(text: str) -> PathData:
     """Parse a path's `d` attribute into runs of edges.
 
@@ -79,19 +62,42 @@ def path_data(text: str) -> PathData:
     >>> path_data("M0 0 Q 10 20 30 0 S 50 10 60 0").runs[0][1].points.tolist()
     [[30.0, 0.0], [30.0, 0.0], [50.0, 10.0], [60.0, 0.0]]
     """
-    pen, written, count = _Pen(), list[str](), 0
-    for command, words in _commands(text):
-        count = check_count(count + 1, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
-        kind = command.upper()
-        values = [float(word) for word in words]
-        if not all(abs(value) < 1e15 for value in values):
+    runs, written, before = [list[Edge]()], list[str](), ""
+    here = start = handle = np.zeros(2)
+    for count, (command, words) in enumerate(_commands(text), start=1):
+        check_count(count, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
+        kind, values = command.upper(), np.array([float(word) for word in words])
+        if not np.all(np.abs(values) < 1e15):
             odd = next(word for word in words if not abs(float(word)) < 1e15)
             raise InputError("has the unusable number {odd} in a path: export the file again", odd=odd)
         written += words[5:] if kind == "A" else words
-        _draw(pen, kind, np.array(values), relative=command.islower())
-        pen.before = kind
-    pen.close_run()
-    return PathData(tuple(pen.runs), half_last_place(written))
+        origin = here if command.islower() else np.zeros(2)
+        if kind == "A":
+            points = np.array([here, origin + values[5:]])
+            edge = _arc_edge(
+                points[0], points[1], np.abs(values[:2]), float(np.radians(values[2] % 360.0)),
+                large=bool(values[3]), sweep=bool(values[4]),
+            )  # fmt: skip
+        else:
+            if kind in "HV":
+                axis = "HV".index(kind)
+                following = here[None].copy()
+                following[0, axis] = values[0] + origin[axis]
+            else:
+                following = start[None] if kind == "Z" else values.reshape(-1, 2) + origin
+            if kind in _AFTER:
+                # the mirrored handle of the curve before, if there is one
+                mirrored = 2 * here - handle if before in _AFTER[kind] else here
+                following = np.vstack([mirrored, following])
+            points = np.vstack([here, following])
+            edge = None if kind == "M" else _bezier_edge(points)
+        if edge is not None:
+            runs[-1].append(edge)
+        if kind in "MZ":
+            runs.append([])
+        start = points[-1] if kind == "M" else start
+        here, handle, before = points[-1], points[-2], kind
+    return PathData(tuple(tuple(run) for run in runs if run), half_last_place(written))
 
 
 def _commands(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
@@ -116,62 +122,12 @@ def _broken(text: str, at: int) -> InputError:
     return InputError("has incomplete or invalid path data {after}: export it again", after=after)
 
 
-def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
-    origin = pen.here if relative else np.zeros(2)
-    if kind == "Z":
-        if np.any(pen.here != pen.start):
-            pen.add(_line(pen.here, pen.start))
-        pen.close_run()
-        pen.here, pen.handle = pen.start, None
-        return
-    if kind == "A":
-        end = origin + values[5:]
-        pen.add(
-            _arc_edge(
-                pen.here, end, np.abs(values[:2]), float(np.radians(values[2] % 360.0)),
-                large=bool(values[3]), sweep=bool(values[4]),
-            )
-        )  # fmt: skip
-        pen.here, pen.handle = end, None
-        return
-    if kind in "HV":
-        axis = "HV".index(kind)
-        end = pen.here.copy()
-        end[axis] = values[0] + origin[axis]
-        points = end[None, :]
-    else:
-        points = values.reshape(-1, 2) + origin
-    end = points[-1]
-    handle = None
-    if kind == "M":
-        pen.close_run()
-        pen.start = end
-    elif kind in "LHV":
-        pen.add(_line(pen.here, end))
-    else:
-        if kind in "ST":
-            points = np.vstack([_mirrored_handle(pen, "CS" if kind == "S" else "QT"), points])
-        pen.add(_bezier_edge(np.vstack([pen.here, points])))
-        handle = points[-2]
-    pen.here, pen.handle = end, handle
-
-
-def _mirrored_handle(pen: _Pen, after: str) -> FloatArray:
-    """Return the last Bezier handle mirrored at the pen, or the pen after a command that is not in `after`."""
-    if pen.handle is None or pen.before not in after:
-        return pen.here
-    return 2 * pen.here - pen.handle
-
-
-def _line(start: FloatArray, end: FloatArray) -> Edge | None:
-    return Edge.polyline([start, end]) if np.any(start != end) else None
-
-
 def _bezier_edge(points: FloatArray) -> Edge | None:
     """Return the edge of a Bezier piece: a line if it is straight, None if it has no length."""
     if not np.any(points != points[0]):
         return None
-    return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
+    is_line = len(points) == 2 or _is_straight(points)
+    return Edge.polyline(points[[0, -1]]) if is_line else Edge.bezier(points)
 
 
 def _is_straight(points: FloatArray) -> bool:

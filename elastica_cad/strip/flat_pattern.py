@@ -252,6 +252,13 @@ def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
     return segment.at(t / segment.length)
 
 
+def parameter_range(segment: Segment) -> tuple[float, float]:
+    """Return the parameters of the ends of a segment, as defined in `SegmentPart`."""
+    if isinstance(segment, Arc):
+        return segment.start_angle, segment.end_angle
+    return segment.curve.domain if isinstance(segment, Spline) else (0.0, segment.length)
+
+
 def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) -> CutPattern:
     """Divide the flat pattern at the lines x = station.
 
@@ -322,15 +329,9 @@ class _Cutter:
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
         """Yield the parts of a segment between stations; at least two if the segment is `alone` in its loop."""
-        forward = True
-        if isinstance(segment, Arc):
-            forward = segment.sweep > 0
-            segment = segment if forward else segment.reversed()
-            a, b = segment.start_angle, segment.end_angle
-        elif isinstance(segment, Spline):
-            a, b = segment.curve.domain
-        else:
-            a, b = 0.0, segment.length
+        forward = not (isinstance(segment, Arc) and segment.sweep < 0)
+        segment = segment if forward else segment.reversed()
+        a, b = parameter_range(segment)
         cuts = sorted({t for x in self.stations for t in _crossings(segment, x) if a < t < b})
         if alone and not cuts:
             cuts = [(a + b) / 2]
