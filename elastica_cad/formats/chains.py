@@ -33,7 +33,7 @@ from elastica_cad.geometry.plane_points import (
     sharp_points,
 )
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
+from elastica_cad.geometry.splines import SplineFunction, knot_runs, over_knots
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
@@ -707,6 +707,4 @@ def _clamped(
     knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
     if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):
         return knots, edge.homogeneous
-    sites = interpolation_sites(knots, degree)
-    target = edge.spans.basis(sites) @ edge.homogeneous
-    return knots, np.asarray(np.linalg.solve(bezier_spans(knots, degree).basis(sites), target), dtype=float)
+    return knots, over_knots(SplineFunction(edge.knots, edge.homogeneous, edge.degree), knots, degree)

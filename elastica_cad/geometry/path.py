@@ -149,9 +149,9 @@ JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
 
 
-def meets(before: Segment, after: Segment) -> bool:
-    """Return True if the segment `before` ends where the segment `after` starts."""
-    return dist(before.end.tolist(), after.start.tolist()) <= JOIN
+def meets(before: Segment, after: Segment, within: float = JOIN) -> bool:
+    """Return True if the segment `before` ends where the segment `after` starts, within a distance, mm."""
+    return dist(before.end.tolist(), after.start.tolist()) <= within
 
 
 @dataclass(frozen=True, eq=False)

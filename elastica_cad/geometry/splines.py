@@ -338,6 +338,15 @@ def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degre
     return solved(spans, *spans.local_basis(sites), values)
 
 
+def over_knots(spline: SplineFunction, knots: FloatArray, degree: int) -> FloatArray:
+    """Return the coefficients (m, ...) of a spline function with other clamped knots, which contain its own.
+
+    Knots and degree determine splines of which the function is one, so its interpolation is exact.
+    """
+    sites = interpolation_sites(knots, degree)
+    return interpolated(sites, spline(sites), knots, degree)
+
+
 def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray) -> FloatArray:
     """Return the coefficients (m, ...) of the spline with given values (m, ...) at m parameters.
 

@@ -381,8 +381,6 @@ class StripAsMade:
         Design, with at most `HELD_NODES` nodes.
     layout : Layout
         Flat pattern of the design.
-    bending_stiffness : float
-        Bending stiffness B of the design, N mm2.
     tab_stiffness : pair of float
         E I of the tabs at start and end, N mm2.
     cut : Rod
@@ -402,7 +400,6 @@ class StripAsMade:
 
     design: Rod
     layout: Layout
-    bending_stiffness: float
     tab_stiffness: tuple[float, float]
     cut: Rod
     factors: Mapping[str, FloatArray]
@@ -437,7 +434,6 @@ class StripAsMade:
         return cls(
             design,
             layout,
-            layout.bending_stiffness,
             tuple(section.bending_stiffness(parameter).tolist()),
             rod_as_built(design, layout, whole()),
             factors,
@@ -467,7 +463,7 @@ class StripAsMade:
 
     def tab_ratios(self, rod: Rod) -> tuple[float, float]:
         """Return E I of the tabs at start and end, divided by the bending stiffness B of `rod`."""
-        B = rod.bending_stiffness or self.bending_stiffness
+        B = rod.bending_stiffness or self.layout.bending_stiffness
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self) -> Rod:
@@ -631,7 +627,9 @@ class StripAsMade:
         curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
         bends = {cause: elastic * (1 / factor - 1) for cause, factor in {**self.factors, **curl}.items()}
         if self.approximated:
-            share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
+            share = (
+                self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.layout.bending_stiffness)
+            )
             bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
             bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)

@@ -342,7 +342,9 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     maps = []
     for a, b in pairwise(cuts):
         inner = {s: c for s, c in breaks if a < s < b}
-        spans = _initial_spans(rod, np.array([a, *inner, b]))
+        edges = np.array([a, *inner, b])
+        turns = np.diff(np.interp(edges, rod.s, turns_along(rod.angle)))
+        spans = _divide_spans(edges, np.maximum(np.ceil(turns / LARGEST_INITIAL_TURN), 2))
         knots, rows = _fit_spline(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
     _refuse_tight(maps, reach)
@@ -361,11 +363,6 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
                 given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
             )
-
-
-def _initial_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    turns = np.diff(np.interp(edges, rod.s, turns_along(rod.angle)))
-    return _divide_spans(edges, np.maximum(np.ceil(turns / LARGEST_INITIAL_TURN), 2))
 
 
 def _fit_spline(

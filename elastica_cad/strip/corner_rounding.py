@@ -68,7 +68,12 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    sizes, table = _lengths_at_most(segments), SegmentTable(segments)
+    table = SegmentTable(segments)
+    # the control polygon of a spline is at least as long as the spline, and quickly measured
+    sizes = np.array([
+        norm(np.diff(segment.curve.control_points, axis=0)).sum() if isinstance(segment, Spline) else
+        segment.length for segment in segments
+    ])  # fmt: skip
     rounded: list[Path | None] = [None] * len(paths)
     numbers = iter(range(len(segments)))
     rings = [list(islice(numbers, len(path.segments))) for path in paths]
@@ -193,16 +198,3 @@ def _corners(
 
 def _offset_points(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
     return points + distance * left_of(velocities) / norm(velocities)[:, None]
-
-
-def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
-    sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
-    splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
-    if splines:
-        counts = np.array([len(curve.control_points) for _, curve in splines])
-        begins = counts.cumsum() - counts
-        sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
-        sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0
-        sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
-    return sizes

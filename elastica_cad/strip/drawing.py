@@ -1,8 +1,9 @@
 """Drawings of paths and engraved texts on named layers, kerf compensation and bridges."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Annotated
 
 import numpy as np
@@ -354,7 +355,7 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     for item in drawing.paths:
         inner = item.layer == CUT_INNER and tabs.inner and item.path.length > tabs.spacing
         if item.path.closed and (item.layer == CUT_OUTER or inner):
-            paths += [LayeredPath(item.layer, piece) for piece in _Loop(item.path).opened(tabs)]
+            paths += [LayeredPath(item.layer, piece) for piece in _opened(item.path, tabs)]
         else:
             paths.append(item)
     return Drawing(drawing.name, tuple(paths), drawing.texts)
@@ -401,62 +402,48 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     return tuple(parts)
 
 
-class _Loop:
-    def __init__(self, path: Path) -> None:
-        self.segments = path.segments
-        self.ends = np.cumsum([segment.length for segment in path.segments])
-        self.length = float(self.ends[-1])
-        self.corners = np.array(
-            [
-                end
-                for end, before, after in zip(
-                    self.ends, self.segments, (*self.segments[1:], self.segments[0]), strict=True
-                )
-                if abs(turn_between(before.tangent_at(1.0), after.tangent_at(0.0))) > CORNER_RAD
-            ]
+def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
+    ends = np.cumsum([segment.length for segment in path.segments])
+    length = float(ends[-1])
+    count = max(tabs.least, int(np.ceil(length / tabs.spacing)))
+    if length < 4 * count * tabs.width:
+        raise InputError(
+            "the closed cut at {start} is {length:.4g} long, too short for {count} holding tabs {width:g} "
+            "wide: use fewer or narrower tabs",
+            start=place(path.start),
+            length=Mm(length),
+            count=count,
+            width=Mm(tabs.width),
         )
+    around = zip(path.segments, (*path.segments[1:], path.segments[0]), strict=True)
+    turns = [turn_between(before.tangent_at(1.0), after.tangent_at(0.0)) for before, after in around]
+    corners, step = ends[np.abs(turns) > CORNER_RAD], length / count
 
-    def opened(self, tabs: HoldingTabs) -> list[Path]:
-        count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
-        if self.length < 4 * count * tabs.width:
-            raise InputError(
-                "the closed cut at {start} is {length:.4g} long, too short for {count} holding tabs {width:g} "
-                "wide: use fewer or narrower tabs",
-                start=place(self.segments[0].start),
-                length=Mm(self.length),
-                count=count,
-                width=Mm(tabs.width),
-            )
-        step = self.length / count
-        middles = [self._off_corners((i + 0.5) * step, tabs.width, step / 4) for i in range(count)]
-        starts = [middle + tabs.width / 2 for middle in middles]
-        stops = [
-            *(middle - tabs.width / 2 for middle in middles[1:]),
-            middles[0] - tabs.width / 2 + self.length,
-        ]
-        return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
-
-    def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the arc length nearest to `middle` that is at least `width` mm from corners.
-
-        If there is none within `reach` mm, return `middle`.
-        """
-        for shift in np.linspace(0.0, reach, 41):
+    def off_corners(middle: float) -> float:
+        # the nearest place at least the width of a bridge from corners, or the middle if there is none
+        for shift in np.linspace(0.0, step / 4, 41):
             for at in (middle + shift, middle - shift):
-                away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
-                if not np.any(away < width):
+                away = np.abs((corners - at + length / 2) % length - length / 2)
+                if not np.any(away < tabs.width):
                     return float(at)
         return middle
 
-    def _between(self, a: float, b: float) -> list[Segment]:
-        pieces: list[Segment] = []
-        for turn in (0.0, self.length):
-            for segment, end in zip(self.segments, self.ends + turn, strict=True):
-                start = end - segment.length
-                first, last = max(a, start), min(b, end)
-                if last - first > SAME_PLACE_MM:
-                    pieces.append(_part(segment, first - start, last - start))
-        return pieces
+    middles = [off_corners((i + 0.5) * step) for i in range(count)]
+    around_loop = pairwise([*middles, middles[0] + length])
+    half = tabs.width / 2
+    return [Path(_between(path.segments, ends, a + half, b - half)) for a, b in around_loop]
+
+
+def _between(segments: Sequence[Segment], ends: FloatArray, a: float, b: float) -> list[Segment]:
+    """Return the part of a loop between two arc lengths. The segments end at arc lengths `ends` (n,)."""
+    pieces: list[Segment] = []
+    for turn in (0.0, ends[-1]):
+        for segment, end in zip(segments, ends + turn, strict=True):
+            start = end - segment.length
+            first, last = max(a, start), min(b, end)
+            if last - first > SAME_PLACE_MM:
+                pieces.append(_part(segment, first - start, last - start))
+    return pieces
 
 
 def _part(segment: Segment, a: float, b: float) -> Segment:

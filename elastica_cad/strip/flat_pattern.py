@@ -20,9 +20,8 @@ from elastica_cad.geometry.splines import (
     SplineFunction,
     adaptive_spline,
     greville,
-    interpolated,
-    interpolation_sites,
     knot_runs,
+    over_knots,
 )
 from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
@@ -188,9 +187,8 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
         return curve
     degree, knots = curve.degree, curve.knots.copy()
     knots[: degree + 1], knots[-degree - 1 :] = first, last
-    sites = interpolation_sites(knots, degree)
-    values = SplineFunction(curve.knots, curve.control_points, degree)(sites)
-    return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
+    points = over_knots(SplineFunction(curve.knots, curve.control_points, degree), knots, degree)
+    return PlaneCurve(knots, points, degree)
 
 
 ON_SEAM = 1e-7  # largest distance, mm, between a station line and a point on it

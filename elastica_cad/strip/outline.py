@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
-from math import dist, hypot
+from math import hypot
 from typing import Annotated, Any, Literal, TypeAlias
 
 import numpy as np
@@ -13,7 +13,7 @@ from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path import Path, distances, meets
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -389,16 +389,12 @@ def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
     """Return a closed chain of the segments and of lines in the gaps between them."""
     chain: list[Segment] = []
     for segment in segments:
-        if chain and not _meet(chain[-1], segment):
+        if chain and not meets(chain[-1], segment, MEETING_MM):
             chain.append(Line(chain[-1].end, segment.start))
         chain.append(segment)
-    if not _meet(chain[-1], chain[0]):
+    if not meets(chain[-1], chain[0], MEETING_MM):
         chain.append(Line(chain[-1].end, chain[0].start))
     return tuple(chain)
-
-
-def _meet(before: Segment, after: Segment) -> bool:
-    return dist(before.end.tolist(), after.start.tolist()) <= MEETING_MM
 
 
 def _parts_between_jumps(width: Profile) -> list[Profile]:

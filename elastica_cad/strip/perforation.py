@@ -16,7 +16,7 @@ from elastica_cad.geometry.path import JOIN, Path, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Segment, Spline
-from elastica_cad.geometry.splines import adaptive_spline, bezier_spans, greville
+from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, over_knots
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sections import PerforatedSection
@@ -278,11 +278,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        # rounding can put a Greville abscissa slightly beyond the ends
-        sites = greville(knots, 3).clip(a, b)
-        values = bezier_spans(self.knots, 3).basis(sites) @ self.values
-        solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
-        return _Stretch(knots, np.asarray(solved, dtype=float))
+        return _Stretch(knots, over_knots(SplineFunction(self.knots, self.values, 3), knots, 3))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
         """Return the lower and the upper side of each of `across` holes side by side.

@@ -151,15 +151,12 @@ class FlatShape:
             and _nearly_equal(self.bent, other.bent, SAME_BEND_RAD)
         ):
             return False
-        if len(self.layers) != len(other.layers) or any(
-            p.sheet != q.sheet or len(p.holes) != len(q.holes)
-            for p, q in zip(self.layers, other.layers, strict=True)
-        ):
+        if len(self.layers) != len(other.layers):
             return False
-        if all(
-            (p.outline, *p.holes) == (q.outline, *q.holes)
-            for p, q in zip(self.layers, other.layers, strict=True)
-        ):
+        pairs = [*zip(self.layers, other.layers, strict=True)]
+        if any(p.sheet != q.sheet or len(p.holes) != len(q.holes) for p, q in pairs):
+            return False
+        if all((p.outline, *p.holes) == (q.outline, *q.holes) for p, q in pairs):
             return True
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False

@@ -281,13 +281,15 @@ def cut_slots(
     for before, after in pairwise(openings):
         if after.out < before.back:
             raise InputError(_meeting(name, before.slot, after.slot))
-    return Path(edge.spliced(openings), closed=True)
+    chain: list[Segment] = []
+    for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
+        chain += [*_between(outline.segments, before.back, after.out), *after.cut]
+    return Path(chain, closed=True)
 
 
 class _Edge:
     def __init__(self, outline: Path) -> None:
-        self.segments = outline.segments
-        self.chords = [Chords.of(segment) for segment in self.segments]
+        self.chords = [Chords.of(segment) for segment in outline.segments]
         begins, ends = (
             np.concatenate([c.points[part] for c in self.chords]) for part in (slice(-1), slice(1, None))
         )
@@ -338,13 +340,6 @@ class _Edge:
                     ):
                         crossings.append((_Place(i, u), _Place(k, v)))
         return crossings
-
-    def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
-        chain: list[Segment] = []
-        for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
-            chain += _between(self.segments, before.back, after.out)
-            chain += after.cut
-        return chain
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:

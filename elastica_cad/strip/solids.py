@@ -310,9 +310,7 @@ class BentSolid:
     @classmethod
     def _layers(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
         if strip.is_closed:
-            yield cls._ring(replace(strip, ends=(Tab(0.0), Tab(0.0))), frame)
-            if strip.ends[1].length:
-                yield cls._lap(strip, frame)
+            yield from cls._ring_and_lap(strip, frame)
             return
         joints: Mapping[str, tuple[float, float, int]] = _joint_places(strip)
         thick = centred_thickness(strip)
@@ -330,28 +328,21 @@ class BentSolid:
             joints = {}
 
     @classmethod
-    def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return a closed strip without its lap and with a gap between its ends, because CAD kernels need a gap."""
-        half, layer = strip.sheet.thickness / 2, strip.layers[0]
-        outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
-        return cls.wrapped(
-            strip.rod,
-            outline,
-            layer.holes,
-            heights=(-half, half),
-            frame=frame,
-            joints=_joint_places(strip),
-            between=2 * half,
-        )
-
-    @classmethod
-    def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        width, thickness = strip.end_widths[1], strip.sheet.thickness
-        tab = fix_tab_widths(strip.width, strip.ends)[1]
-        inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
-        low, high = sorted((inside * thickness / 2, inside * 1.5 * thickness))
-        outline = Path(close_chain(tab.corners(width)), closed=True)
-        return cls.wrapped(strip.rod, outline, tab.hole_paths(width), heights=(low, high), frame=frame)
+    def _ring_and_lap(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        thickness, rod = strip.sheet.thickness, strip.rod
+        bare = replace(strip, ends=(Tab(0.0), Tab(0.0)))
+        # CAD kernels need a gap between the ends
+        outline = clip_across(bare.outline, 0.0, rod.length - JOINT_GAP_MM)
+        yield cls.wrapped(
+            rod, outline, bare.holes, heights=(-thickness / 2, thickness / 2), frame=frame,
+            joints=_joint_places(bare), between=thickness,
+        )  # fmt: skip
+        if strip.ends[1].length:
+            width, tab = strip.end_widths[1], fix_tab_widths(strip.width, strip.ends)[1]
+            inside = -1.0 if rod.curvature[0] > 0 else 1.0
+            low, high = sorted((inside * thickness / 2, inside * 1.5 * thickness))
+            lap = Path(close_chain(tab.corners(width)), closed=True)
+            yield cls.wrapped(rod, lap, tab.hole_paths(width), heights=(low, high), frame=frame)
 
     @classmethod
     def wrapped(

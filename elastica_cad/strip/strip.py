@@ -668,9 +668,7 @@ class Strip:
 
     @property
     def _most_strained(self) -> tuple[LayerStrain, Bends]:
-        layers = [(layer, self._bends) for layer in self.strains]
-        if self.unloaded is not None:
-            layers += [(layer, self._bends_of(self.unloaded)) for layer in self.unloaded_strains]
+        layers = ((layer, bends) for _, bends, strains in self._loadings for layer in strains)
         return max(layers, key=lambda item: item[0].largest / item[0].limit)
 
     @cached_property
@@ -679,13 +677,11 @@ class Strip:
 
         The strip is judged with its loads and without them.
         """
-        judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
-        judged += [shoulder.verdict for shoulder in self._shoulders]
-        if self.unloaded is not None:
-            bends = self._bends_of(self.unloaded)
-            empty = [layer.judged(bends.place(layer.station)) for layer in self.unloaded_strains]
-            empty += [shoulder.verdict for shoulder in self._unloaded_shoulders]
-            judged += [replace(verdict, unloaded=True) for verdict in empty]
+        judged: list[StrainVerdict] = []
+        for (rod, bends, strains), shoulders in zip(self._loadings, self._shoulders, strict=True):
+            verdicts = [layer.judged(bends.place(layer.station)) for layer in strains]
+            verdicts += [shoulder.verdict for shoulder in shoulders]
+            judged += [replace(verdict, unloaded=rod is not self.rod) for verdict in verdicts]
         return max(judged, key=lambda verdict: (verdict.state, verdict.used))
 
     @property
@@ -696,20 +692,21 @@ class Strip:
     @property
     def strain_warnings(self) -> tuple[str, ...]:
         """Warnings about each layer, tab, and cut for a pin or tie that is strained beyond its limit."""
-        warnings = (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
-        if self.unloaded is None:
+        (_, bends, loaded), *without_loads = self._loadings
+        warnings = (*_warn_of_strains(loaded, bends), *map(str, self._shoulders[0]))
+        if not without_loads:
             return warnings
         advice = note("Support the strip between its ends, or draw another curve.")
         if self.is_widest:  # a wider strip is bent less by its loads
             advice = note(
                 "Make the strip wider ({field}), or reduce its loads.", field=outline_field(self.style)
             )
-        strains = _warn_of_strains(self.unloaded_strains, self._bends_of(self.unloaded), advice)
+        [(_, bends, empty)] = without_loads
         shoulders = (
             note("{text} This is the strain without the loads.", text=str(shoulder), severity="warning")
-            for shoulder in self._unloaded_shoulders
+            for shoulder in self._shoulders[1]
         )
-        return (*warnings, *strains, *shoulders)
+        return (*warnings, *_warn_of_strains(empty, bends, advice), *shoulders)
 
     @property
     def _tab_rooms(self) -> tuple[float, float]:
@@ -717,30 +714,32 @@ class Strip:
         return np.inf, np.inf
 
     @cached_property
-    def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        return self._overstrained(self.rod, self.strains)
+    def _loadings(self) -> tuple[tuple[Rod, Bends, tuple[LayerStrain, ...]], ...]:
+        """Rod, bends and strains with the loads and, if the strip has loads, without them."""
+        rods = [self.rod] if self.unloaded is None else [self.rod, self.unloaded]
+        bent = [(rod, self._bends_of(rod)) for rod in rods]
+        return tuple((rod, bends, self.layout.strains(bends)) for rod, bends in bent)
 
     @cached_property
-    def _unloaded_shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        return () if self.unloaded is None else self._overstrained(self.unloaded, self.unloaded_strains)
+    def _shoulders(self) -> tuple[tuple[Shoulder | StrainedCut, ...], ...]:
+        """Overstrained tabs and cuts for each of the `_loadings`."""
+        return tuple(
+            (
+                *_overstrained_tabs(self.layout, self.ends, strains, self._tab_rooms),
+                *strained_cuts(rod, self.layout),
+            )
+            for rod, _, strains in self._loadings
+        )
 
-    def _overstrained(self, rod: Rod, strains: Sequence[LayerStrain]) -> tuple[Shoulder | StrainedCut, ...]:
-        tabs = _overstrained_tabs(self.layout, self.ends, strains, self._tab_rooms)
-        return (*tabs, *strained_cuts(rod, self.layout))
-
-    @cached_property
+    @property
     def strains(self) -> tuple[LayerStrain, ...]:
         """Surface strain of each layer at stations along the strip, with the limit of its sheet."""
-        return self.layout.strains(self._bends)
+        return self._loadings[0][2]
 
-    @cached_property
+    @property
     def unloaded_strains(self) -> tuple[LayerStrain, ...]:
         """Surface strain of each layer of the strip without its loads; empty if `unloaded` is None."""
-        return () if self.unloaded is None else self.layout.strains(self._bends_of(self.unloaded))
-
-    @cached_property
-    def _bends(self) -> Bends:
-        return self._bends_of(self.rod)
+        return () if self.unloaded is None else self._loadings[1][2]
 
     def _bends_of(self, rod: Rod) -> Bends:
         if self.layout.stack is None:
@@ -807,7 +806,7 @@ class Strip:
         creeps = _warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
         return (
             *warnings,
-            *_warn_of_plywood(self.layers, self.strains, self._bends),
+            *_warn_of_plywood(self.layers, self.strains, self._loadings[0][1]),
             *creeps,
             *self._label_notes,
         )

@@ -27,7 +27,7 @@ from elastica_cad.strip.bent_boundary import (
     SpaceSurface,
     StraightTrace,
 )
-from elastica_cad.strip.outline import lines_through
+from elastica_cad.strip.outline import graph, lines_through
 from elastica_cad.strip.strip import Strip
 
 FACE_MM = 1e-4
@@ -58,7 +58,10 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
             "such as ThicknessLaw"
         )
     right, left = (
-        Spline(_bent_face(strip, size, side) if bent else _flat_face(size, side)) for side in (-1, 1)
+        Spline(_bent_face(strip, size, side))
+        if bent
+        else graph(size.knots, side * size.coefficients / 2, size.degree)
+        for side in (-1, 1)
     )
     places, directions = places_of_ends(strip, bent=bent)
     half = size([0.0, strip.rod.length])[:, None] / 2 * left_of(directions)
@@ -79,10 +82,6 @@ def places_of_ends(strip: Strip, *, bent: bool) -> tuple[FloatArray, FloatArray]
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
     return nodes.position, unit_vectors(nodes.angle)
-
-
-def _flat_face(size: Profile, side: int) -> PlaneCurve:
-    return PlaneCurve(size.knots, np.column_stack([size.greville, side * size.coefficients / 2]), size.degree)
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
