@@ -16,6 +16,7 @@ from elastica_cad._values import plain_data
 from elastica_cad.cli.options import (
     LENGTH,
     POINT,
+    Chosen,
     join_options,
     output_options,
     refuse_idle,
@@ -193,7 +194,7 @@ def _quantities(strip: Strip) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
+def _stock(chosen: Chosen) -> ThicknessLaw | RoundLaw:
     refuse_idle(
         {"bore": ("rod",), "leaves": ("stock",)},
         {"leaves": ("stations", "every", "weight"), "every": ("stations",)},
@@ -212,7 +213,7 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
     return RoundLaw(sheet, least, largest, bore=chosen["bore"])
 
 
-def _stations(chosen: dict[str, Any]) -> FloatArray:
+def _stations(chosen: Chosen) -> FloatArray:
     length, every = chosen["length"], chosen["every"]
     if every is None:
         return np.linspace(0.0, length, chosen["stations"])
@@ -226,9 +227,7 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
     return np.unique(np.append(np.arange(0.0, length, every), length))
 
 
-def _write(
-    strip: Strip, stations: FloatArray, report: dict[str, Any], chosen: dict[str, Any]
-) -> tuple[Path, ...]:
+def _write(strip: Strip, stations: FloatArray, report: dict[str, Any], chosen: Chosen) -> tuple[Path, ...]:
     name, drawing = file_word(chosen["name"]), bench_drawing(strip, stations)
     files = [
         text_file(f"{name}.csv", bench_csv(strip, stations)),

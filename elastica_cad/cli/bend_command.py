@@ -14,6 +14,7 @@ from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, e
 from elastica_cad.cli.options import (
     LENGTH,
     POINT,
+    Chosen,
     Length,
     given_of,
     output_options,
@@ -244,7 +245,7 @@ def _refuse_curve_options(idle: set[str]) -> None:
         )
 
 
-def _with_changes(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
+def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, Any]) -> FinishedStrip:
     spec = finished.spec
     values = given_of(chosen, ("sheet", "thickness", "max_width"))
     if chosen["gravity"] or chosen["down"] is not None:
@@ -265,7 +266,7 @@ def _with_changes(finished: FinishedStrip, chosen: dict[str, Any], settings: dic
 
 
 def _initial_strip(
-    requested: RequestedCurve | None, chosen: dict[str, Any], settings: dict[str, Any]
+    requested: RequestedCurve | None, chosen: Chosen, settings: dict[str, Any]
 ) -> Strip | None:
     if chosen["sheet"] is None or not (settings or chosen["max_width"] is not None):
         return None
@@ -284,7 +285,7 @@ def _initial_strip(
     return spec.make(_solve(spec.rod_spec))
 
 
-def _initial_rod(requested: RequestedCurve | None, chosen: dict[str, Any]) -> Rod:
+def _initial_rod(requested: RequestedCurve | None, chosen: Chosen) -> Rod:
     smooth, gravity = chosen["smooth"], _gravity(chosen)
     if requested is None:
         return Rod.straight(chosen["straight"], gravity=gravity)
@@ -293,7 +294,7 @@ def _initial_rod(requested: RequestedCurve | None, chosen: dict[str, Any]) -> Ro
     return accepted_rod(_solve(RodSpec(drawn, gravity, smooth=smooth, limits=limits)))
 
 
-def _gravity(chosen: dict[str, Any]) -> Gravity | None:
+def _gravity(chosen: Chosen) -> Gravity | None:
     if not chosen["gravity"]:
         return None
     return require_flat(requested_sheet(chosen)).gravity(chosen["down"] or (0.0, -1.0))
@@ -307,7 +308,7 @@ def _solve(spec: RodSpec) -> Rod | NearestRod:
     return result
 
 
-def _bend_keywords(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, Any]:
+def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, Any]:
     change: dict[str, Any] = {}
     elements = elements_of(chosen, ELEMENTS)
     if elements or chosen["release"]:
@@ -352,7 +353,7 @@ def _with_shorter_cord(action: ElementForce, by: float) -> Any:
 
 
 def _keywords_of_steps(
-    rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, from_zero: bool = False
+    rod: Rod, chosen: Chosen, supports: Supports, change: dict[str, Any], *, from_zero: bool = False
 ) -> list[dict[str, Any]]:
     gravity = {"gravity": change["gravity"]} if "gravity" in change else {}
 

@@ -12,6 +12,7 @@ import numpy as np
 from elastica_cad._values import plain_data
 from elastica_cad.cli.options import (
     LENGTH,
+    Chosen,
     given_of,
     join_options,
     output_options,
@@ -141,7 +142,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})
 
 
-def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
+def _material(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:
     """Return the material and its options. Without --sheet, the modulus is 1 GPa, for forces in N per GPa."""
     strip = ("max_width",)
     refuse_idle({"thickness": ("sheet",), "hole": strip, "min_width": strip, "max_width": ("sheet",)})
@@ -259,7 +260,7 @@ def _write(
     table: dict[str, Any],
     report: dict[str, Any],
     name: str,
-    chosen: dict[str, Any],
+    chosen: Chosen,
 ) -> tuple[Path, ...]:
     stem, strip = f"{name}-bow", result.strip
     curves = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(strip.rod.curve)]}

@@ -11,7 +11,7 @@ import click
 import numpy as np
 
 from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
-from elastica_cad.cli.options import UNITS, Length, option_name, typed_options
+from elastica_cad.cli.options import UNITS, Chosen, Length, option_name, typed_options
 from elastica_cad.cli.suggestions import SUGGEST, TYPED, refuse_extra_words
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
 from elastica_cad.declared import Record
@@ -351,7 +351,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     return command
 
 
-def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
+def _check_numbers(chosen: Chosen, *, huge: bool) -> None:
     for option in click.get_current_context().command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
@@ -391,7 +391,7 @@ def _output_flag(*names: str, help: str) -> click.Option:
     )
 
 
-def _run_once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
+def _run_once(run: Any, chosen: Chosen, in_mm: list[str]) -> None:
     voice().begin()
     for sentence in in_mm:
         warn(sentence)

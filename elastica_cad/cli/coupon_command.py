@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from elastica_cad._text import file_word, quote_words
-from elastica_cad.cli.options import LENGTH, POINT, given_of, output_options, refuse_idle
+from elastica_cad.cli.options import LENGTH, POINT, Chosen, given_of, output_options, refuse_idle
 from elastica_cad.cli.suggestions import name_program, refuse_extra_words
 from elastica_cad.cli.voice import answer, say, say_rows, wrote
 from elastica_cad.errors import InputError
@@ -128,7 +128,7 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
         )
 
 
-def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
+def _sheet_of_coupon(chosen: Chosen) -> Sheet:
     thickness, density = chosen["thickness"], chosen["density"]
     if thickness is not None:
         plausible_number(thickness, "thickness_mm", "--thickness")
@@ -168,7 +168,7 @@ def _library_folder() -> Path:
     return folder
 
 
-def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
+def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     measured, least_radius = chosen["measured"], chosen["least_radius"]
     is_listed, name = chosen["sheet"] is not None, chosen["name"] or f"my-{sheet.name}"
     output = _library_folder() if chosen["keep"] else chosen["output"]

@@ -1,13 +1,13 @@
 """Options for rails, pins, ties and loads between the ends of a strip."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from typing import Any
 
 import click
 
-from elastica_cad.cli.options import Length, join_options, option_name, option_of
+from elastica_cad.cli.options import Chosen, Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
@@ -100,7 +100,7 @@ def cut_options() -> Callable[[Any], Any]:
     return join_options(*(option_of(field, more=" For each --pin and --tie.") for field in cuts))
 
 
-def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
+def element_table(chosen: Chosen) -> dict[str, Any]:
     """Return the keys `between` and `loads` of a design file for the given options."""
     cuts = {name: chosen[name] for name in CUTS if chosen.get(name) is not None}
     table: dict[str, Any] = {}
@@ -116,7 +116,7 @@ def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
     return table
 
 
-def elements_of(chosen: Mapping[str, Any], names: Iterable[str]) -> tuple[Any, ...]:
+def elements_of(chosen: Chosen, names: Iterable[str]) -> tuple[Any, ...]:
     """Return a record for every given option."""
     return tuple(
         RECORDS[name][0](**_values(name, values)) for name in names for values in chosen.get(name) or ()

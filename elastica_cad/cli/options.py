@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -65,6 +65,9 @@ POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+Chosen: TypeAlias = Mapping[str, Any]
+"""Values of the options of a command, by the names of their parameters."""
+
 
 def option_name(name: str) -> str:
     """Return the option that sets a parameter, as the user types it: `--max-width`."""
@@ -110,7 +113,7 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
     return (click.Choice(words), None) if words else (str, "NAME" if field.name == "sheet" else "TEXT")
 
 
-def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
+def given_of(chosen: Chosen, names: Iterable[str]) -> dict[str, Any]:
     """Return the named parameters that the user has given."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
@@ -194,7 +197,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
     )  # fmt: skip
 
 
-def requested_sheet(chosen: Mapping[str, Any]) -> "Sheet":
+def requested_sheet(chosen: Chosen) -> "Sheet":
     """Return the sheet that the options of `sheet_options` select."""
     from elastica_cad.mechanics.sheets import Sheet
 

@@ -8,6 +8,7 @@ import click
 
 from elastica_cad._text import file_word
 from elastica_cad.cli.options import (
+    Chosen,
     given_of,
     join_options,
     option_of,
@@ -127,7 +128,7 @@ def _made(spec: FlexureSpec) -> Flexure:
         raise InputError(text, problem=problem.refusal, scale=rounded_up(spec.scale * share)) from problem
 
 
-def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
+def _spec_of(chosen: Chosen, settings: dict[str, Any]) -> FlexureSpec:
     if chosen["sheet"] is None:
         raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
     first, second = _curves(chosen)
@@ -138,7 +139,7 @@ def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     return FlexureSpec(first.bendable(None), second.bendable(None), requested_sheet(chosen), **fields)
 
 
-def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
+def _curves(chosen: Chosen) -> tuple[RequestedCurve, RequestedCurve]:
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
         curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)

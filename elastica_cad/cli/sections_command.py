@@ -13,6 +13,7 @@ from elastica_cad._text import file_word
 from elastica_cad.cli.options import (
     LENGTH,
     SPACE_POINT,
+    Chosen,
     Length,
     given_of,
     output_options,
@@ -201,7 +202,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         )
 
 
-def _option_that_splits(message: str, chosen: dict[str, Any]) -> str:
+def _option_that_splits(message: str, chosen: Chosen) -> str:
     changes = message.all_changes if isinstance(message, Refusal) else ()
     if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
@@ -209,7 +210,7 @@ def _option_that_splits(message: str, chosen: dict[str, Any]) -> str:
     return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
 
 
-def _require_one_family(chosen: dict[str, Any]) -> None:
+def _require_one_family(chosen: Chosen) -> None:
     families = {
         "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
         "--offset": chosen["offsets"], "--along": chosen["along"],
@@ -225,7 +226,7 @@ def _require_one_family(chosen: dict[str, Any]) -> None:
     refuse_idle(dict.fromkeys(of_design, ("sheet",)) | {"count": ("along",)}, _IDLE)
 
 
-def _spec(chosen: dict[str, Any], surface: Surface) -> SectionSpec:
+def _spec(chosen: Chosen, surface: Surface) -> SectionSpec:
     splits: list[Split] = [PlaneSplit(numbers[3:], numbers[:3]) for numbers in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:
@@ -239,7 +240,7 @@ def _spec(chosen: dict[str, Any], surface: Surface) -> SectionSpec:
     )
 
 
-def _cuts(chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
+def _cuts(chosen: Chosen, surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
     if chosen["along"]:
         path = read_path_points(chosen["along"])
         if len(path) < 2:
@@ -263,13 +264,13 @@ def _cuts(chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts
     return ParallelCuts(normal, count, offsets, point, _up(chosen, np.array(normal)))
 
 
-def _up(chosen: dict[str, Any], along: Any) -> Triple:
+def _up(chosen: Chosen, along: Any) -> Triple:
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
 
 
-def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
+def _strip_keys(chosen: Chosen, output: Path) -> dict[str, Any]:
     sheet = chosen["sheet"]
     keys = {
         "sheet": seen_from(sheet, output) if ".toml" in sheet else sheet, "thickness": chosen["thickness"],

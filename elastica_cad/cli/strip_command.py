@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from elastica_cad._text import quote_words
+from elastica_cad.cli.options import Chosen
 from elastica_cad.cli.requested_curves import (
     RequestedCurve,
     curve_argument,
@@ -64,7 +65,7 @@ SUGGESTED_DEVIATION = 3e-4
 are tried."""
 
 
-def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
+def _files(chosen: Chosen, table: Mapping[str, Any]) -> StripFiles:
     reader, below = Reader(), Table(table, "", {})
     cutting: Cutting = reader.record(Cutting, below.table("cut"))
     more: FileKeys = reader.record(FileKeys, below.table("files"))
@@ -238,12 +239,12 @@ def _solve(requested: RequestedCurve, spec: StripSpec, *, unmarked: bool) -> Str
 
 
 def _refused_request(
-    spec: StripSpec, requested: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
+    spec: StripSpec, requested: RequestedCurve, chosen: Chosen, problem: ElasticaError
 ) -> StripSpec | None:
     return spec if problem.refusal.changes and not _is_output_occupied(requested, chosen) else None
 
 
-def _is_output_occupied(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
+def _is_output_occupied(requested: RequestedCurve, chosen: Chosen) -> bool:
     folder: Path = chosen["output"]
     parent_folder = next(
         parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists()

@@ -17,6 +17,7 @@ from elastica_cad.cli.element_options import (
 )
 from elastica_cad.cli.options import (
     POINT,
+    Chosen,
     given_of,
     join_options,
     option_name,
@@ -212,7 +213,7 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
     return groups
 
 
-def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
+def table_of(chosen: Chosen) -> dict[str, Any]:
     """Return the options as the table of a design file."""
     table: dict[str, Any] = {}
     for path, name in OPTIONS.items():
