@@ -261,9 +261,9 @@ class Slider:
         The x axis is along the path, or along the strip if the end rotates. The z axis is across the
         strip.
         """
-        if self.travel.angle is None:
-            return make_location(self.travel.place) * cq.Location((position, 0, 0))
-        return make_location(self.travel.place) * cq.Location((0, 0, 0), (0, 0, 1), position)
+        turns = self.travel.angle is not None
+        moved = cq.Location((0, 0, 0), (0, 0, 1), position) if turns else cq.Location((position, 0, 0))
+        return make_location(self.travel.place) * moved
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
         """Return the strip with its end at a position on the path, mm or degrees."""

@@ -324,9 +324,8 @@ def _widths_row(ratio: float) -> Row:
 def _sheets_row(sheets: Sequence[Mapping[str, Any]], question: str) -> Row:
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
-    sheets_and_scales = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
-    fitting = _each_kind_first([sheet for sheet, scale in sheets_and_scales if scale <= 1][::-1])
-    larger = [f"{sheet.name} at {ceil(100 * scale)} %" for sheet, scale in sheets_and_scales if scale > 1]
+    fitting = _each_kind_first([Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1])
+    larger = [f"{sheet['name']} at {ceil(100 * sheet['scale'])} %" for sheet in sheets if sheet["scale"] > 1]
     details = [f"All: {', '.join(fitting)}."] if fitting else []
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
@@ -339,9 +338,8 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]], question: str) -> Row:
 
 
 def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
-    first = list({sheet.kind: sheet for sheet in sheets[::-1]}.values())
-    first.sort(key=sheets.index)
-    return [sheet.name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
+    first = {sheet.kind: sheet for sheet in sheets[::-1]}
+    return [sheet.name for sheet in sorted(sheets, key=lambda sheet: first[sheet.kind] is not sheet)]
 
 
 def _first_names(names: Sequence[str], order: str) -> str:

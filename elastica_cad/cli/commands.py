@@ -93,7 +93,7 @@ class _OnDemand(Mapping[str, click.Command]):
 def _imported(name: str) -> click.Command:
     module, function = COMMANDS[name].split(":")
     command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
-    return _complete(command, huge=name == "sections")
+    return _complete(command)
 
 
 @contextmanager
@@ -301,11 +301,8 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
     """
 
 
-def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
-    """Add `--json` and `-v` to a command, and apply the options of `elastica`.
-
-    `huge` is True if the command itself rejects numbers too large for a drawing.
-    """
+def _complete(command: click.Command) -> click.Command:
+    """Add `--json` and `-v` to a command, and apply the options of `elastica`."""
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
     # `refuse_extra_words` reports extra words, with advice
@@ -328,7 +325,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
         typed = {} if root_options.get("units", "mm") == "mm" else typed_options()
         notes = [f"Note: {typed[name]}: {text}" for name, text in IN_FIXED_UNITS.items() if name in typed]
-        _check_numbers(chosen, huge=huge)
+        _check_numbers(chosen)
         if not watched:
             _run_once(run, chosen, notes)
             return
@@ -351,15 +348,17 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     return command
 
 
-def _check_numbers(chosen: Chosen, *, huge: bool) -> None:
-    for option in click.get_current_context().command.params:
+def _check_numbers(chosen: Chosen) -> None:
+    context = click.get_current_context()
+    for option in context.command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
         most, what = (LARGEST_SIZE, "a length") if is_length else (LARGEST_NUMBER, "a number")
         for number in _numbers(chosen.get(str(option.name))):
             if not np.isfinite(number):
                 raise InputError("{opts} is not finite. Use finite numbers.", opts=option.opts[0])
-            if abs(number) > most and not huge:
+            # `sections` itself rejects numbers too large for a surface
+            if abs(number) > most and context.info_name != "sections":
                 unit = " mm" if is_length else ""
                 raise InputError(
                     "{opts} is {number:.3g}{unit}, above the limit. Use {what} of at most {most:g}{unit}.",

@@ -180,8 +180,7 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
     )
     properties = {
         key: getattr(sheet, key) for key in ("grain", "kerf", "kind", "poisson_ratio", "shear_modulus")
-    }
-    properties |= given_of(chosen, ("grain", "kerf", "kind"))
+    } | given_of(chosen, ("grain", "kerf", "kind"))
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )

@@ -45,7 +45,7 @@ def help_command(key: str | None) -> None:
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
     key = None if key is None else current_path(key)
-    text = _list_of_keys() if key is None else _explanation(key)
+    text = _list_of_keys() if key is None else _explanation(key, typed_name(key))
     answer({"key": key, "text": text})
     say(text)
 
@@ -63,8 +63,7 @@ def _in_words(kind: Kind) -> str:
         return ", or ".join(dict.fromkeys(_in_words(alternative) for alternative in kind.of))
     if kind.name == "choice":
         return " or ".join(str(choice) for choice in kind.choices)
-    if kind.name == "table":
-        assert kind.record is not None
+    if kind.record is not None:
         return f"table {title(kind.record)}"
     if kind.name == "list":
         inner, size = _in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
@@ -74,7 +73,7 @@ def _in_words(kind: Kind) -> str:
     return plain.get(kind.name, "names and their values")
 
 
-def _explanation(path: str) -> str:
+def _explanation(path: str, option: str) -> str:
     record, key = next(
         ((record, f"{table}{path}") for record, table in FORMS if f"{table}{path}" in paths_of(record)),
         (DesignKeys, path),
@@ -111,7 +110,6 @@ def _explanation(path: str) -> str:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     if makers := makers_using(path.partition(".")[0]):
         lines.append(f"At the top of a design file, it applies to {Listed(makers)}.")
-    option = typed_name(path)
     typed = f"{option}=VALUE" if option.startswith("--set") else option
     setting = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
     return "\n".join([path, *(f"  {line}" for line in [*lines, setting])])

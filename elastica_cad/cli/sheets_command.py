@@ -59,14 +59,14 @@ def sheets(name: str | None) -> None:
             "not known; across the grain: for strips cut\nacross the face grain; rods: for elastica bow, with "
             "--rod DIAMETER. All properties: elastica sheets NAME"
         )
-        count = len(library_sheets()[0])
+        listed, problems = library_sheets()
         folders = ", ".join(map(str, library_folders()))
-        contents = counted(count, "sheet") if count else "empty"
+        contents = counted(len(listed), "sheet") if listed else "empty"
         say(
             "library: put the files of your own sheets, NAME.toml as `elastica coupon` writes it, into "
             f"{folders} (now {contents})"
         )
-        for problem in library_sheets()[1]:
+        for problem in problems:
             warn(f"Note: {problem}")
         return
     sheet = Sheet.named(name)

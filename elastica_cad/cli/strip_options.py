@@ -53,10 +53,6 @@ CALLED = {
 }  # fmt: skip
 """Names of options that differ from the last part of their key."""
 
-BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
-           "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys without a generated option, because options written by hand set these keys or their subkeys."""
-
 FLAGS = ("keep.length", "ignore_limits")
 
 
@@ -116,7 +112,7 @@ def _names_of_common_keys() -> dict[str, str]:
     for path in keys:
         # the key itself, and the keys of the tables that contain it
         levels = accumulate(path.split("."), "{}.{}".format)
-        if path not in BY_HAND and all(keys[level].option.common for level in levels):
+        if path not in (*_OWN_OPTIONS, "cut") and all(keys[level].option.common for level in levels):
             names[path] = CALLED.get(path, path.rpartition(".")[2])
     return names
 
@@ -127,6 +123,8 @@ _OWN_OPTIONS = {
     "gravity": "gravity", "between": "rail",
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
+"""Options written by hand, by the path of the key that they set. These keys have no generated option."""
+
 OPTIONS = _names_of_common_keys()
 """Names of the options generated from declarations, by the path of the key that they set."""
 

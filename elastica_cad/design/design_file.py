@@ -332,7 +332,6 @@ def _read_strips(
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
-    labels: set[str] = set()
     for table in tables:
         sections: tuple[SectionCurve | None, ...] = ()
         with slips.gathering():
@@ -359,9 +358,8 @@ def _read_strips(
                 else:
                     failed.append(problem)
         with slips.gathering():
-            _require_labels(labels, entries[first:], top.where)
+            _require_labels({entry.label for entry in entries[:first]}, entries[first:], top.where)
             entries[first:] = _with_copies_apart(entries[first:])
-        labels.update(entry.label for entry in entries[first:])
     if failed and not entries:
         raise failed[0]
     return entries, (

@@ -61,8 +61,7 @@ def fragment(kind: Kind) -> Fragment:
         return _PLAIN[kind.name]
     if kind.name == "choice":
         return {"enum": list(kind.choices)}
-    if kind.name == "table":
-        assert kind.record is not None
+    if kind.record is not None:
         return {"$ref": f"#/definitions/{title(kind.record)}"}
     inner = [fragment(written(part)) for part in kind.of]
     if kind.name == "names":

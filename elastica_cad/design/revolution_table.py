@@ -180,23 +180,19 @@ class RevolutionTable:
     def _profile(self) -> PlaneCurve | None:
         if self.curve is None or (self.axis is None and self.axis_x is None):
             return self.curve
-        start, end = (
-            np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
-        )
+        if self.axis is None:
+            start, end = np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]])
+        elif self.axis.is_straight and not self.axis.is_closed:
+            start, end = self.axis.control_points[[0, -1]]
+        else:
+            raise InputError(
+                "The curve of the key 'axis' is not straight. Draw the axis as one straight line."
+            )
         along = (end - start) / np.hypot(*(end - start)) * (1.0 if end[1] >= start[1] else -1.0)
         across = -left_of(along)
         if across @ (self.curve.control_points.mean(axis=0) - start) < 0:
             across = -across
         return self.curve.transformed([[*across, -across @ start], [*along, 0.0], [0.0, 0.0, 1.0]])
-
-    @property
-    def _axis_ends(self) -> FloatArray:
-        assert self.axis is not None
-        if not self.axis.is_straight or self.axis.is_closed:
-            raise InputError(
-                "The curve of the key 'axis' is not straight. Draw the axis as one straight line."
-            )
-        return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
         """Make all strips and rings. An error suggests tested changes with which they can be made."""

@@ -50,7 +50,7 @@ def _turned(edges: Sequence[Shape]) -> FloatArray | None:
     if not edges or edges[0].Location().IsIdentity():
         return None
     place = edges[0].Location().Transformation()
-    rows = [[float(place.Value(i, j)) for j in (1, 2, 3)] for i in (1, 2, 3)]
+    rows = [[place.Value(i, j) for j in (1, 2, 3)] for i in (1, 2, 3)]
     return np.array(rows) / float(place.ScaleFactor())
 
 

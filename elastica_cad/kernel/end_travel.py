@@ -117,10 +117,9 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    a, b, c = (places[corners[:, i]] for i in range(3))
+    a, b, c = places[corners.T]
     normals = np.zeros_like(places)
-    for i in range(3):
-        np.add.at(normals, corners[:, i], np.cross(b - a, c - a))
+    np.add.at(normals, corners.T, np.cross(b - a, c - a))
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None])
 
 

@@ -65,20 +65,15 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
     # omit triangles without area, as at the pole of a sphere, because programs would report an open body
-    same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
-    corners = corners[~np.any(same, axis=0)]
+    corners = corners[(corners != np.roll(corners, 1, axis=1)).any(axis=2).all(axis=1)]
+    a, b, c = corners.swapaxes(0, 1)
+    across = np.cross((b - a).astype(float), (c - a).astype(float))
     rows = np.zeros(len(corners), dtype=TRIANGLE)
     rows["corners"] = corners
-    rows["normal"] = _normals(corners)
+    rows["normal"] = across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None]
     heading = b"binary STL, mm".ljust(80)
     content = heading + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes()
     write_atomically(path, content)
-
-
-def _normals(corners: np.ndarray) -> np.ndarray:
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    across = np.cross((b - a).astype(float), (c - a).astype(float))
-    return np.asarray(across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None])
 
 
 def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:

@@ -32,7 +32,6 @@ from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
-    from elastica_cad.form_finding.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
@@ -214,10 +213,13 @@ def make_fixture_on(
     return replace(result, block=block), block
 
 
-def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
-    """Return the section curves of a body. Each omitted line causes a warning.
+def section_requests(
+    body: Any, planes: Any, options: StripOptions, *, half: bool
+) -> "list[tuple[PlaneCurve, StripOptions]]":
+    """Return the curve of each section of a body, and the options of its strip. Each omitted line causes a warning.
 
-    `planes` are planes of any CAD library, or a `SectionSpec`. `half` selects the parts with x >= 0.
+    `planes` are planes of any CAD library, or a `SectionSpec`. `half` selects the parts with x >= 0. The options
+    include the plane of the section, and a label with a number.
     """
     from elastica_cad.form_finding.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
@@ -234,22 +236,11 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
     curves, reports = planes.curves(shape_surface(bare(body)))
     for text in reports:
         warn(text)
-    section_curves: tuple[SectionCurve, ...] = curves
-    return section_curves
-
-
-def section_requests(
-    body: Any, planes: Any, options: StripOptions, *, half: bool = False
-) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """Return the curve of each section of a body, and the options of its strip.
-
-    The options include the plane of the section, and a label with a number.
-    """
     label = options.get("label")
     called = "strip" if is_one_of(label, (None, "")) else label
     return [
         (section.curve, {**options, "plane": section.frame, "label": f"{called}-{number}"})
-        for number, section in enumerate(_curves_on_body(body, planes, half=half), start=1)
+        for number, section in enumerate(curves, start=1)
     ]
 
 
