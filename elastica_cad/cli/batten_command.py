@@ -138,12 +138,9 @@ def batten(**chosen: Any) -> None:
                 "its own weight",
             )
         )
-    wrote(written, {path.name: CONTENTS[path.suffix] for path in written if path.suffix in CONTENTS})
+    contents = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
+    wrote(written, contents)
     say(*left_out(pictures=False, paper=True))
-
-
-CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
-"""Descriptions of the written files, by the end of their names."""
 
 
 def _planed(result: Batten, stations: FloatArray, *, weight: bool) -> tuple[dict[str, Any], dict[str, Any]]:

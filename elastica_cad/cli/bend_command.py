@@ -68,9 +68,6 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, farthest_move
 from elastica_cad.strip.travel import Travel, bend_strip
 
-ROUNDED_MM = 1.0
-"""Distance from an end of the strip within which a cord counts as tied to this end. Users type whole mm."""
-
 
 @click.command("bend")
 @curve_argument(required=False)
@@ -332,7 +329,8 @@ def _refuse_fixed_cords(rod: Rod, supports: Supports, between: Sequence[Any]) ->
     if not all(end.x and end.y for end in supports.ends):
         return
     for cord in between:
-        if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=ROUNDED_MM):
+        # within 1 mm of an end, because users type whole mm
+        if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
             raise InputError(
                 "Both ends of the strip are held, so the cord between them cannot become shorter. "
                 "Add --hold-start free --hold-end free."

@@ -138,8 +138,8 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     answer({"bow": report})
     say_rows(*in_order(_rows(result, report)))
     _print_table(table)
-    contents = {"csv": "the table", "json": "all numbers and the curve", "dxf": "drawing at full size"}
-    wrote(written, {path.name: contents[kind] for path in written if (kind := path.suffix[1:]) in contents})
+    contents = {".csv": "the table", ".json": "all numbers and the curve", ".dxf": "drawing at full size"}
+    wrote(written, contents)
 
 
 def _material(chosen: Chosen) -> tuple[Sheet, dict[str, Any]]:

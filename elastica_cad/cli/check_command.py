@@ -1,6 +1,6 @@
 """`elastica check`: check whether a flat strip can take a curve."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import chain, count, groupby
@@ -34,7 +34,7 @@ from elastica_cad.cli.suggestions import (
 )
 from elastica_cad.cli.voice import answer, exit_code, say, say_rows, say_step, voice, warn, wrote
 from elastica_cad.defaults import NOT_REALIZABLE
-from elastica_cad.design.check_report import report_check
+from elastica_cad.design.check_report import PlainData, report_check
 from elastica_cad.errors import Change, ElasticaError, InputError, rounded_up
 from elastica_cad.form_finding.rod_solution import accepted_rod, solve_rod
 from elastica_cad.form_finding.rod_spec import RodSpec
@@ -108,7 +108,7 @@ def check(
     supports = require_supports(Supports(start, end), between=bool(between))
     checks = [_Check(drawn, supports, bent, smooth, not several, between) for drawn in requested]
     of_file, worst, bad = list(voice().notes), 0, 0
-    answers: list[dict[str, Any]] = []
+    answers: list[PlainData] = []
     if picture is not None:
         if several:
             raise InputError(
@@ -193,7 +193,7 @@ class _Check:
         undecided = str(check.undecided)
         return replace(check, warnings=tuple(text for text in warnings if text != undecided))
 
-    def judged(self) -> tuple[dict[str, Any], int]:
+    def judged(self) -> tuple[PlainData, int]:
         """Return the report on the curve, and the exit code."""
         try:
             report = self._report()
@@ -210,7 +210,7 @@ class _Check:
             raise
         return report, 0 if report["realizable"] and not report.get("undecided") else NOT_REALIZABLE
 
-    def _report(self) -> dict[str, Any]:
+    def _report(self) -> PlainData:
         verdict, smoothing = self.verdict, self.spec.smoothing
         outcome = self._smoothed()
         report = report_check(verdict)
@@ -253,7 +253,7 @@ class _Check:
         say_step(LOOKING)
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
-    def enlarging(self, report: Mapping[str, Any]) -> str:
+    def enlarging(self, report: PlainData) -> str:
         least = report["sheets"][0]
         if (
             least["scale"] <= 1
@@ -289,7 +289,7 @@ class _Check:
         return f"{change}, or with another sheet, width and folder"
 
 
-def _rows(report: dict[str, Any]) -> list[Row]:
+def _rows(report: PlainData) -> list[Row]:
     notes = [text for text in report.get("notes", ()) if text not in report["advice"]]
     if report.get("undecided"):
         verdict = Row("Verdict", report["advice"], notes, "error")
@@ -321,7 +321,7 @@ def _widths_row(ratio: float) -> Row:
     return warning_row(f"{text}, which is too narrow to cut. {advice}", "Widths")
 
 
-def _sheets_row(sheets: Sequence[Mapping[str, Any]], question: str) -> Row:
+def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
     fitting = _each_kind_first([Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1])
@@ -359,7 +359,7 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
     wrote([path])
 
 
-def _report_on_elements(rod: Rod) -> dict[str, Any]:
+def _report_on_elements(rod: Rod) -> PlainData:
     verdict, sides = stability(rod), []
     for action in rod.between:
         if isinstance(action.element, Rail):
@@ -370,7 +370,7 @@ def _report_on_elements(rod: Rod) -> dict[str, Any]:
     return report | {"advice_on_elements": _stability_row(report).text}
 
 
-def _stability_row(report: Mapping[str, Any]) -> Row:
+def _stability_row(report: PlainData) -> Row:
     bars = [
         f"the rail at {bar['at']:.4g} mm is on the {bar['side']} of the strip, seen from its start"
         for bar in report["bars"]
@@ -383,7 +383,7 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
     )  # fmt: skip
 
 
-def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
+def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> PlainData:
     scaled_sheets = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": sheet.scale} for sheet in scaled_sheets]
     question = unit_question(scaled_sheets[0].scale, curve.length)

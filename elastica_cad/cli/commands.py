@@ -53,9 +53,6 @@ IN_FIXED_UNITS = {
 }
 """Notes on options in fixed units, to which `--units` does not apply, by the names of their parameters."""
 
-ALIKE = {"name": "label"}
-"""Options with the same use in different commands: the name in some commands, and the name in the others."""
-
 FILES = {
     "curve": "name a file with the curve, such as arch.dxf, or - for standard input",
     "first": "name the file with the first rest shape, or a design file with a table [pair]",
@@ -209,8 +206,9 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     words = [option.lstrip("-") for option in options]
     if near := near_names(word, words, cutoff=0.8):
         return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
-    if name in ALIKE and (called := option_name(ALIKE[name])) in options:
-        return f"{typed} is called {called}"
+    # options with the same use in different commands
+    if name == "name" and "--label" in options:
+        return f"{typed} is called --label"
     from elastica_cad.cli.settings import CommandKeys
     from elastica_cad.design.records import is_settable, meant_paths, paths_of
     from elastica_cad.design.tables import OTHER_WORDS

@@ -28,10 +28,6 @@ GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 LEAST_DROOP_MM = 10.0
 """Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""
 
-SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Two readings contradict each other if their difference exceeds both limits: a number of standard deviations of
-the difference, and a fraction of the smaller reading."""
-
 
 @click.command()
 @click.argument("name_or_file", metavar="[NAME|FILE]", required=False)
@@ -119,7 +115,8 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
     readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
     (low, low_error, short), (high, high_error, long) = readings[0], readings[-1]
-    if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
+    # more than three standard deviations of the difference, and than a tenth of the smaller reading
+    if high - low > max(3.0 * hypot(low_error, high_error), 0.1 * low):
         _warn_row(
             "Readings",
             f"Two measurements contradict each other: a droop of {short[1]:g} mm over {short[0]:g} mm gives an "

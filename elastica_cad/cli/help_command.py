@@ -4,7 +4,7 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.settings import DEEPEST, GROUPS, CommandKeys
+from elastica_cad.cli.settings import GROUPS, CommandKeys
 from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.cli.voice import answer, say
 from elastica_cad.declared import REQUIRED, Kind, Record
@@ -124,6 +124,6 @@ def _list_of_keys() -> str:
         for path, field in (keys if group else paths_of(DesignKeys)).items():
             first = path.partition(".")[0]
             listed = keys[first].option.group == group if group else first not in {*keys, "strips"}
-            if listed and path.count(".") <= DEEPEST:
+            if listed and path.count(".") <= 1:  # deeper keys are explained one by one
                 lines.append(f"  {path:<24} {help_with_unit(field.help, field.option.unit)}")
     return "\n".join(lines[1:])

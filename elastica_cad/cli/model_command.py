@@ -46,9 +46,6 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 from elastica_cad.strip.summary import accuracy_row, hold_row, size_row, stability_row
 
-MOST_SHOWN = 6
-"""Largest number of notes printed without -v. The report contains all notes."""
-
 
 @click.command()
 @click.argument("design", type=click.Path(path_type=Path))
@@ -245,7 +242,8 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
             f"{output} holds files of an earlier run that do not belong to this model "
             f"({old[0]}{' and others' if old[1:] else ''}). Delete them, or choose an empty folder."
         )
-    printed = messages if voice().verbose else list(one_of_each(messages))[:MOST_SHOWN]
+    # the report contains all notes
+    printed = messages if voice().verbose else list(one_of_each(messages))[:6]
     if messages:
         warn("Before you cut:", in_notes=False)
     say_rows(*(warning_row(text, "Note") for text in printed))

@@ -23,8 +23,6 @@ KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
 )  # fmt: skip
-# least radius, bulge and height of the example mesh of `sections`, mm
-BOWL_MM = (60.0, 45.0, 140.0)
 AROUND, UP = 48, 25
 
 
@@ -69,7 +67,7 @@ def new(kind: str, output: Path, force: bool) -> None:
 def _bowl() -> str:
     t = np.linspace(0.0, 1.0, UP)[:, None]
     turn = 2 * np.pi * np.arange(AROUND) / AROUND
-    least, bulge, height = BOWL_MM
+    least, bulge, height = 60.0, 45.0, 140.0  # least radius, bulge and height, mm
     radius = least + bulge * np.sin(np.pi * (0.12 + 0.7 * t))
     rows = np.stack(np.broadcast_arrays(radius * np.cos(turn), radius * np.sin(turn), height * t), axis=-1)
     lines = [f"v {x:.4f} {y:.4f} {z:.4f}" for x, y, z in rows.reshape(-1, 3)]

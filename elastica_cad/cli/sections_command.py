@@ -54,12 +54,6 @@ from elastica_cad.strip.curve_check import check_equilibrium
 ALONG = 10
 """Default number of cutting planes along a path."""
 
-GAP_MM = 20.0
-"""Distance, mm, between neighbouring curves in the drawing."""
-
-UPRIGHT = 1e-9
-"""Largest x and y, relative to z, of a direction that is parallel to z apart from rounding errors."""
-
 _IDLE = {
     "radial": ("up",), "angles": ("up",), "parallel": ("zero",), "offsets": ("zero",),
     "along": ("point", "axis", "zero"),
@@ -265,7 +259,8 @@ def _cuts(chosen: Chosen, surface: Surface) -> RadialCuts | ParallelCuts | Along
 
 
 def _up(chosen: Chosen, along: Any) -> Triple:
-    upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
+    # parallel to z apart from rounding errors
+    upright = np.abs(along[:2]).max() <= 1e-9 * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
 
@@ -300,5 +295,5 @@ def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
     for curve in curves:
         (lowest_x, low), (highest_x, _) = curve.bounds
         placed.append(curve.transformed([[1, 0, x - lowest_x], [0, 1, -low], [0, 0, 1]]))
-        x += highest_x - lowest_x + GAP_MM
+        x += highest_x - lowest_x + 20.0  # mm between neighbouring curves
     return placed

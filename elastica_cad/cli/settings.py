@@ -174,7 +174,3 @@ def _possible_words(kind: Kind) -> list[str]:
     for part in written(kind).alternatives:
         words += ["true", "false"] if part.name == "flag" else [] if part == kind else _possible_words(part)
     return words
-
-
-DEEPEST = 1
-"""Largest number of dots in the keys that `elastica help` lists."""

@@ -161,15 +161,15 @@ def _print_row(row: Row, *, err: bool) -> None:
 
 
 def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
-    """Report the written files in a row. `contents` has descriptions by file name."""
+    """Report the written files in a row. `contents` has descriptions by file name, or by the end of the name."""
     written = list(paths)
     voice().files += map(str, written)
     names = [
         str(path) if k == 0 or path.parent != written[0].parent else path.name
         for k, path in enumerate(written)
     ]
-    files = [f"{name} ({contents[path.name]})" if path.name in contents else name
-            for name, path in zip(names, written, strict=True)]  # fmt: skip
+    texts = [contents.get(path.name) or contents.get(path.suffix) for path in written]
+    files = [f"{name} ({text})" if text else name for name, text in zip(names, texts, strict=True)]
     if files:
         say_rows(Row("Files", ", ".join(files)))
 

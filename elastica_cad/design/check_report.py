@@ -1,13 +1,16 @@
 """Result of `check_equilibrium` as plain data."""
 
 from dataclasses import asdict
-from typing import Any
+from typing import Any, TypeAlias
 
 from elastica_cad._values import plain_data, require_record
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 
+PlainData: TypeAlias = dict[str, Any]
+"""Plain data for JSON: values by key."""
 
-def report_check(check: EquilibriumCheck) -> dict[str, Any]:
+
+def report_check(check: EquilibriumCheck) -> PlainData:
     """Return the result of the check (Theorem 1 of the paper) as plain data.
 
     Positions are in mm along the curve.

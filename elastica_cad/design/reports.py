@@ -1,12 +1,11 @@
 """Reports on strips as plain data."""
 
 from itertools import zip_longest
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._values import is_whole, plain_data, require_record
-from elastica_cad.design.check_report import report_check
+from elastica_cad.design.check_report import PlainData, report_check
 from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.form_finding.fairing_request import Smoothing
 from elastica_cad.form_finding.nearest_record import NearestRod
@@ -27,11 +26,8 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.summary import farthest_move, instability, instability_in_plane, not_computed_row
 
-STATIONS = 201
-"""Number of evenly spaced stations at which a varying natural curvature is reported."""
 
-
-def report_blank(strip: Strip) -> dict[str, Any] | None:
+def report_blank(strip: Strip) -> PlainData | None:
     """Return the natural curvature (1/mm, positive to the left) at stations (mm), or None if it is zero.
 
     Examples
@@ -45,7 +41,7 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
     rest = np.asarray(strip.rod.natural_curvature, dtype=float)
     if not rest.any():
         return None
-    s = np.linspace(0.0, strip.rod.length, STATIONS if np.ptp(rest) > 0 else 2)
+    s = np.linspace(0.0, strip.rod.length, 201 if np.ptp(rest) > 0 else 2)
     return {"s": plain_data(s), "curvature": plain_data(strip.rod.rest_at(s))}
 
 
@@ -110,7 +106,7 @@ def report_strip(
     stability: Stability | None = None,
     smoothing: Smoothing | None = None,
     stations: int = 201,
-) -> dict[str, Any]:
+) -> PlainData:
     """Return the report of one strip as plain data for JSON.
 
     Parameters
@@ -181,7 +177,7 @@ def report_strip(
     }
 
 
-def strip_quantities(strip: Strip) -> dict[str, Any]:
+def strip_quantities(strip: Strip) -> PlainData:
     """Return the quantities that the reports of a strip and of a model state about a strip."""
     low, high = strip.width.extremes
     return {
@@ -199,7 +195,7 @@ def strip_quantities(strip: Strip) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _without_loads(strip: Strip) -> dict[str, Any] | None:
+def _without_loads(strip: Strip) -> PlainData | None:
     if strip.unloaded is None:
         return None
     loaded, unloaded = (
@@ -210,7 +206,7 @@ def _without_loads(strip: Strip) -> dict[str, Any] | None:
     return {"strain": unloaded, "strain_with_loads": loaded, "moved": moved, "moved_at": at}
 
 
-def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
+def _stability_report(strip: Strip, stability: Stability) -> PlainData:
     word, meaning = str(stability.word), stability.meaning
     if word == "ample" and (warning := instability_in_plane(strip, stability)):
         word, meaning = "low", warning
@@ -222,7 +218,7 @@ def _stability_report(strip: Strip, stability: Stability) -> dict[str, Any]:
     }
 
 
-def _between(strip: Strip) -> list[dict[str, Any]]:
+def _between(strip: Strip) -> list[PlainData]:
     """Return rails, pins, ties and point forces, with their positions (mm) and their forces on the strip (N).
 
     A tie also has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
@@ -248,7 +244,7 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
     ]
 
 
-def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
+def _stations_report(strip: Strip, count: int) -> PlainData:
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
     return {
@@ -258,7 +254,7 @@ def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _layers(strip: Strip) -> list[dict[str, Any]]:
+def _layers(strip: Strip) -> list[PlainData]:
     """Return the layers, the base layer first.
 
     The thickness of a planed or turned strip is its largest thickness.
@@ -274,7 +270,7 @@ def _layers(strip: Strip) -> list[dict[str, Any]]:
     ]
 
 
-def _creep(strip: Strip) -> dict[str, Any] | None:
+def _creep(strip: Strip) -> PlainData | None:
     if not strip.creep:
         return None
     try:
@@ -289,7 +285,7 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
+def _smoothing_report(smoothing: Smoothing) -> PlainData:
     fairing = smoothing.fairing
     numbers = {
         "moved": smoothing.moved, "allowed": fairing and fairing.tolerance,
@@ -298,7 +294,7 @@ def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
     return {**plain_data(numbers), "drawn": fairing and curve_record(smoothing.drawn)}
 
 
-def _nearest_report(near: NearestRod) -> dict[str, Any]:
+def _nearest_report(near: NearestRod) -> PlainData:
     return {
         "wish": curve_record(near.target),
         "status": near.status.name.lower(),
@@ -312,7 +308,7 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
     }
 
 
-def report_held(shape: HeldShape) -> dict[str, Any]:
+def report_held(shape: HeldShape) -> PlainData:
     """Return the deviation of a held strip and its causes as plain data.
 
     Predicted deviations are rounded to two significant digits.
@@ -334,7 +330,7 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
     }
 
 
-def _ends(strip: Strip) -> dict[str, Any] | None:
+def _ends(strip: Strip) -> PlainData | None:
     if strip.is_closed:
         return None
     ends = held_ends(strip)
@@ -355,7 +351,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     return by_end
 
 
-def _held(strip: Strip) -> dict[str, Any] | None:
+def _held(strip: Strip) -> PlainData | None:
     """Return the shape of the strip as cut, with its ends at their designed positions and angles.
 
     Return None if no shape near the design is found, if the strip has rails, pins, ties or point forces, or if it
@@ -367,7 +363,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
         return None
 
 
-def report_measuring(strip: Strip) -> dict[str, Any] | None:
+def report_measuring(strip: Strip) -> PlainData | None:
     """Return measurable quantities for `elastica compare`.
 
     Return None if the strip is closed, has no rest shape, or has rails, pins, ties or point forces.
@@ -380,7 +376,7 @@ def report_measuring(strip: Strip) -> dict[str, Any] | None:
         return None
 
 
-def _joint(strip: Strip) -> dict[str, Any] | None:
+def _joint(strip: Strip) -> PlainData | None:
     if not strip.is_closed:
         return None
     held = strip.reactions()

@@ -37,14 +37,8 @@ Pair: TypeAlias = tuple[float, float]
 TestedChange: TypeAlias = tuple[str, str]
 """Name of what was tested, and the instruction that makes strips and rings possible, or ""."""
 
-OPENING_STEPS = (4, 16, 32)
-"""Increases of the radius of both openings, mm, that are tested if the rings cannot be made."""
-
 TESTED_COUNTS = 6
 """Smaller numbers of strips, at equal steps down to half the requested number, that are tested then."""
-
-NEAR_MM, NEAR_SHARE = 0.05, 1e-3
-"""Distances, in mm and as a fraction of the length. A meridian that deviates by less than both is not reported."""
 
 
 @dataclass(frozen=True)
@@ -244,8 +238,9 @@ class RevolutionTable:
         def works(ends: tuple[int, ...], step: int) -> bool:
             return self._works(points=moved(ends, step))
 
+        # increases of the radius of both openings, mm
         steps = [
-            step for step in OPENING_STEPS if points and points[0][0] + step < widest > points[-1][0] + step
+            step for step in (4, 16, 32) if points and points[0][0] + step < widest > points[-1][0] + step
         ]
         if not steps:
             return
@@ -334,7 +329,8 @@ class RevolutionTable:
                 "If the axis is elsewhere, set the key 'axis' or 'axis_x'.",
                 width=width,
             ))  # fmt: skip
-        if self.meridian.deviation > min(NEAR_MM, NEAR_SHARE * self.meridian.curve.length):
+        # a smaller deviation, in mm or as a fraction of the length, is not visible
+        if self.meridian.deviation > min(0.05, 1e-3 * self.meridian.curve.length):
             reports.append(note(
                 "The meridian deviates by up to {far} from its points, because strips cannot cover the "
                 "surface of a closer curve without gaps."

@@ -53,9 +53,6 @@ SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_p
 
 STIFFNESS_TOLERANCE = 1e-6
 
-LEAST_SHARE = 0.5
-"""Factor on the lower limit of a section for the rod of a rest shape whose stiffness is known."""
-
 
 @dataclass(frozen=True, eq=False)
 class FinishedStrip:
@@ -129,8 +126,8 @@ class FinishedStrip:
         solved = spec if spec.section is not None or rod_spec.layers is not None else designed
         section = None if laid else solved.rod_spec.section
         if isinstance(section, ThicknessLaw | RoundLaw):
-            # the rest shape of an even rod needs an almost even rod
-            section = replace(section, least=LEAST_SHARE * section.least)
+            # the rest shape of an even rod needs an almost even rod, which may be thinner than the limit
+            section = replace(section, least=0.5 * section.least)
         rod = solve_rod(replace(solved.rod_spec, section=section))
         assert isinstance(rod, Rod)  # the request has no limits, so the result is not a NearestRod
         scale, most = self.bending_stiffness, rod.profile.extremes[1]

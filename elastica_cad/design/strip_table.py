@@ -202,8 +202,6 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
 TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
 """Keys of a tie (in the list `between`) and of a load (in `loads`) whose values are positions along the curve."""
 
-PLACE_DIGITS = 6
-
 
 def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
     """Return the lists `between` and `loads` of a table, changed for a curve that is longer by a factor.
@@ -220,7 +218,7 @@ def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dic
     def places(record: Mapping[str, Any], names: tuple[str, ...]) -> Iterator[tuple[str, float]]:
         for name in names:
             if isinstance(record.get(name), int | float):
-                yield name, round(factor * record[name], PLACE_DIGITS)
+                yield name, round(factor * record[name], 6)
 
     return {
         key: [{**record, **dict(places(record, names))} for record in table[key]]

@@ -30,10 +30,6 @@ from elastica_cad.strip.strip import Strip
 TURN_RAD = 2.5
 """Angle, rad, of the circular arc into which a strip is bent for meshing, so that its tabs do not meet."""
 
-CHORD = 5e-5
-"""Largest distance of triangles from the bent strip, as a fraction of its length. It gives about 80 segments along
-the strip."""
-
 
 @dataclass(frozen=True, eq=False)
 class SkinMesh:
@@ -86,7 +82,8 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
-    for points, corners in face_triangles(body, chord=CHORD * circle.length, turn=1.0):
+    # this distance gives about 80 segments along the strip
+    for points, corners in face_triangles(body, chord=5e-5 * circle.length, turn=1.0):
         flat = _unrolled(points, radius)
         triangles.append(corners + sum(len(rows) for rows in places))
         places.append(flat)

@@ -35,12 +35,6 @@ if TYPE_CHECKING:
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
-FAR_SHARE = 0.01
-"""Deviation of a strip from the drawn curve, as a fraction of the length, above which a warning is issued."""
-
-SHORTEST_MM = 5.0
-"""Length, mm, below which a curve shorter than its strip's width was probably drawn in metres."""
-
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
@@ -134,7 +128,8 @@ def make_strip_on(
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
     width = options.get("max_width")
-    if curve.length < SHORTEST_MM and isinstance(width, int | float) and width > curve.length:
+    # a curve shorter than the width of its strip was probably drawn in metres
+    if curve.length < 5.0 and isinstance(width, int | float) and width > curve.length:
         raise InputError(
             (
                 "The curve is only {length:.3g} long. Draw it in millimetres (in metres it would be "
@@ -147,7 +142,7 @@ def make_strip_on(
     with changes_suggested_in_python(spec.curve, spec.may_change):
         strip, deviation = _strip_and_deviation(spec)
     warn_of_strip(strip)
-    if deviation > FAR_SHARE * strip.rod.length:
+    if deviation > 0.01 * strip.rod.length:
         warn(note(
             "The strip deviates from the drawn curve by up to {far}, {percent:.2g} % of its length, because "
             "its options allow this.",
