@@ -90,16 +90,13 @@ class _Moved(_Pickled):
         return self._with_record(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
-        result: Self = self._with_record(super().located(loc))
-        return result
+        return self._with_record(super().located(loc))
 
     def copy(self, mesh: bool = False) -> Self:
-        result: Self = self._with_record(super().copy(mesh))
-        return result
+        return self._with_record(super().copy(mesh))
 
     def clean(self) -> Self:
-        result: Self = self._with_record(super().clean())
-        return result
+        return self._with_record(super().clean())
 
     def _apply_transform(self, Tr: Any) -> Any:
         image = self._with_record(super()._apply_transform(Tr))
@@ -111,7 +108,7 @@ class _Moved(_Pickled):
             }
         return image
 
-    def _with_record(self, copy: Any) -> Any:
+    def _with_record(self, copy: Self) -> Self:
         if isinstance(copy, type(self)):
             copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in COPIED_ATTRIBUTES})
         return copy

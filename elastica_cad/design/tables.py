@@ -507,8 +507,7 @@ class Table:
 
     def flag(self, key: str) -> bool:
         """Return the value of a key, which must be true or false."""
-        value: bool = self._of_kind(bool, key, "{key} is {given}. Write true or false.")
-        return value
+        return bool(self._of_kind(bool, key, "{key} is {given}. Write true or false."))
 
     def table(self, key: str) -> "Table":
         """Return the table that is the value of a key, or an empty table if the key is missing."""
