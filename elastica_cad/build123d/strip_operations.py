@@ -276,8 +276,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
         An item of `others` is not a holder.
     """
     parts = model_parts(model, others, lambda part: make_solids(part.solids))
-    children = [_placed_part(part, solids) for part, solids in parts]
-    return bd.Compound(label=model.name, children=children)
+    return bd.Compound(label=model.name, children=[_placed_part(part, solids) for part, solids in parts])
 
 
 def _placed_part(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:

@@ -198,9 +198,9 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
     base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
-        home = part.solids[0].joints["start"]
-        made_strip = MadeStrip(part.strip, Frame(), home=home)
-        base = dress(StripSolid(base.wrapped), part.solids[0].joints, made_strip)
+        joints = part.solids[0].joints
+        made_strip = MadeStrip(part.strip, Frame(), home=joints["start"])
+        base = dress(StripSolid(base.wrapped), joints, made_strip)
     return [base, *glued_on]
 
 

@@ -193,8 +193,11 @@ def _common_options_first(args: list[str]) -> list[str]:
 
 def _records_of(context: click.Context) -> list[Record]:
     """Return the records of the keys that `--set` of the command takes."""
-    params = context.command.params
-    return [record for param in params if (record := getattr(param.type, "record", None)) is not None]
+    return [
+        record
+        for param in context.command.params
+        if (record := getattr(param.type, "record", None)) is not None
+    ]
 
 
 def _instead_of(problem: click.NoSuchOption) -> str:

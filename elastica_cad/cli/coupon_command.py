@@ -182,8 +182,9 @@ def _calibrate(sheet: Sheet, chosen: Chosen) -> None:
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
     measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
-    file = text_file(f"{file_word(name)}.toml", measured_sheet.toml())
-    (written,) = write_files([file], output, force=chosen["force"])
+    (written,) = write_files(
+        [text_file(f"{file_word(name)}.toml", measured_sheet.toml())], output, force=chosen["force"]
+    )
     answer({"sheet": measured_sheet, "measured": result})
     say_rows(*(Row("Measured", line) for line in str(result).split("\n")))
     _warn_of_contradiction(measured, result)

@@ -22,8 +22,7 @@ from elastica_cad.refusals import Either, Listed
 
 
 def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
-    keys = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
-    return [path for path in keys if path.startswith(typed)]
+    return [path for path in {**paths_of(DesignKeys), **paths_of(CommandKeys)} if path.startswith(typed)]
 
 
 FORMS: tuple[tuple[Record, str], ...] = (

@@ -153,8 +153,7 @@ FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
 
 
 def _refused_request(design: Design, problem: ElasticaError) -> StripSpec | None:
-    label = problem.refusal.where.get("strip")
-    specs = [entry.spec for entry in design.entries if entry.called == label]
+    specs = [entry.spec for entry in design.entries if entry.called == problem.refusal.where.get("strip")]
     return specs[0] if len(specs) == 1 else None
 
 

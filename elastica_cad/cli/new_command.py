@@ -50,8 +50,9 @@ def new(kind: str, output: Path, force: bool) -> None:
     template = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
     new_files = [File(f"{kind}.toml", lambda path: path.write_bytes(template))]
     if kind == "arch":
-        curves = [PlaneCurve.spline(ARCH_MM, degree=4)]
-        new_files.append(File("arch.dxf", lambda path: write_curves(curves, path)))
+        new_files.append(
+            File("arch.dxf", lambda path: write_curves([PlaneCurve.spline(ARCH_MM, degree=4)], path))
+        )
     if kind == "sections":
         new_files.append(text_file("bowl.obj", _bowl()))
     present = output / SCHEMA_FILE

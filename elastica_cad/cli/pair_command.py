@@ -95,8 +95,7 @@ def pair(**chosen: Any) -> None:
         spec, name, cutting = _spec_of(chosen, settings), path.stem, cutting_of({"cut": cut})
     name = file_word(chosen["name"] or name)
     # raise the error for an unknown kerf before the long computation
-    sheet = Sheet.of(spec.sheet)
-    cut_as = cut_text(cutting.options(sheet)["kerf"])
+    cut_as = cut_text(cutting.options(Sheet.of(spec.sheet))["kerf"])
     if spec.scale != 1:
         say_rows(Row("Scale", f"both curves are made {spec.scale:g} times as large as read"))
     if matched := spec.matched:
@@ -107,8 +106,7 @@ def pair(**chosen: Any) -> None:
     result = MadePair(spec, _made(spec), name, cutting)
     process = click.get_current_context().find_object(DrawingProcess)
     written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
-    warnings = [warning_row(text) for text in result.warnings]
-    say_rows(*in_order([*pair_rows(result.part), *warnings]))
+    say_rows(*in_order([*pair_rows(result.part), *map(warning_row, result.warnings)]))
     answer({"pair": result.kit.report})
     held = "print, holder" if result.part.pair.bistable else "print, holder without the names of the settings"
     wrote(

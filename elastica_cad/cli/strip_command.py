@@ -156,8 +156,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     "write one of them to another folder with --curve and -o.",
                     path=shared[0],
                 )
-            process = ctx.find_object(DrawingProcess)
-            written = kit.write(chosen["output"], force=chosen["force"], process=process)
+            written = kit.write(
+                chosen["output"], force=chosen["force"], process=ctx.find_object(DrawingProcess)
+            )
             voice().notes.extend(text for text in result.strip.warnings if not is_reported(text))
             if brief:
                 _report_briefly(result, requested, written, alike)

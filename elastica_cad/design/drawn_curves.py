@@ -128,8 +128,7 @@ class CurveOfFile(_Curve):
         curves = reader.read_curves(path, unit=self.unit)
         if isinstance(curves, CurveList):
             number = None if self.number is None else str(self.number)
-            choice = "number = 1 .. {count}, id or layer"
-            return curves.file.one(name or number, layer, choice).curve
+            return curves.file.one(name or number, layer, "number = 1 .. {count}, id or layer").curve
         if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
             raise InputError(
                 "{place}: {name} has {count} curve{given}. Choose a curve with number = 1 .. {count}.",

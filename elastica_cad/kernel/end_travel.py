@@ -223,8 +223,8 @@ class Travel:
         """
         if not isinstance(frames, int) or frames < 2:
             raise InputError(f"`frames` is {frames}, too few for a motion. Use a whole number, 2 or more.")
-        shares = np.linspace(0.0, 1.0, frames)[1:]
-        return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
+        steps = [self._ends(share) for share in np.linspace(0.0, 1.0, frames)[1:]]
+        return (self._rod, *bend_path(self.strip.rod_to_bend, steps))
 
     def rod(self, position: float) -> Rod:
         """Return the rod in its shape at a position on the path, mm or degrees."""

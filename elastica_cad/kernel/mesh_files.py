@@ -71,9 +71,8 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     rows = np.zeros(len(corners), dtype=TRIANGLE)
     rows["corners"] = corners
     rows["normal"] = across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None]
-    heading = b"binary STL, mm".ljust(80)
-    content = heading + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes()
-    write_atomically(path, content)
+    count = np.uint32(len(rows)).astype("<u4")
+    write_atomically(path, b"binary STL, mm".ljust(80) + count.tobytes() + rows.tobytes())
 
 
 def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:

@@ -57,10 +57,9 @@ def make_sheets(records: Sequence[BodyRecord | PrismSolid]) -> list[Shape]:
 def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
     k = kernel()
     if isinstance(record, PrismSolid):
-        first, *rest = (make_solid(prism) for prism in record.added)
+        first, *rest = map(make_solid, record.added)
         whole = _combined(first, rest, k.BOPAlgo_Operation.BOPAlgo_FUSE)
-        holes = [make_solid(prism) for prism in record.removed]
-        whole = _combined(whole, holes, k.BOPAlgo_Operation.BOPAlgo_CUT)
+        whole = _combined(whole, list(map(make_solid, record.removed)), k.BOPAlgo_Operation.BOPAlgo_CUT)
         with_few_faces = k.ShapeUpgrade_UnifySameDomain(whole, True, True, False)
         with_few_faces.Build()
         solids = sub_shapes(with_few_faces.Shape(), "solid")

@@ -52,16 +52,15 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
         raise InputError("There is no shape to cut. Pass a solid, a shell or a face.")
     refuse_odd_planes(planes)
 
-    def cut(frame: Frame) -> Shape:
-        section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
+    def section(number: int, frame: Frame) -> PlaneSection:
+        cut = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
         # request splines, because a freeform face would otherwise give a polyline of 10,000 points
-        section.Approximation(True)
-        section.Build()
-        return section.Shape()
+        cut.Approximation(True)
+        cut.Build()
+        lines = [_points(run, frame) for run in edge_chains(drawn_edges(cut.Shape()))]
+        return collect_section(f"section {number}", frame, lines, half=half, apart=JOIN)
 
-    return tuple(
-        _section(cut(frame), frame, half, f"section {number}") for number, frame in enumerate(planes, 1)
-    )
+    return tuple(section(number, frame) for number, frame in enumerate(planes, 1))
 
 
 def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
@@ -83,11 +82,6 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     low, high = coordinates(box.CornerMin()), coordinates(box.CornerMax())
     corners = np.array(list(product(*zip(low, high, strict=True))))
     return Surface(corners, lambda planes, half: shape_sections(shape, planes, half=half))
-
-
-def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
-    runs = edge_chains(drawn_edges(cut))
-    return collect_section(name, frame, [_points(run, frame) for run in runs], half=half, apart=JOIN)
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:

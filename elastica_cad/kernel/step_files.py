@@ -141,9 +141,8 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 
     The later transfer of the document reuses these entities.
     """
-    k = kernel()
     session = writer.ChangeWriter().WS()
-    session.SetController(k.STEPCAFControl_Controller())
+    session.SetController(kernel().STEPCAFControl_Controller())
     writer.ChangeWriter().Model(True)
     for shape in shapes:
         session.TransferWriteShape(shape)

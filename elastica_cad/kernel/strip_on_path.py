@@ -220,8 +220,7 @@ def section_requests(
     from elastica_cad.kernel.shape_sections import shape_surface
 
     if not isinstance(planes, SectionSpec):
-        alone = isinstance(planes, Frame) or not is_series(planes)
-        rows = (planes,) if alone else tuple(planes)
+        rows = (planes,) if isinstance(planes, Frame) or not is_series(planes) else tuple(planes)
         if not rows:
             raise InputError(
                 "There is no plane. Pass at least one plane that cuts the body; for a Workplane pass its "
