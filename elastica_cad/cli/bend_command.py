@@ -326,9 +326,8 @@ def _bend_keywords(rod: Rod, strip: Strip | None, chosen: Chosen) -> dict[str, A
 
 
 def _refuse_fixed_cords(rod: Rod, supports: Supports, between: Sequence[Any]) -> None:
-    if not all(end.x and end.y for end in supports.ends):
-        return
-    for cord in between:
+    both_held = all(end.x and end.y for end in supports.ends)
+    for cord in between if both_held else ():
         # within 1 mm of an end, because users type whole mm
         if isinstance(cord, Tie) and np.allclose((cord.start, cord.end), (0, rod.length), atol=1.0):
             raise InputError(

@@ -324,7 +324,10 @@ def _widths_row(ratio: float) -> Row:
 def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
     if question:
         return warning_row(f"none at this size. {question}", "Sheets")
-    fitting = _each_kind_first([Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1])
+    tightest_first = [Sheet.named(sheet["name"]) for sheet in sheets if sheet["scale"] <= 1][::-1]
+    of_kind = {sheet.kind: sheet for sheet in tightest_first[::-1]}
+    each_kind_first = sorted(tightest_first, key=lambda sheet: of_kind[sheet.kind] is not sheet)
+    fitting = [sheet.name for sheet in each_kind_first]
     larger = [f"{sheet['name']} at {ceil(100 * sheet['scale'])} %" for sheet in sheets if sheet["scale"] > 1]
     details = [f"All: {', '.join(fitting)}."] if fitting else []
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
@@ -335,11 +338,6 @@ def _sheets_row(sheets: Sequence[PlainData], question: str) -> Row:
         else f"none at this size; if the curve is enlarged, {_first_names(larger, 'the least enlarged')}",
         details,
     )
-
-
-def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
-    first = {sheet.kind: sheet for sheet in sheets[::-1]}
-    return [sheet.name for sheet in sorted(sheets, key=lambda sheet: first[sheet.kind] is not sheet)]
 
 
 def _first_names(names: Sequence[str], order: str) -> str:
