@@ -9,13 +9,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, TypeVar, get_args
+from typing import Any, get_args
 
 import click
 
 from elastica_cad._text import distinct, file_word, plain_name
 from elastica_cad._toml import parse_toml
-from elastica_cad.cli.options import join_options
+from elastica_cad.cli.options import F, join_options
 from elastica_cad.cli.voice import say_rows, voice, warn
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import InputError, quoted
@@ -27,8 +27,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.report_rows import Row
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
 """Options that select a curve of a file, as messages list them."""

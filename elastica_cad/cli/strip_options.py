@@ -64,8 +64,8 @@ def typed_name(path: str) -> str:
     >>> typed_name("max_width"), typed_name("limits.curvature"), typed_name("supports")
     ('--max-width', '--set limits.curvature', '--start')
     """
-    if path in _OWN_OPTIONS or path in OPTIONS:
-        return option_name(_OWN_OPTIONS.get(path) or OPTIONS[path])
+    if name := _OWN_OPTIONS.get(path) or OPTIONS.get(path):
+        return option_name(name)
     return f"--set {path}" if path in paths_of(CommandKeys) else ""
 
 

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
+from itertools import accumulate
 from types import UnionType
 from typing import Any, TypeAlias
 
@@ -347,15 +348,12 @@ class Slips:
     @property
     def text(self) -> str:
         """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
-        texts, listed = list(self._texts.values()), list[str]()
-        for sentence in texts[:MOST_LISTED]:
-            if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
-                break
-            listed.append(sentence)
-        listed = listed or [""]
+        texts = list(self._texts.values()) or [""]
+        ends = accumulate(map(len, texts[:MOST_LISTED]))
+        listed = texts[: max(1, sum(end <= LONGEST_LIST for end in ends))]
         if (left := len(texts) - len(listed)) == 1:
             listed.append(texts[-1])
-        elif left > 1:
+        elif left:
             listed.append(note("{left} more errors. Correct these first", left=left))
         *others, last = listed
         return sentences([*map(ended, others), last], " Also: ")
