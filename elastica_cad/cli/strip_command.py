@@ -187,8 +187,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         more = ", ..." if solved[MOST_NAMES:] else ""
         marked = f" (cut: {cut}{more})" if solved else ""
         say_rows(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
-    if chosen["save_design"] is not None and solved:
-        wrote([_save_design(chosen["save_design"], solved, table, force=chosen["force"])])
+    if design and solved:
+        wrote([_save_design(design, solved, table, force=chosen["force"])])
         if solved[1:] and "origin" not in table:
             text = "The saved design has all strips in one plane, as drawn. Set `origin` of each strip to move it."
             say_rows(Row("Note", text))
@@ -196,7 +196,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         say(*left_out(step=files.step, pictures=files.pictures))
     if wrong:
         if len(curves) > 1:
-            less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
+            less = f"; {design} leaves them out" if refused and design else ""
             warn(
                 f"{wrong} of {len(curves)} curves cannot be made with these options{listing_note(refused)}{less}."
             )
