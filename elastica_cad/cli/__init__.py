@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING
 from elastica_cad.defaults import INTERRUPTED, OUTPUT_CLOSED
 
 if TYPE_CHECKING:
-    import click
-
     from elastica_cad.plot.drawing_process import DrawingProcess
 
 __all__ = ["main"]
@@ -61,8 +59,13 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
-    elastica = _command()
-    import click
+    try:
+        import click
+    except ImportError:
+        from elastica_cad.errors import how_to_install
+
+        sys.exit(f"the elastica command needs click: {how_to_install('click')}")
+    from elastica_cad.cli.commands import elastica
 
     try:
         code = elastica.main(args=arguments, prog_name="elastica", standalone_mode=False, obj=process)
@@ -83,15 +86,3 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 def _drop_output(*streams: int) -> None:
     for stream in streams:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-
-
-def _command() -> "click.Group":
-    try:
-        import click  # noqa: F401 - imported only to test that it is installed
-    except ImportError:
-        from elastica_cad.errors import how_to_install
-
-        sys.exit(f"the elastica command needs click: {how_to_install('click')}")
-    from elastica_cad.cli.commands import elastica
-
-    return elastica

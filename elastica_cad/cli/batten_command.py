@@ -17,7 +17,6 @@ from elastica_cad.cli.options import (
     LENGTH,
     POINT,
     Chosen,
-    join_options,
     output_options,
     refuse_idle,
     requested_sheet,
@@ -40,39 +39,86 @@ MOST_STATIONS = 1000
 
 
 @click.command()
-@join_options(
-    sheet_options(required=True),
-    click.option("--length", type=LENGTH, required=True, metavar="MM", help="Length of the batten."),
-    click.option("--camber", type=float, required=True, metavar="PERCENT", help=("Depth of the camber, in % of the "
-                                                                                 "chord.")),
-    click.option("--at", type=float, default=50.0, show_default=True, metavar="PERCENT",
-                 help="Position of the deepest point, in % of the chord from the start."),
-    click.option("--stock", type=POINT, metavar="WIDTH THICKNESS", help=("Width and thickness of the strip, "
-                                                                         "which is planed in thickness.")),
-    click.option("--rod", type=LENGTH, metavar="DIAMETER", help=("Diameter of a round rod instead of a strip; "
-                                                                 "it is turned or sanded.")),
-    click.option("--bore", type=float, default=0.0, metavar="SHARE", help=("For a tube: inner diameter divided "
-                                                                           "by outer diameter.")),
-    click.option("--least", type=LENGTH, metavar="MM",
-                 help="Least thickness  [default: a quarter of the stock]."),
-    click.option("--full", type=float, default=0.0, show_default=True, metavar="PERCENT",
-                 help="Part of the length at the thick end that keeps the full size, in %; the rest is tapered."),
-    click.option("--lying", type=click.Choice(["up", "down"]),
-                 help="Include the weight in the design, for a level chord and a bulge in this direction."),
-    click.option("--weight", is_flag=True, help=("Report also the camber under its own weight with a level "
-                                                 "chord.")),
-    click.option("--leaves", type=click.IntRange(2, MOST_LEAVES), metavar="N",
-                 help=("Glue the strip from N equal plies instead of planing it; the report lists where each "
-                       "ply ends.")),
-    click.option("--stations", type=click.IntRange(2, MOST_STATIONS), default=11, show_default=True, metavar="N",
-                 help="Number of rows of the table, evenly spaced."),
-    click.option("--every", type=LENGTH, metavar="MM", help=("Distance between rows of the table, instead of "
-                                                             "their number.")),
-    click.option("--name", default="batten", show_default=True, help="Name of the files."),
-    click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]), default="A4",
-                 show_default=True, help="Paper of the print at full size."),
-    output_options,
-)  # fmt: skip
+@sheet_options(required=True)
+@click.option("--length", type=LENGTH, required=True, metavar="MM", help="Length of the batten.")
+@click.option(
+    "--camber", type=float, required=True, metavar="PERCENT", help=("Depth of the camber, in % of the chord.")
+)
+@click.option(
+    "--at",
+    type=float,
+    default=50.0,
+    show_default=True,
+    metavar="PERCENT",
+    help="Position of the deepest point, in % of the chord from the start.",
+)
+@click.option(
+    "--stock",
+    type=POINT,
+    metavar="WIDTH THICKNESS",
+    help=("Width and thickness of the strip, which is planed in thickness."),
+)
+@click.option(
+    "--rod",
+    type=LENGTH,
+    metavar="DIAMETER",
+    help=("Diameter of a round rod instead of a strip; it is turned or sanded."),
+)
+@click.option(
+    "--bore",
+    type=float,
+    default=0.0,
+    metavar="SHARE",
+    help=("For a tube: inner diameter divided by outer diameter."),
+)
+@click.option(
+    "--least", type=LENGTH, metavar="MM", help="Least thickness  [default: a quarter of the stock]."
+)
+@click.option(
+    "--full",
+    type=float,
+    default=0.0,
+    show_default=True,
+    metavar="PERCENT",
+    help="Part of the length at the thick end that keeps the full size, in %; the rest is tapered.",
+)
+@click.option(
+    "--lying",
+    type=click.Choice(["up", "down"]),
+    help="Include the weight in the design, for a level chord and a bulge in this direction.",
+)
+@click.option(
+    "--weight", is_flag=True, help=("Report also the camber under its own weight with a level chord.")
+)
+@click.option(
+    "--leaves",
+    type=click.IntRange(2, MOST_LEAVES),
+    metavar="N",
+    help=("Glue the strip from N equal plies instead of planing it; the report lists where each ply ends."),
+)
+@click.option(
+    "--stations",
+    type=click.IntRange(2, MOST_STATIONS),
+    default=11,
+    show_default=True,
+    metavar="N",
+    help="Number of rows of the table, evenly spaced.",
+)
+@click.option(
+    "--every",
+    type=LENGTH,
+    metavar="MM",
+    help=("Distance between rows of the table, instead of their number."),
+)
+@click.option("--name", default="batten", show_default=True, help="Name of the files.")
+@click.option(
+    "--paper",
+    type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]),
+    default="A4",
+    show_default=True,
+    help="Paper of the print at full size.",
+)
+@output_options
 def batten(**chosen: Any) -> None:
     """Taper a batten that bends to a wanted depth (camber).
 

@@ -14,7 +14,6 @@ from elastica_cad.cli.options import (
     LENGTH,
     Chosen,
     given_of,
-    join_options,
     output_options,
     refuse_idle,
     requested_sheet,
@@ -78,26 +77,46 @@ class Shortening(click.ParamType):  # type: ignore[type-arg]  # no generic class
 
 
 @click.command("bow")
-@join_options(
-    curve_options,
-    which_options,
-    click.option("--rod", type=Diameters(), metavar="DIAMETER|LEAST:LARGEST",
-                 help="Round rod: its diameter, or the limits of a taper such as 6:8."),
-    sheet_options(required=False, use="Material, for forces in newtons and the strain; with --max-width, "
-                                      "the sheet of a strip"),
-    click.option("--max-width", type=LENGTH, metavar="MM", help="Largest width of a strip cut from the sheet."),
-    click.option("--min-width", type=LENGTH, metavar="MM",
-                 help="Least width of the strip; equal to --max-width for a strip of constant width."),
-    click.option("--hole", type=LENGTH, default=0.0, metavar="MM",
-                 help="Diameter of the hole in the strip for the cord, at each end of the cord; 0 for none. The "
-                      "tabs are outside the holes."),
-    smooth_option,
-    click.option("--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."),
-    click.option("--shorter", type=Shortening(), multiple=True, metavar="PERCENT|LENGTH",
-                 help="Row of the table, with the cord shorter by this percentage, or by this length with its "
-                      "unit, such as 50mm; repeatable; replaces the default rows  [default: 2 5 10 20]"),
-    output_options,
-)  # fmt: skip
+@curve_options
+@which_options
+@click.option(
+    "--rod",
+    type=Diameters(),
+    metavar="DIAMETER|LEAST:LARGEST",
+    help="Round rod: its diameter, or the limits of a taper such as 6:8.",
+)
+@sheet_options(
+    required=False,
+    use="Material, for forces in newtons and the strain; with --max-width, the sheet of a strip",
+)
+@click.option("--max-width", type=LENGTH, metavar="MM", help="Largest width of a strip cut from the sheet.")
+@click.option(
+    "--min-width",
+    type=LENGTH,
+    metavar="MM",
+    help="Least width of the strip; equal to --max-width for a strip of constant width.",
+)
+@click.option(
+    "--hole",
+    type=LENGTH,
+    default=0.0,
+    metavar="MM",
+    help="Diameter of the hole in the strip for the cord, at each end of the cord; 0 for none. The "
+    "tabs are outside the holes.",
+)
+@smooth_option
+@click.option(
+    "--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."
+)
+@click.option(
+    "--shorter",
+    type=Shortening(),
+    multiple=True,
+    metavar="PERCENT|LENGTH",
+    help="Row of the table, with the cord shorter by this percentage, or by this length with its "
+    "unit, such as 50mm; repeatable; replaces the default rows  [default: 2 5 10 20]",
+)
+@output_options
 def bow_command(curve: Path, **chosen: Any) -> None:
     """Find the rod or strip that a cord bends into a curve.
 
