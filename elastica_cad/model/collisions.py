@@ -337,13 +337,9 @@ def _crossing_without_slot(
 
 
 def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
-    return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
-
-
-def _has_slot(strip: Strip, stations: FloatArray) -> bool:
-    reach = strip_thickness(strip)
     return any(
-        stations.min() - slot.width - reach < slot.at < stations.max() + slot.width + reach
+        abs(slot.at - np.clip(slot.at, stations.min(), stations.max())) < slot.width + strip_thickness(strip)
+        for strip, stations in zip(strips, (first, second), strict=True)
         for slot in strip.slots
     )
 

@@ -396,16 +396,9 @@ def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[Floa
         lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
     )
     top = heights.along(strip, zeros)[0]
-    stretches = []
-    stops = [-1, *turns.tolist(), s.size - 1]
-    for i, (before, after) in enumerate(pairwise(stops)):
-        row, c = s[before + 1 : after + 1], height[before + 1 : after + 1]
-        if i > 0:
-            row, c = np.append(zeros[i - 1], row), np.append(top[i - 1], c)
-        if i < turns.size:
-            row, c = np.append(row, zeros[i]), np.append(c, top[i])
-        stretches.append((row, c))
-    return stretches
+    s, height = np.insert(s, turns + 1, zeros), np.insert(height, turns + 1, top)
+    stops = [0, *(turns + 1 + np.arange(turns.size)).tolist(), s.size - 1]
+    return [(s[i : j + 1], height[i : j + 1]) for i, j in pairwise(stops)]
 
 
 def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
@@ -607,7 +600,8 @@ def _ranges_inside_strips(
     edges = _edge_crossings(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
     cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
     inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
-    return [(float(cuts[first]), float(cuts[last])) for first, last in _runs_of_true(inside)]
+    steps = np.diff(np.pad(inside.astype(int), 1))
+    return [*zip(cuts[steps > 0].tolist(), cuts[steps < 0].tolist(), strict=True)]
 
 
 def _edge_crossings(
@@ -624,8 +618,3 @@ def _edge_crossings(
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
-
-
-def _runs_of_true(flags: BoolArray) -> list[tuple[int, int]]:
-    steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
-    return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

@@ -148,7 +148,8 @@ class CutList:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
         for rows, empty in ((self.rows, ONLY_PRINTED), (self.printed, ONLY_CUT)):
-            writer.writerows(map(_without_formula, row) for row in _texts(rows, CSV_COLUMNS, empty))
+            for row in _texts(rows, CSV_COLUMNS, empty):
+                writer.writerow(f"'{text}" if text.startswith(tuple("=+-@\t\r")) else text for text in row)
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
@@ -189,10 +190,6 @@ def _texts(
         ]
         for row in rows
     ]
-
-
-def _without_formula(text: str) -> str:
-    return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
 def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | None = None) -> CutList:

@@ -105,12 +105,8 @@ class _Row:
     taken: float = 0.0
 
 
-@dataclass(frozen=True)
-class _Place:
-    box: _Box
-    sheet: int
-    x: float
-    y: float
+_Place: TypeAlias = tuple[_Box, float, float]
+"""Box, and the position of its corner along and across the rows, mm."""
 
 
 def nest_pieces(
@@ -216,31 +212,22 @@ def widened_by(sheet: Sheet, kerf: float | None) -> float:
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    best: tuple[tuple[float, float], bool, list[_Place]] | None = None
+    best: tuple[tuple[float, float], bool, list[list[_Place]]] | None = None
     for upright in (False, True):
         usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
         boxes = [_boxes(i, piece, margin, usable, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
             continue
-        places = _pack(boxes, pieces, usable)
-        count = max(place.sheet for place in places)
-        last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * usable[0])
-        if best is None or (count, last) < best[0]:
-            best = ((count, last), upright, places)
+        sheets = _pack(boxes, pieces, usable)
+        cost = len(sheets), _rounded(max(y + box.wide for box, _, y in sheets[-1]) * usable[0])
+        if best is None or cost < best[0]:
+            best = cost, upright, sheets
     if best is None:
         raise InputError(_too_large(pieces, size, margin))
-    _, upright, places = best
+    _, upright, sheets = best
     return [
-        _drawing(
-            sheet,
-            pieces,
-            [p for p in places if p.sheet == number],
-            size,
-            margin,
-            upright,
-            f"{name}-{number + 1}",
-        )
-        for number in range(max(place.sheet for place in places) + 1)
+        _drawing(sheet, pieces, places, size, margin, upright, f"{name}-{number}")
+        for number, places in enumerate(sheets, start=1)
     ]
 
 
@@ -255,13 +242,16 @@ def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float],
     return sorted(boxes, key=lambda box: _rounded(box.wide))
 
 
-def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]) -> list[_Place]:
+def _pack(
+    boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]
+) -> list[list[_Place]]:
+    """Return the places of all boxes on each sheet."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
     rows: list[_Row] = []  # rows that still have space for the shortest box
     ends: list[float] = []  # end of the last row on each sheet, mm
-    places: list[_Place] = []
+    sheets: list[list[_Place]] = []
     for ways in queue:
         fits = [
             (
@@ -283,15 +273,17 @@ def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float,
             box = ways[0]
             open_sheets = (i for i, end in enumerate(ends) if end + box.wide <= usable[1] + FIT_TOLERANCE_MM)
             number = next(open_sheets, len(ends))
-            ends += [0.0] * (number == len(ends))
+            if number == len(ends):
+                ends.append(0.0)
+                sheets.append([])
             row = _Row(number, ends[number], box.wide)
             rows.append(row)
             ends[number] += box.wide
-        places.append(_Place(box, row.sheet, row.taken, row.start))
+        sheets[row.sheet].append((box, row.taken, row.start))
         row.taken += box.long
         if row.taken + shortest > usable[0] + FIT_TOLERANCE_MM:
             rows.remove(row)
-    return places
+    return sheets
 
 
 def _rounded(size: float) -> float:
@@ -309,23 +301,23 @@ def _drawing(
     name: str,
 ) -> NestedSheet:
     usable = size[1] - margin if upright else size[0] - margin
-    laid, places = [], sorted(places, key=lambda place: place.box.piece)
-    for place in places:
-        piece = pieces[place.box.piece]
-        x, y = (place.y, place.x) if upright else (place.x, place.y)
-        laid.append(piece.drawing.transformed(_placement(piece, place.box.turned, x + margin, y + margin)))
+    laid, places = [], sorted(places, key=lambda place: place[0].piece)
+    placed = [pieces[box.piece] for box, _, _ in places]
+    for piece, (box, *start) in zip(placed, places, strict=True):
+        x, y = start[::-1] if upright else start
+        laid.append(piece.drawing.transformed(_placement(piece, box.turned, x + margin, y + margin)))
     merged = Drawing.merged(f"{name}-{sheet.name}", laid)
-    rows = max(place.y + place.box.wide for place in places)
+    rows = max(y + box.wide for box, _, y in places)
     return NestedSheet(
         merged.name,
         (LayeredPath(SHEET, Path.rectangle(*size)), *merged.paths),
         merged.texts,
         sheet=sheet,
         sheet_size=size,
-        pieces=tuple(pieces[place.box.piece].name for place in places),
+        pieces=tuple(piece.name for piece in placed),
         used=rows * usable,
-        filled=sum(place.box.long * place.box.wide for place in places),
-        share=sum(pieces[place.box.piece].area for place in places) / (size[0] * size[1]),
+        filled=sum(box.long * box.wide for box, _, _ in places),
+        share=sum(piece.area for piece in placed) / (size[0] * size[1]),
     )
 
 

@@ -136,26 +136,20 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
         needed = (needed_length(tab, plate, gap) for plate in plates for tab in tabs_of(plate))
         length = max(longest, *needed)
         sized = fitting_tabs(placed, plates, gap, length, keep=keep)
-        if sized is not None and not _any_tab_rocks(with_tabs(placed, *sized), plates, gap):
-            return _pair_text(gap, *sized)
+        if sized is not None:
+            sized_strips = with_tabs(placed, *sized)
+            pairs = [plate for first in plates for plate in pair_with_tabs(sized_strips, first, gap)]
+            if not any(seat.rocks for seat in tab_seats(pairs).values()):
+                return _pair_text(gap, *sized)
     return ""
 
 
 def _pair_text(gap: float, length: float, width: float) -> str:
     tab = {"length": length} | ({} if width == np.inf else {"width": width})
-    changes = (Change("two_plates", {"gap": gap, "tab": tab}),)
-    if width == np.inf:
-        return note(
-            "two plates ({field} = {gap:g}) and tabs {length:g} long",
-            field=FieldName("gap"), gap=gap, length=Length(length), changes=changes,
-        )  # fmt: skip
     return note(
-        "two plates ({field} = {gap:g}) and tabs {length:g} long and {width:.0f} wide",
+        "two plates ({field} = {gap:g}) and tabs {length:g} long"
+        if width == np.inf
+        else "two plates ({field} = {gap:g}) and tabs {length:g} long and {width:.0f} wide",
         field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
-        changes=changes,
+        changes=(Change("two_plates", {"gap": gap, "tab": tab}),),
     )  # fmt: skip
-
-
-def _any_tab_rocks(placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float) -> bool:
-    pairs = [plate for first in plates for plate in pair_with_tabs(placed, first, gap)]
-    return any(seat.rocks for seat in tab_seats(pairs).values())
