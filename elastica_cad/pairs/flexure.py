@@ -35,14 +35,15 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     angle_of,
+    box_about,
     dot,
     left_of,
     lengths_along,
     norm,
     unit_vectors,
 )
-from elastica_cad.geometry.segments import Arc, Line, Spline
-from elastica_cad.geometry.splines import adaptive_spline, spline_through
+from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
 from elastica_cad.mechanics.cross_sections import at_stations
 from elastica_cad.mechanics.rod import Rod, csv_text
@@ -476,8 +477,7 @@ class Flexure:
 
     def outline_along(self, line: "CentreLine") -> Path:
         """Return the outline of the part bent to a centre line, without fillets."""
-        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
-        low, high = self._pad_edges
+        (start, end), (low, high) = self.pads_along(line), self._pad_edges
 
         def side(side_sign: int) -> PlaneCurve:
             def points(s: FloatArray) -> FloatArray:
@@ -489,14 +489,9 @@ class Flexure:
             return PlaneCurve(knots, rows, 3)
 
         right, left = Spline(side(-1)), Spline(side(1)).reversed()
-        start, end = self.pads_along(line)
-        chain = [
-            right,
-            *_lines([right.end, *end, left.start]),
-            left,
-            *_lines([left.end, *start, right.start]),
-        ]
-        return Path(chain, closed=True)
+        corners = [right.end, *end, left.start], [left.end, *start, right.start]
+        beyond_end, beyond_start = ([Line(a, b) for a, b in pairwise(pad)] for pad in corners)
+        return Path([right, *beyond_end, left, *beyond_start], closed=True)
 
     def overhang(self, s: float) -> float:
         """Return the distance, mm, from the end of the free length at `s` (0 or the length, mm) out to the pad.
@@ -574,10 +569,8 @@ class Flexure:
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
-        distinct = _distinct(np.concatenate([*places[0], *settings[1:]]))
-        apart = min(
-            (float(norm(a - b)) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
-        )
+        distinct = np.array(_distinct(np.concatenate([*places[0], *settings[1:]])))
+        apart = min(float(norm(a - b)) for i, a in enumerate(distinct) for b in distinct[:i])
         least, spacing = self.pad.hole + self.sheet.thickness / 2, self.pad.length - 2 * self.pad.inset
         if spacing < least:
             raise FaultError(
@@ -598,12 +591,11 @@ class Flexure:
         for group, name, number in zip(settings, self.state_names, "12", strict=False):
             text = self._engraved[name] or number
             half = np.array([text_width(engravable(text), NAME_MM), NAME_MM]) / 2 + 1
-            middle = _free_place(group.mean(axis=0), half, np.array(distinct), self.pad.hole / 2, boxes)
+            middle = _free_place(group.mean(axis=0), half, distinct, self.pad.hole / 2, boxes)
             texts.append(centred_text(text, middle, NAME_MM, np.inf))
             boxes.append(np.array([middle - half, middle + half]))
         margin = self.pad_width / 2 + self.pad.hole
-        low, high = (f([f(distinct, axis=0) + side * margin, *(f(box, axis=0) for box in boxes)], axis=0)
-                     for f, side in ((np.min, -1), (np.max, 1)))  # fmt: skip
+        low, high = box_about(np.concatenate([distinct - margin, distinct + margin, *boxes]))
         plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
         holes = [Path.circle(place, self.pad.hole / 2) for place in distinct]
         name = f"{self.label or 'flexure'}-holder"
@@ -680,7 +672,7 @@ class Flexure:
 
         A bistable part is pushed. If the part is not bistable, its end is moved.
         """
-        return self._pushed(*self.rods) if self.pair.bistable else self._led()
+        return self._pushed(0) if self.pair.bistable else self._led()
 
     @cached_property
     def force_range(self) -> tuple[float, float]:
@@ -719,7 +711,7 @@ class Flexure:
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
         """Path of a bistable part from the second state to the first, or None."""
-        return self._pushed(*self.rods[::-1]) if self.bistable else None
+        return self._pushed(1) if self.bistable else None
 
     def force_csv(self) -> str:
         """Return the path as comma-separated text: travel, force, energy and largest strain.
@@ -740,11 +732,12 @@ class Flexure:
             float(travel.strain.max()) for travel in (self.travel, self.travel_back) if travel is not None
         )
 
-    def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
-        path, B = self._push_finely(start, self.scale), self.bending_stiffness
-        rest = rest_shape(goal, thickness=self.scale)
-        place = at_stations(rest.position.T, rest.s, path.s).T
-        reached = _distance(path.released, place) <= REST_SHARE * start.length
+    def _pushed(self, state: int) -> FlexureTravel:
+        """Return the path of the bistable part that is pushed from a state (0 or 1)."""
+        path, B = self._push_finely(self.rods[state], self.scale), self.bending_stiffness
+        goal = self.rests[1 - state]
+        place = at_stations(goal.position.T, goal.s, path.s).T
+        reached = _distance(path.released, place) <= REST_SHARE * self.pair.length
         return FlexureTravel(
             path.travel, B * path.force, B * path.energy, path.position,
             self._strains(*self._nodal(path), self.scale).max(axis=1), path.snap, B * path.barrier,
@@ -828,10 +821,6 @@ class Flexure:
         apart = norm(position[:, None] - position) - reach
         near = np.abs(s[:, None] - s) <= APART * reach + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
-
-    def _least_gap_on_path(self, travel: FlexureTravel) -> float:
-        shapes = travel.position[:: max(1, len(travel.position) // SHAPES)]
-        return min(self._gap(self.line_through(shape)) for shape in shapes)
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
         """Return the centre line through the nodes (n, 2), mm, of a bent shape from `travel` or `rests`."""
@@ -921,7 +910,9 @@ class Flexure:
                     "between the states the strain reaches {most:g} %, but the sheet withstands "
                     "{limit:g} % for long. Make the part thinner, or use another sheet",
                     severity="warning", most=reached, limit=limit))  # fmt: skip
-            if (gap := self._least_gap_on_path(travel)) < LEAST_GAP_MM:
+            shapes = travel.position[:: max(1, len(travel.position) // SHAPES)]
+            gap = min(self._gap(self.line_through(shape)) for shape in shapes)
+            if gap < LEAST_GAP_MM:
                 messages.append(note(
                     "between the states, two places of the part come within {gap} of each other. Draw "
                     "these places farther apart" if gap > 0 else
@@ -1073,24 +1064,18 @@ class CentreLine:
         return cls(rod.s, rod.angle, rod.position[0])
 
     @cached_property
-    def _turn(self) -> Any:
-        return spline_through(self.s, self.angle, 3)
-
-    @cached_property
-    def _place(self) -> tuple[Any, FloatArray]:
-        place = spline_through(self.s, unit_vectors(self.angle), 5).integral()
-        return place, place(self.s[:1])[0]
+    def _splines(self) -> tuple[SplineFunction, SplineFunction]:
+        """Angle and position as functions of arc length."""
+        return (
+            spline_through(self.s, self.angle, 3),
+            spline_through(self.s, unit_vectors(self.angle), 5).integral(),
+        )
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return positions (n, 2), mm, and angles (n,), rad, at arc lengths s, mm; straight beyond the ends."""
-        inside = s.clip(self.s[0], self.s[-1])
-        place, zero = self._place
-        angle = self._turn(inside)
-        return self.start + place(inside) - zero + (s - inside)[:, None] * unit_vectors(angle), angle
-
-
-def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
-    return [Line(a, b) for a, b in pairwise(corners)]
+        inside, (turn, place) = s.clip(self.s[0], self.s[-1]), self._splines
+        angle, moved = turn(inside), place(inside) - place(self.s[:1])
+        return self.start + moved + (s - inside)[:, None] * unit_vectors(angle), angle
 
 
 def _free_place(

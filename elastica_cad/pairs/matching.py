@@ -111,28 +111,30 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     if not is_one_of(keep, ("ends", "shape")):
         raise InputError(f"`keep` is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
-        return _scaled(first, second)
+        length = sqrt(first.length * second.length)
+        changed, other = (scaled_to_length(curve, length) for curve in (first, second))
+        alike = _are_alike(_Drawn.of(changed), _Drawn.of(other), EQUAL)
+    else:
+        changed, other, alike = _with_equal_lengths(first, second)
+    moved = _largest_displacement(first, changed), _largest_displacement(second, other)
+    return MatchedPair(changed, other, moved, alike)
+
+
+def _with_equal_lengths(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve, bool]:
+    """Return the curves changed between their ends, and True if their clamps are made equal."""
     curves = _Drawn.of(first), _Drawn.of(second)
     alike = _are_alike(*curves)
     if alike:
         chord = (curves[0].chord + curves[1].chord) / 2
         angles = (curves[0].clamps[2] + curves[1].clamps[2]) / 2
-        start, other_start = (drawn_curve.clamps[0] for drawn_curve in curves)
+        starts = [drawn_curve.clamps[0] for drawn_curve in curves]
         curves = (
-            replace(curves[0], clamps=(start, start + chord, angles)),
-            replace(curves[1], clamps=(other_start, other_start + chord, angles)),
+            replace(curves[0], clamps=(starts[0], starts[0] + chord, angles)),
+            replace(curves[1], clamps=(starts[1], starts[1] + chord, angles)),
         )
     length = _least_change(curves)
     changed, other = (drawn_curve.of_length(length) for drawn_curve in curves)
-    moved = _largest_displacement(first, changed), _largest_displacement(second, other)
-    return MatchedPair(changed, other, moved, alike)
-
-
-def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
-    length = sqrt(first.length * second.length)
-    changed, other = (scaled_to_length(curve, length) for curve in (first, second))
-    moved = _largest_displacement(first, changed), _largest_displacement(second, other)
-    return MatchedPair(changed, other, moved, _are_alike(_Drawn.of(changed), _Drawn.of(other), EQUAL))
+    return changed, other, alike
 
 
 def scaled_to_length(curve: PlaneCurve, length: float) -> PlaneCurve:

@@ -287,11 +287,14 @@ class _Chain:
         return np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0)))
 
     def _edge_forces(self, x: FloatArray) -> FloatArray:
+        r, t, shear, pull = self._loads(x)
+        return (shear / r)[:, None] * left_of(t) + pull[:, None] * t
+
+    def _loads(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Return lengths and directions of the edges, differences of moments along the edges, and axial forces."""
         r, t, turn = self._edges(x)
         moment = self.stiffness * (turn / self.weight - self.natural)
-        normal = left_of(t)
-        pull = self.axial * (r / self.edge - 1)
-        return ((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t
+        return r, t, moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
 
     def _band(self, x: FloatArray) -> FloatArray:
         """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2) for SciPy.
@@ -300,10 +303,8 @@ class _Chain:
         i + 1 with a common node. An edge vector is a difference of two nodes, so the derivatives by the nodes are
         differences of blocks.
         """
-        r, t, turn = self._edges(x)
+        r, t, shear, pull = self._loads(x)
         n = left_of(t)
-        moment = self.stiffness * (turn / self.weight - self.natural)
-        shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
         K, a = self.stiffness / self.weight, n / r[:, None]
 
         def outer(scale: FloatArray, factor: FloatArray, other: FloatArray) -> FloatArray:

@@ -249,16 +249,13 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     State i has the moment M_i and the curvature kappa_i, and K is the stiffness. A limit k of the natural curvature
     requires |kappa_1 K - M_1| <= k K, and a limit c of the bend |M_i| <= c K. The rows are divided by k or c.
     """
-    K = _stiffness_rows(paired)
-    rows: list[FloatArray] = []
+    K, limited = _stiffness_rows(paired), list[FloatArray]()
     if (most := limits.natural_curvature) is not None:
         natural = paired.check.first.curvature_at(paired.panels.t)[..., None] * K - paired.moments[0]
-        rows += [K + natural / most, K - natural / most]
+        limited.append(natural / most)
     if (most := limits.bend) is not None:
-        for moment in paired.moments:
-            scaled = moment / most
-            rows += [K + scaled, K - scaled]
-    return rows
+        limited += [moment / most for moment in paired.moments]
+    return [K + sign * rows for rows in limited for sign in (1, -1)]
 
 
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
@@ -365,11 +362,10 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
     K = rows_of(_stiffness_rows(paired))
     M = np.concatenate([size * rows_of(moment) for moment in paired.moments])
-    stiff = np.concatenate([K, K])
     scale = np.abs(K).max(axis=0)
     scale = np.where(scale > 1e-12 * scale.max(), scale, np.abs(M).max(axis=0))
-    K, M, stiff = K / scale, M / scale, stiff / scale
-    count = K.shape[1]
+    K, M = K / scale, M / scale
+    stiff, count = np.concatenate([K, K]), K.shape[1]
 
     def conditions(rows: FloatArray, share: float = 0.0, right: FloatArray | float = 0.0) -> FloatArray:
         """Return the conditions rows @ numbers + share k <= right, with the right-hand sides in the last column."""
