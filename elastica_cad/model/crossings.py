@@ -220,14 +220,6 @@ def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> Flo
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
 
-def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    n = np.cross(a.axis, b.axis)
-    if np.linalg.norm(n) < PARALLEL_RAD:
-        return tuple(_rulings(a, b))
-    heights = _Heights(a, b, n)
-    return tuple(Branch(heights, s_a, s_b) for s_a, s_b in _level_set(heights))
-
-
 @dataclass(frozen=True, eq=False)
 class Ruling:
     """Intersection line of two strips with parallel rulings.
@@ -582,10 +574,16 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     Points are computed by Newton's method to rounding error. A line ends at an edge or end of one of the
     strips.
     """
-    crossings = []
-    for locus in _intersect_surfaces(a, b):
-        crossings += [Crossing((a, b), locus, *run) for run in _ranges_inside_strips((a, b), locus)]
-    return tuple(crossings)
+    n = np.cross(a.axis, b.axis)
+    curves: Sequence[IntersectionCurve]
+    if np.linalg.norm(n) < PARALLEL_RAD:
+        curves = _rulings(a, b)
+    else:
+        heights = _Heights(a, b, n)
+        curves = [Branch(heights, s_a, s_b) for s_a, s_b in _level_set(heights)]
+    return tuple(
+        Crossing((a, b), curve, *run) for curve in curves for run in _ranges_inside_strips((a, b), curve)
+    )
 
 
 def _ranges_inside_strips(

@@ -393,7 +393,9 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple
     for k, tab, walls in slot_walls(plate):
         if (lean := leans.get(tab.key)) is not None:
             places, slopes, distances = np.transpose([lean.touched(wall) for wall in walls])
-            bent = _turned_left(tab, float(slopes.mean()))
+            slope, frame = float(slopes.mean()), tab.frame
+            out = np.cos(slope) * frame.x_axis - np.sin(slope) * frame.z_axis
+            bent = replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
             angle = float(np.arcsin(-(bent.frame.x_axis @ plate.frame.z_axis)))
             if lean.bend > MOST_BENT_RAD or angle < FLATTEST_RAD:
                 raise _bends_too_far(plate, tab, cures)
@@ -401,12 +403,6 @@ def _moved_slots(plate: Plate, leans: Mapping[Key, Lean], cures: Cures) -> tuple
             offsets, pressed = lean.shift + lean.turn * places, distances <= tab.thickness / 2 + 0.01
             slots[k] = _moved_slot(plate, slots[k], tab, bent, offsets, pressed)
     return tuple(slots)
-
-
-def _turned_left(tab: PlacedTab, angle: float) -> PlacedTab:
-    frame = tab.frame
-    out = np.cos(angle) * frame.x_axis - np.sin(angle) * frame.z_axis
-    return replace(tab, frame=Frame(frame.origin, out, frame.y_axis))
 
 
 def _moved_slot(

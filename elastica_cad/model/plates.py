@@ -628,9 +628,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> N
     """Refuse slots that overlap. `in_ring` is True for the strips of a surface of revolution."""
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
     boxes = boxes_about(corners)
-    near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
-    met = near[_least_distances(*corners[near.T]) <= 0]
-    for i, j in met[:1].tolist():
+    for i, j in np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1)).tolist():
+        if not _overlap(corners[i], corners[j]):
+            continue
         middle = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
             "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs."
@@ -650,10 +650,10 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
     """
     if not drilled:
         return
-    loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
-    edge = plate.outline.closed_points(FLAT_MM)
+    loops, names = [path.points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
+    edge = plate.outline.points(FLAT_MM)
     for k, hole in enumerate(loops[len(called) :], start=len(called)):
-        inside = encloses(edge[:-1], hole[0]) and polylines_cross(hole, edge) is None
+        inside = encloses(edge, hole[0]) and not _cross(hole, edge)
         edges = () if inside else (note("the edge"),)
         met = (*edges, *(name for i, name in enumerate(names) if i != k and _overlap(hole, loops[i])))
         if met:
@@ -663,8 +663,7 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
     """Refuse a hole in a seat, which is the area (four corners) where a tab is glued to the plate."""
     for hole in holes:
-        loop = hole.closed_points(FLAT_MM)
-        if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):
+        if any(_overlap(hole.points(FLAT_MM), seat) for seat in seats):
             raise _overlap_error(name, hole_name(hole), note("the seat of a tab"))
 
 
@@ -677,30 +676,14 @@ def _overlap_error(name: str, hole: str, other: str) -> InputError:
 
 
 def _overlap(p: FloatArray, q: FloatArray) -> bool:
+    """Return True if two polygons overlap or touch."""
     if not boxes_meet(box_about(p), box_about(q)):
         return False
-    return polylines_cross(p, q) is not None or encloses(p[:-1], q[0]) or encloses(q[:-1], p[0])
+    return _cross(p, q) or encloses(p, q[0]) or encloses(q, p[0])
 
 
-def _least_distances(first: FloatArray, others: FloatArray) -> FloatArray:
-    """Return lower bounds (...,) of the distance, mm, between pairs of rectangles (..., 4, 2).
-
-    The bound is exact where a side of one rectangle faces the other rectangle.
-    """
-    sides, theirs = _side_normals(first), _side_normals(others)
-    return np.maximum(
-        _larger_gap(first @ sides, others @ sides), _larger_gap(first @ theirs, others @ theirs)
-    )
-
-
-def _side_normals(rectangles: FloatArray) -> FloatArray:
-    sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
-    return np.swapaxes(left_of(unit(sides)), -1, -2)
-
-
-def _larger_gap(p: FloatArray, q: FloatArray) -> FloatArray:
-    gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
-    return np.asarray(gaps.max(axis=-1), dtype=float)
+def _cross(p: FloatArray, q: FloatArray) -> bool:
+    return polylines_cross(np.concatenate([p, p[:1]]), np.concatenate([q, q[:1]])) is not None
 
 
 def _outline(points: FloatArray, border: float, shape: Shape) -> Path:

@@ -105,10 +105,11 @@ def examine_pair(
     """
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
+    (chord, turn), (other, other_turn) = map(_clamps_of, (first, second))
+    fits = norm(chord - other) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
     check = PairCheck(
-        realizable=True, reasons=(), length=first.length, first=first, second=second,
-        bistable=_have_same_clamps(first, second),
-    )  # fmt: skip
+        realizable=True, reasons=(), length=first.length, first=first, second=second, bistable=bool(fits)
+    )
     largest = float(np.abs(difference.survey).max())
     if largest <= CONGRUENT_SHARE * np.abs(first.survey.curvature).max(initial=1 / first.length):
         return replace(check, any_stiffness=True), None, None
@@ -155,11 +156,6 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
             changes=[Change("match", "ends")],
         )
     return scaled_to_length(second, first.length)
-
-
-def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    (chord, turn), (other, other_turn) = map(_clamps_of, (first, second))
-    return bool(norm(chord - other) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS)
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:

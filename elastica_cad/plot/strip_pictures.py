@@ -271,9 +271,9 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
               [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
     cuts = element_cuts(strip.rod)
     above, below = top + (2.4 if cuts else 1.6) * unit, bottom - 1.2 * unit
-    _dimension(
-        axes, np.array([left, above]), np.array([right, above]), f"{length:.2f} mm in all, {free:.2f} mm free"
-    )
+    line, whole = np.array([(left, above), (right, above)]), f"{length:.2f} mm in all, {free:.2f} mm free"
+    draw_arrow(axes, line[0], line[1], FAINT, 0.8, "<->")
+    write_beside(axes, whole, line.mean(axis=0), (0, 3), ha="center", va="bottom")
     called, size = next(iter(strip.tapered.items()), ("width", strip.width))
     for x in _stations_of(size):
         half = float(strip.width(x)) / 2
@@ -397,11 +397,6 @@ def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
     axes.plot(*tips.T, color=COMB, linewidth=0.8, label="curvature comb")
-
-
-def _dimension(axes: Axes, start: FloatArray, end: FloatArray, text: str) -> None:
-    draw_arrow(axes, start, end, FAINT, 0.8, "<->")
-    write_beside(axes, text, (start + end) / 2, (0, 3), ha="center", va="bottom")
 
 
 def finish_axes(axes: Axes, title: str) -> None:
