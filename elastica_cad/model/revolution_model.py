@@ -94,8 +94,8 @@ def touching_widths(
         raise InputError(f"strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)")
     pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]
     names = [
-        p.strip.label or f"strip {i + 1}" if isinstance(p, Placed) else f"strip {i + 1}"
-        for i, p in enumerate(strips)
+        (p.strip.label if isinstance(p, Placed) else "") or f"strip {number}"
+        for number, p in enumerate(strips, start=1)
     ]
     count = len(pairs)
     if count < 2:

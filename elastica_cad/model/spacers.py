@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Annotated, NamedTuple, TypeAlias
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
@@ -185,24 +185,13 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
     return Spacer(spacer_name(first), first.sheet, frame, Path.polygon(np.array(corners)), label)
 
 
-class _Placement(NamedTuple):
-    """Two plates, and the width, mm, and the places (count, 3) of spacers between them: x, y and angle.
-
-    `spread` is the extent of the spacers around the middle of the tabs; see `LEAST_SPREAD`.
-    """
-
-    plates: tuple[BasePlate, BasePlate]
-    width: float
-    places: FloatArray
-    spread: float
-
-
 def _places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
-) -> _Placement:
-    """Return the first placement that surrounds the middle of the tabs.
+) -> tuple[tuple[BasePlate, BasePlate], float, FloatArray, float]:
+    """Return two plates, and the width, mm, the places (count, 3) and the spread of spacers between them.
 
-    If there is none, return the placement that is most spread.
+    A place is x, y and angle. The spread is the extent of the spacers around the middle of the tabs; see
+    `LEAST_SPREAD`. The first places that are spread enough are returned or, if there are none, the most spread.
     """
     most, best, sheet, bridge = 0, None, plates[0].sheet, _bridge(plates[0])
     for tried in _sizes(plates):
@@ -213,10 +202,11 @@ def _places(
             if len(thinned) >= count:
                 chosen = _far_apart(places, thinned, count)
                 free = places[margin >= margin[chosen].min() / 2]
-                placement = _Placement(tried, width, *_spread(free, places[chosen], apart, width, plates))
-                if placement.spread >= LEAST_SPREAD:
-                    return placement
-                best = placement if best is None or placement.spread > best.spread else best
+                moved, spread = _spread(free, places[chosen], apart, width, plates)
+                if best is None or spread > best[-1]:
+                    best = tried, width, moved, spread
+                if spread >= LEAST_SPREAD:
+                    return best
     if best is not None:
         return best
     raise InputError(
@@ -246,10 +236,10 @@ def _near_a_line(
         )
         for plate in plates
     )  # fmt: skip
-    works = _places(placed, (first, second), gap, count).spread >= LEAST_SPREAD
+    *_, spread = _places(placed, (first, second), gap, count)
     return note(
         "{name}: the spacers are almost in a line, so the plates can tilt. Use a {border} of {wide:.0f}."
-        if works
+        if spread >= LEAST_SPREAD
         else "{name}: the spacers are almost in a line, so the plates can tilt. Check that the plates are "
              "parallel.",
         name=name, border=FieldName("border"), wide=Length(wide),

@@ -352,6 +352,11 @@ class PairedPanels:
         stiffness = difference_rows / panels.curvature[..., None]
         return cls(check, panels, (first_moment, second_moment), stiffness, conditions)
 
+    @property
+    def stiffness_rows(self) -> FloatArray:
+        """Coefficients (N, p, 6) of the stiffness, as a linear function of all six numbers."""
+        return np.pad(self.stiffness, ((0, 0), (0, 0), (0, 1)))
+
     @cached_property
     def basis(self) -> FloatArray:
         """Basis (5, q) of the solutions of `conditions`, except for solutions that do not change the stiffness."""

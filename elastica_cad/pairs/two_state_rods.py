@@ -229,7 +229,7 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = paired.solutions
         sides = tuple(PanelFunction.through(rows @ basis) for rows in _limit_rows(paired, limits))
-        K = _stiffness_rows(paired) @ basis
+        K = paired.stiffness_rows @ basis
         ratio_numbers = paired.least_ratio(StiffnessFamily.through(paired.panels, K, sides=sides))
         if ratio_numbers is None:
             _refuse(
@@ -239,17 +239,13 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
     return _least_bend(paired, numbers, limits.natural_curvature)
 
 
-def _stiffness_rows(paired: PairedPanels) -> FloatArray:
-    return np.pad(paired.stiffness, ((0, 0), (0, 0), (0, 1)))
-
-
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     """Return arrays of rows (N, p, 6) that express the limits as rows @ numbers >= 0, at p nodes of N panels.
 
     State i has the moment M_i and the curvature kappa_i, and K is the stiffness. A limit k of the natural curvature
     requires |kappa_1 K - M_1| <= k K, and a limit c of the bend |M_i| <= c K. The rows are divided by k or c.
     """
-    K, limited = _stiffness_rows(paired), list[FloatArray]()
+    K, limited = paired.stiffness_rows, list[FloatArray]()
     if (most := limits.natural_curvature) is not None:
         natural = paired.check.first.curvature_at(paired.panels.t)[..., None] * K - paired.moments[0]
         limited.append(natural / most)
@@ -266,7 +262,7 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
-    K = _stiffness_rows(paired) @ numbers
+    K = paired.stiffness_rows @ numbers
     idle = paired.idle
     step = size * (paired.moments[0] @ idle) / K[..., None]
     d = size * panels.curvature
@@ -360,7 +356,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     def rows_of(values: FloatArray) -> FloatArray:
         return PanelFunction.through(values @ basis).at(*place)
 
-    K = rows_of(_stiffness_rows(paired))
+    K = rows_of(paired.stiffness_rows)
     M = np.concatenate([size * rows_of(moment) for moment in paired.moments])
     scale = np.abs(K).max(axis=0)
     scale = np.where(scale > 1e-12 * scale.max(), scale, np.abs(M).max(axis=0))
@@ -405,7 +401,7 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
     other = check.second.at(np.minimum(nodes.s, check.second.length))
     place = panels.locate(nodes.t)
-    stiffness = PanelFunction.through(_stiffness_rows(paired) @ numbers)
+    stiffness = PanelFunction.through(paired.stiffness_rows @ numbers)
     moments = [PanelFunction.through(rows @ numbers) for rows in paired.moments]
     K = stiffness.at(*place)
     least = float(K.min())

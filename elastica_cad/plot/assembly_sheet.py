@@ -1,7 +1,7 @@
 """Assembly sheet as PDF: exploded view, order of assembly, positions, and parts."""
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate, groupby, zip_longest
 from os import PathLike
@@ -230,34 +230,49 @@ def _tables(
     pairs: Sequence[tuple[BasePlate, BasePlate, float]],
     steps: Sequence[AssemblyStep],
     cut_list: CutList | None,
-) -> Iterator[Table]:
+) -> list[Table]:
     first_steps = [*_flat_gluing(model), *_plate_sentences(holders, pairs)]
-    rows = [*_step_rows(steps, len(first_steps) + 1)]
-    numbered = (note("{number}   {text}", number=k, text=text) for k, text in enumerate(first_steps, 1))
-    yield Table("Order of assembly", (), [(text,) for text in numbered])
-    head = ("step", "strip", "cut as", "start (1)", "end (2)", "locks into")
-    yield Table("" if first_steps else "Order of assembly", head, rows)
-    last_steps = enumerate(_element_steps(model), len(first_steps) + len(rows) + 1)
-    yield Table("", (), [(note("{number}   {text}", number=k, text=text),) for k, text in last_steps])
-    yield Table("", (), [(text,) for text in _sentences_below_steps(model, holders)])
-    head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
-    yield Table("Positions in the blocks (mm)", head, [*_block_rows(model, holders)])
-    placed_plates = [*_plate_rows(holders)]
-    yield Table(
-        "Positions of the plates (mm)",
-        ("plate", "middle at (x, y, z)", "from the middle above"),
-        placed_plates if len(placed_plates) > 1 else [],
-    )
-    loads = ("strip", "force at start (1)", "moment at start (1)", "force at end (2)", "moment at end (2)")
-    yield Table("Force and moment at the ends", loads, [*_load_rows(model)])
-    head = ("strip", "element", "place (x, y, z), mm", "angle", "force on the strip, N", "length, mm")
-    title = (
-        "Rails, pins, ties and loads (the place of a rail is where its bar touches the strip; other places are "
-        "on the centre line of the strip)"
-    )
-    yield Table(title, head, [*_element_rows(model)])
-    if cut_list is not None:
-        yield Table("Parts", ("part", "count", "sheet", "size, mm", "file"), [*_part_rows(cut_list)])
+    rows, plates = [*_step_rows(steps, len(first_steps) + 1)], [*_plate_rows(holders)]
+
+    def numbered(texts: Iterable[str], first: int) -> list[tuple[str]]:
+        return [(note("{number}   {text}", number=k, text=text),) for k, text in enumerate(texts, first)]
+
+    return [
+        Table("Order of assembly", (), numbered(first_steps, 1)),
+        Table(
+            "" if first_steps else "Order of assembly",
+            ("step", "strip", "cut as", "start (1)", "end (2)", "locks into"),
+            rows,
+        ),
+        Table("", (), numbered(_element_steps(model), len(first_steps) + len(rows) + 1)),
+        Table("", (), [(text,) for text in _sentences_below_steps(model, holders)]),
+        Table(
+            "Positions in the blocks (mm)",
+            ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance"),
+            [*_block_rows(model, holders)],
+        ),
+        Table(
+            "Positions of the plates (mm)",
+            ("plate", "middle at (x, y, z)", "from the middle above"),
+            plates if len(plates) > 1 else [],
+        ),
+        Table(
+            "Force and moment at the ends",
+            ("strip", "force at start (1)", "moment at start (1)", "force at end (2)", "moment at end (2)"),
+            [*_load_rows(model)],
+        ),
+        Table(
+            "Rails, pins, ties and loads (the place of a rail is where its bar touches the strip; other places are "
+            "on the centre line of the strip)",
+            ("strip", "element", "place (x, y, z), mm", "angle", "force on the strip, N", "length, mm"),
+            [*_element_rows(model)],
+        ),
+        Table(
+            "Parts",
+            ("part", "count", "sheet", "size, mm", "file"),
+            [] if cut_list is None else [*_part_rows(cut_list)],
+        ),
+    ]
 
 
 def _plate_sentences(
