@@ -168,7 +168,12 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, *, hole: float = 0.0, **fields: A
     if hole:  # the tabs hold the outer half of the hole
         tab = Tab(max(TAB_LENGTH, hole / 2 + _least_beside(sheet, fields.get("shop"))))
         fields = {"ends": (tab, tab)} | fields
-    if _has_constant_section(**fields):
+    section, width = fields.get("section"), fields.get("max_width")
+    if isinstance(section, RoundLaw | ThicknessLaw):
+        is_constant = section.least == section.largest
+    else:
+        is_constant = section is None and width is not None and width == fields.get("min_width")
+    if is_constant:
         strip = _strip_of_constant_section(curve, sheet, **fields)
     else:
         level = {"frame": Frame(), "gravity": DOWN}  # the weight of a bow is neglected
@@ -204,18 +209,6 @@ def _least_beside(sheet: Sheet | str, shop: FabricationLimits | None) -> float:
 def rise_of(rod: Rod) -> float:
     """Return the largest distance, mm, of a rod from the line between its ends."""
     return camber_of(rod)[0] * float(norm(rod.chord))
-
-
-def _has_constant_section(
-    *,
-    section: object = None,
-    max_width: float | None = None,
-    min_width: float | None = None,
-    **_: Any,
-) -> bool:
-    if isinstance(section, RoundLaw | ThicknessLaw):
-        return section.least == section.largest
-    return section is None and max_width is not None and max_width == min_width
 
 
 def _strip_of_constant_section(

@@ -349,8 +349,21 @@ class BasePlate:
             return ()
         center = _mean_center(corners)
         inner = max(float(norm(loop.points(0.1) - center).max()) for loop in loops)
-        free, _ = around(corners, center, CLEAR_MM)
-        return _rim_text(self.engraved, inner + CLEAR_MM, free, center)
+        free, _ = around(corners, center, 0.0)
+        return self._name_between(inner, free, center)
+
+    def _name_between(self, inner: float, outer: float, center: FloatArray) -> tuple[Text, ...]:
+        """Return the name as the largest legible text between two circles of radii in mm, or no text."""
+        inner, outer, name = inner + CLEAR_MM, outer - CLEAR_MM, engravable(self.engraved)
+        largest = min(LABEL_MM, 0.4 * (outer - inner))
+        for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
+            half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
+            # highest base line at which the text is inside the outer circle
+            most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
+            if most >= inner + below:
+                low = min(most, (inner + below + outer - height) / 2)
+                return (Text((center[0] - half, center[1] + low), name, height),)
+        return ()
 
     def _name_anywhere(self, engraved: Sequence[FloatArray]) -> tuple[Text, ...]:
         """Return the name as the largest legible text clear of cuts and of `engraved` loops, or no text.
@@ -748,27 +761,11 @@ class Ring(BasePlate):
         paths.append(LayeredPath(CUT_OUTER, self.outline))
         seats = [seat.points(FLAT_MM) for seat in self.seats]
         inner = max(float(norm(loop).max()) for loop in [*(slot.corners for slot in self.slots), *seats])
-        name = _rim_text(self.engraved, inner + CLEAR_MM, self.radii[1] - CLEAR_MM) or self._name_anywhere(
-            seats
-        )
+        name = self._name_between(inner, self.radii[1], np.zeros(2)) or self._name_anywhere(seats)
         return Drawing(self.name, tuple(paths), name)
 
 
 Plate = TypeVar("Plate", bound=BasePlate)
-
-
-def _rim_text(
-    name: str, inner: float, outer: float, center: Sequence[float] | FloatArray = (0.0, 0.0)
-) -> tuple[Text, ...]:
-    largest, name = min(LABEL_MM, 0.4 * (outer - inner)), engravable(name)
-    for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
-        half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
-        # highest base line at which the text is inside the outer circle
-        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
-        if most >= inner + below:
-            low = min(most, (inner + below + outer - height) / 2)
-            return (Text((center[0] - half, center[1] + low), name, height),)
-    return ()
 
 
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:

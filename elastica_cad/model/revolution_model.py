@@ -367,20 +367,16 @@ class _Request:
             *_, warnings = _results_of(checks)
             return placed, (), (*notes, *warnings)
         heights = meridian.rod.position[:, 1]
-        middle = float(heights.min() + heights.max()) / 2
         names = end_names("ring", (heights[0], heights[-1]))
         refuse_other_ends(self.holes, [*names.values()])
-        options: dict[str, Any] = {
-            "middle": middle,
-            "border": self.border,
-            "holes": self.holes,
-            "shop": self.shop,
-            "ignore_limits": self.ignore_limits,
-        }
         checks += [
-            partial(ring_plate, tabs_to_hold(placed, [end]), self.rings, name=names[end], **options)
+            partial(
+                ring_plate, tabs_to_hold(placed, [end]), self.rings, name=names[end], border=self.border,
+                middle=float(heights.min() + heights.max()) / 2, holes=self.holes, shop=self.shop,
+                ignore_limits=self.ignore_limits,
+            )
             for end in ENDS
-        ]
+        ]  # fmt: skip
         _, warnings, *made = _results_of(checks)
         warnings = (*notes, *warnings)
         plates: tuple[Ring, ...] = tuple(made)

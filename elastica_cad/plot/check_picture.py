@@ -1,6 +1,6 @@
 """Picture of a check: the drawn curve, its inflections, the line through them, and its faults."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from textwrap import fill
 
 import numpy as np
@@ -68,6 +68,8 @@ def check(check: EquilibriumCheck) -> Figure:
             ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
             axes.plot(*outlier.values["place"], "o", color=OUTLIER, label="_stands out", **ring)
     for label, color, marker, places in _marks(check):
+        if not places:
+            continue
         points = curve.at(np.array(places)).position
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)
         for s, point in zip(places, points, strict=True):
@@ -89,8 +91,8 @@ def check(check: EquilibriumCheck) -> Figure:
     return figure
 
 
-def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    kinds: tuple[tuple[str, str, str, Sequence[float]], ...] = (
+def _marks(check: EquilibriumCheck) -> tuple[tuple[str, str, str, Sequence[float]], ...]:
+    return (
         ("inflections", LINE, "o", check.inflections),
         (
             "off the line",
@@ -104,6 +106,3 @@ def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]
         ("the curvature jumps", "#b06a00", "v", check.jumps),
         ("straight", "#b06a00", "|", [s for piece in check.flats for s in piece]),
     )
-    for label, color, marker, places in kinds:
-        if places:
-            yield label, color, marker, list(places)

@@ -4,12 +4,11 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import ceil, dist
 from textwrap import fill
-from typing import TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_series, is_whole, numbers, require_number, several
+from elastica_cad._values import counted, is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
@@ -124,9 +123,6 @@ def _polygon_of(loop: Path, step: float) -> FloatArray:
     return np.concatenate(rows)
 
 
-Plate: TypeAlias = BasePlate | Rib
-
-
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
     """Yield patches (n, 4, 3), at most `size` mm large, and unshaded colours (n, 3) for each body of the holders.
 
@@ -137,13 +133,9 @@ def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Flo
             for prism in holder.solid.added:
                 yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
         else:
-            yield _patches(holder.solid, _loops_without_slots(holder), sheet_color(holder.sheet), size)
-
-
-def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
-    if isinstance(holder, Rib):
-        return (holder.outline,)
-    return (holder.outline, *(() if holder.opening is None else (holder.opening,)), *holder.holes)
+            solid, slots = holder.solid, 0 if isinstance(holder, Rib) else len(holder.slots)
+            loops = (solid.outline, *solid.holes[slots:])
+            yield _patches(solid, loops, sheet_color(holder.sheet), size)
 
 
 def _patches(
@@ -249,8 +241,7 @@ def model(
     patches, colors = map(np.concatenate, zip(*painted, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)
-    count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
-    title = f"{fill(model.name, 90)}\n{count}"
+    title = f"{fill(model.name, 90)}\n{counted(len(model.placed), 'strip')}"
     shown = None
     if flat > 0:
         chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))

@@ -465,14 +465,14 @@ def travel(moved: Travel) -> Figure:
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     if moved.is_turn:
-        below.plot(moved.path_length, moved.turning_moment, color=FORCE, marker=".")
-        below.set_xlabel("turn of the end, degrees")
-        below.set_ylabel("moment, N mm", color=FORCE)
+        way, name, force = "turn of the end, degrees", "moment, N mm", moved.turning_moment
+    elif moved.is_still:
+        way, name, force = "change of loads and elements, %", "force, N", moved.support_force
     else:
-        force = moved.support_force if moved.is_still else moved.force_along
-        below.plot(moved.path_length, force, color=FORCE, marker=".")
-        below.set_xlabel("change of loads and elements, %" if moved.is_still else "travel of the end, mm")
-        below.set_ylabel("force, N", color=FORCE)
+        way, name, force = "travel of the end, mm", "force, N", moved.force_along
+    below.plot(moved.path_length, force, color=FORCE, marker=".")
+    below.set_xlabel(way)
+    below.set_ylabel(name, color=FORCE)
     below.grid(alpha=0.25)
     beside = below.twinx()
     beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")

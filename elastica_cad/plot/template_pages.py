@@ -187,13 +187,13 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, t
         points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
             continue  # skip lines on other pages, which would take as long to draw
-        axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
-            0
-        ].set_clip_path(window)
+        style = {"color": LAYER_COLORS[item.layer], "linewidth": 0.6, "solid_capstyle": "butt"}
+        (line,) = axes.plot(*points.T, **style)
+        line.set_clip_path(window)
     for x in (low[0] + OVERLAP_MM / 2, high[0] - OVERLAP_MM / 2):
         for y in (low[1] + OVERLAP_MM / 2, high[1] - OVERLAP_MM / 2):
-            for dx, dy in ((CROSS_MM, 0.0), (0.0, CROSS_MM)):
-                axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
+            axes.plot([x - CROSS_MM, x + CROSS_MM], [y, y], color=INK, linewidth=0.4)
+            axes.plot([x, x], [y - CROSS_MM, y + CROSS_MM], color=INK, linewidth=0.4)
     height = 3.0 * 72 / MM_PER_INCH
     axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
     x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
