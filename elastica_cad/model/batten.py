@@ -336,8 +336,7 @@ class Batten:
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
         """Return the strip that is glued from the plies of `leafed`."""
-        spec = self.spec
-        return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
+        return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
         """Return columns (n,) with the size, strain and safety at `stations` (n,), mm, by name."""

@@ -185,19 +185,7 @@ def _bracketed_zeros(
 PARALLEL_RAD = 2e-8
 """Largest angle, rad, at which rulings count as parallel. Over 1 m, their distance then changes by 20 nm."""
 
-HEIGHT_ERROR = 1e-13
-"""Newton's method stops if both curves' heights differ by at most this fraction of the longer strip's length."""
-
 MOST_NEWTON_STEPS = 30
-
-SAME_HEIGHT = 1e-9
-"""Nodes of a branch are merged if their heights differ by at most this fraction of the longer strip's length."""
-
-LEAST_SQUARED_SLOPE = 1e-14
-"""Least divisor of a Newton step, which is the sum of the squared slopes of both heights.
-
-It limits the step where surfaces touch, because both slopes are 0 there.
-"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -319,13 +307,14 @@ class Branch:
         h = self.heights
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
-        tolerance = HEIGHT_ERROR * max(h.a.length, h.b.length)
+        tolerance = 1e-13 * max(h.a.length, h.b.length)
         for _ in range(MOST_NEWTON_STEPS):
             (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
             gap = p - r
             if np.abs(gap).max(initial=0.0) <= tolerance:
                 break
-            step = gap / np.maximum(f**2 + g**2, LEAST_SQUARED_SLOPE)
+            # the divisor is limited, because both slopes are 0 where the surfaces touch
+            step = gap / np.maximum(f**2 + g**2, 1e-14)
             s_a, s_b = np.clip(s_a - step * f, 0.0, h.a.length), np.clip(s_b + step * g, 0.0, h.b.length)
             on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
         return h.common(s_a, s_b, on_curves)
@@ -356,7 +345,8 @@ def _level_set(heights: _Heights) -> list[_Course]:
                 level.extend(_branches_of_constant_height(s_a, c_a, s_b, c_b))
                 continue
             inside = np.concatenate([c_a, c_b])
-            least = SAME_HEIGHT * max(heights.a.length, heights.b.length)
+            # nodes closer together in height are merged
+            least = 1e-9 * max(heights.a.length, heights.b.length)
             inside = np.sort(inside[(inside > low + least) & (inside < high - least)])
             c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > least], [high]])
             pieces.append((_arc_lengths_at(s_a, c_a, c), _arc_lengths_at(s_b, c_b, c)))
@@ -451,9 +441,6 @@ def _joined(
         chains.append(tuple(np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1)))
     return [(s_a, s_b) for s_a, s_b in chains]
 
-
-ON_EDGE_MM = 1e-8
-"""Distance, mm, from an edge below which the end of a crossing counts as on the edge."""
 
 LENGTH_POINTS = 33
 """Number of points of the polyline that gives the length of a crossing with an error of 0.1 %."""
@@ -557,7 +544,8 @@ class Crossing:
         nodes = self.locus.nodes
         q = np.concatenate([[origin], nodes[(nodes - origin) * step > 0][::step]])
         m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
-        if m[0].min() < ON_EDGE_MM:
+        # the crossing ends on the edge
+        if m[0].min() < 1e-8:
             return float(end)
         outside = np.flatnonzero(m.min(axis=1) < 0)
         if not outside.size:

@@ -37,10 +37,6 @@ BLOCK_COLUMNS = {
 }  # fmt: skip
 """Columns of the printed table of blocks, with the format of each value."""
 
-ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
-"""Columns that are empty for printed blocks (the mass depends on the printer), and columns that are empty for
-pieces."""
-
 
 @dataclass(frozen=True)
 class CutListRow:
@@ -147,7 +143,9 @@ class CutList:
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
-        for rows, empty in ((self.rows, ONLY_PRINTED), (self.printed, ONLY_CUT)):
+        # pieces have no height, and the mass of printed blocks depends on the printer
+        no_cut = ("thickness_mm", "cut_length_mm", "mass_g")
+        for rows, empty in ((self.rows, ("height_mm",)), (self.printed, no_cut)):
             for row in _texts(rows, CSV_COLUMNS, empty):
                 writer.writerow(f"'{text}" if text.startswith(tuple("=+-@\t\r")) else text for text in row)
         return stream.getvalue()

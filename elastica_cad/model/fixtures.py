@@ -141,12 +141,6 @@ def _require_holdable(strip: Strip, name: str | None = None) -> None:
 LEAST_WALL_MM = 0.8
 """Least thickness of a printed wall, mm: two lines of a 0.4 mm nozzle."""
 
-GROOVE_FRACTIONS = 0.16, 0.075
-"""Width and depth of engraved strokes as fractions of the height of the letters.
-
-If letters are 4 mm high, a 0.4 mm nozzle can print this width, and the depth is two fine layers.
-"""
-
 MOST_EXTENDED_MM = 150.0
 """Largest height, mm, by which a block is extended down to its floor. Few printers make taller blocks."""
 
@@ -371,8 +365,7 @@ class EndFixture(EqualByValue):
         """
         up, along, height = self._floor_directions
         core = self._block_corners
-        grounded = core - np.outer(core @ up - height, up)
-        body = convex_corners(np.concatenate([core, grounded]))
+        body = convex_corners(np.concatenate([core, core - np.outer(core @ up - height, up)]))
         added = [self._prism(body, self.across)]
         reach = np.array([(core @ along).min(), (core @ along).max()])
         removed = [self._pocket(), *self._clamp_holes(body), *self._tip_hole(body)]
@@ -442,7 +435,8 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
 
     Each line or arc of a stroke is a groove with a flat bottom.
     """
-    width, depth = (share * height for share in GROOVE_FRACTIONS)
+    # if letters are 4 mm high, a 0.4 mm nozzle can print this width, and the depth is two fine layers
+    width, depth = 0.16 * height, 0.075 * height
     frame = side.shifted(z=-depth)
     return [
         FlatSolid(_groove(segment, width), (), 2 * depth, frame)

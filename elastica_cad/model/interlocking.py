@@ -117,9 +117,6 @@ The difference must exceed this fraction of the length of the crossing.
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
 
-PITCH_MM = 1.5
-"""Largest distance, mm, between points along the centre line of a slot."""
-
 
 @dataclass(frozen=True, eq=False)
 class Joint:
@@ -331,7 +328,7 @@ class _Cutter:
             raise InputError(self._touch(names, s))
         slots, middle = [], np.zeros(3)
         for which, last in enumerate(self._cut_ends(members, crossing)):
-            p = crossing.at(crossing.evenly(crossing.middle, last, PITCH_MM))
+            p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
             rows, mates = _turned((p.first, p.second), which)
             thickness, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
             widths = slot_width(p.angle, own=thickness, other=other, clearance=self.clearance, fit=self.fit)

@@ -350,8 +350,7 @@ class Model:
 
         Equal pieces are listed once, with their count.
         """
-        more = several("other pieces", others, Piece | EndFixture, "Piece")
-        return cut_list((*self.pieces, *more))
+        return cut_list((*self.pieces, *several("other pieces", others, Piece | EndFixture, "Piece")))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
         """Return the shape of each strip as cut, in the model's rings and in `holders`; see `Strip.held`."""

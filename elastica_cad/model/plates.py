@@ -375,7 +375,8 @@ class BasePlate:
         cuts = np.concatenate([dense_points(loop) for loop in (edge, *loops)]) - self._middle
         for height in np.linspace(LABEL_MM, LEAST_LABEL_MM, 6).tolist():
             half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
-            for turn in NAME_TURNS:
+            # turned by as little as possible, in steps of 15 degrees
+            for turn in np.radians(sorted(range(-165, 181, 15), key=abs)):
                 along = unit_vectors(turn)
                 axes = np.array([along, left_of(along)])
                 x, y = axes @ cuts.T
@@ -718,9 +719,6 @@ CLEAR_MM = 0.5
 
 DESCENDER_DEPTH = 1 / 3
 """Depth of letters such as g below the base line, as a fraction of their height."""
-
-NAME_TURNS = np.radians(sorted(range(-165, 181, 15), key=abs))
-"""Angles, rad, by which the name of a plate is turned around its middle, in the order of preference."""
 
 
 @dataclass(frozen=True, eq=False)

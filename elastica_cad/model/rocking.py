@@ -134,8 +134,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
     # in the order of preference
     for gap in (GAP_MM, 15.0, 10.0, 6.0):
         needed = (needed_length(tab, plate, gap) for plate in plates for tab in tabs_of(plate))
-        length = max(longest, *needed)
-        sized = fitting_tabs(placed, plates, gap, length, keep=keep)
+        sized = fitting_tabs(placed, plates, gap, max(longest, *needed), keep=keep)
         if sized is not None:
             sized_strips = with_tabs(placed, *sized)
             pairs = [plate for first in plates for plate in pair_with_tabs(sized_strips, first, gap)]

@@ -42,9 +42,6 @@ WIDTHS_MM = (24.0, 18.0, 12.0)
 BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
-GRID_MM, GRID_LINES = 2.0, 60
-"""Least distance, mm, between places that are tried for a spacer, and largest number of places across the plate."""
-
 GRID_RADIUS_MM, GRID_TURN = 1.0, np.radians(2.0)
 """Radial distance, mm, and angle, rad, between places that are tried for a spacer in a round plate."""
 
@@ -325,7 +322,8 @@ def _tried_places(plate: BasePlate) -> FloatArray:
         )
         x, y = (low + high)[:, None] / 2 + r * unit_vectors(turn).T
     else:
-        step = max(GRID_MM, float((high - low).max()) / GRID_LINES)
+        # places are at least 2 mm apart, at most 60 across the plate
+        step = max(2.0, float((high - low).max()) / 60)
         x, y = (
             np.ravel(grid)
             for grid in np.meshgrid(*(np.arange(*ends, step) for ends in zip(low, high, strict=True)))

@@ -80,10 +80,6 @@ LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
 NAME_MM = 3.0  # height of the engraved names of both states on the holder, mm
-APART = 3.0
-"""Distance along the part, as a multiple of its thickness, below which points are neighbours.
-
-The gap between neighbours is not checked."""
 
 TRAVEL_STEPS = 48
 # distance from a snap, as a fraction of the path, at which the shapes before and after the snap are computed
@@ -819,7 +815,8 @@ class Flexure:
         position = line.at(s)[0]
         reach = half[:, None] + half
         apart = norm(position[:, None] - position) - reach
-        near = np.abs(s[:, None] - s) <= APART * reach + s[1] - s[0]
+        # points along the part closer than three thicknesses are neighbours, whose gap is not checked
+        near = np.abs(s[:, None] - s) <= 3.0 * reach + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
 
     def line_through(self, positions: FloatArray) -> "CentreLine":

@@ -35,11 +35,6 @@ Damping is added if the energy is not convex, or if a step would increase the en
 NOISE = 4e-15
 """Rounding error of a force, as a multiple of the stiffness of an edge * length of the rod / shortest edge."""
 
-ROUNDING = 1e-11
-"""Predicted relative decrease of the energy below which a step is accepted without a check.
-
-Rounding errors hide such a small decrease."""
-
 
 @dataclass(frozen=True, eq=False)
 class RestShape:
@@ -376,7 +371,7 @@ class _Chain:
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
                     # near rest, rounding errors hide the decrease of the energy
-                    if energy <= here or -slope.ravel() @ step <= ROUNDING * abs(here):
+                    if energy <= here or -slope.ravel() @ step <= 1e-11 * abs(here):
                         x, here = there, energy
                         damping = damping / DAMPING_STEP if damping > LEAST_DAMPING else 0.0
                         break

@@ -171,11 +171,6 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
     return np.concatenate(pieces)
 
 
-RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges as a fraction of the strip width, and its upper limit as a fraction of the
-model's size.
-"""
-
 NAME_SPACE = 0.045
 """Space for the name of a flat part as a fraction of the longest part."""
 
@@ -234,7 +229,7 @@ def model(
     faces = [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     size = float(np.ptp(bent, axis=0).max())
-    strips = [rule_strip(placed, MODEL_RIM * size, faces) for placed in model.placed]
+    strips = [rule_strip(placed, 0.0015 * size, faces) for placed in model.placed]
     # small patches can be sorted by depth
     holding = holder_patches(held_by, 0.02 * size)
     painted = [*strips, *((part, lit(part) * color) for part, color in holding)]
@@ -405,7 +400,8 @@ def rule_strip(
         stations.append(at_sign_changes(height, x))
     flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
     across = np.diff(flat[..., 1:], axis=-1)
-    rim = np.minimum(min(RIM * (high - low), rim_most), across / 4)
+    # width of the dark line along edges
+    rim = np.minimum(min(0.035 * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
     along = _bent(rod, flat[..., 0])
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]

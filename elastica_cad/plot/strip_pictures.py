@@ -46,10 +46,6 @@ COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
 LOAD = "#c77700"
 MARKERS = {Rail: "^", Pin: "o", Tie: "s"}
 
-ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Fractions of the length. If the largest displacement is between the first two, the displacement is also drawn
-enlarged to the third."""
-
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Panel for a drawing with numbers on both axes, a title, and a legend below the title."""
 
@@ -335,8 +331,9 @@ def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
         return lines
     move = rod.position - design.position
     part = float(norm(move).max()) / rod.length
-    if ROUNDING_SHARE < part < SMALL_MOVE_SHARE:
-        factor = float(f"{ENLARGED_SHARE / part:.0e}")
+    # a displacement of less than 1 % of the length is also drawn enlarged to about 5 %
+    if 1e-5 < part < 0.01:
+        factor = float(f"{0.05 / part:.0e}")
         lines.append(design.position + factor * move)
         axes.plot(*lines[1].T, label=f"displacement x {factor:g}", **light)
     return lines
