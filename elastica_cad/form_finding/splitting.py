@@ -1,5 +1,6 @@
 """Fewest supports that split a curve into realizable pieces (paper, section 4.3, Locality)."""
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -215,11 +216,8 @@ class _Cut:
             return near
         assert self.places is not None
         offered = self.places[(self.places > start) & (self.places < far)]
-        low, high = -1, offered.size
-        while high - low > 1:
-            middle = (low + high) // 2
-            low, high = (middle, high) if self.takes(start, float(offered[middle])) else (low, middle)
-        return float(offered[low]) if low >= 0 else start
+        count = bisect_left(offered, True, key=lambda place: not self.takes(start, float(place)))
+        return float(offered[count - 1]) if count else start
 
     def turned(self, t: FloatArray) -> FloatArray:
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])

@@ -1,7 +1,7 @@
 """Discrete rod of the paper's section 7.1: equations, energy, second variation, and banded linear algebra."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from math import cos, nan, sin
 from typing import NamedTuple
@@ -14,8 +14,9 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_points import cross, dot, unit_vectors
-from elastica_cad.mechanics.bracing import Bracing
-from elastica_cad.mechanics.loads import Supports, whole_number
+from elastica_cad.mechanics.bracing import Bracing, bracing_of
+from elastica_cad.mechanics.elements import ElementForce
+from elastica_cad.mechanics.loads import Supports, turning_nodes, whole_number
 
 RANK_TOLERANCE = 1e-9
 """A constraint is linearly dependent if less than this fraction of its norm is independent of the others."""
@@ -642,7 +643,7 @@ class DiscreteRod:
         vector by 90 degrees.
         """
         spring = self.stiffness / self.node_lengths
-        self._zero_free_ends(spring)
+        spring[turning_nodes(self.supports)] = 0.0
         diagonal = spring[:-1] + spring[1:] - self.edge_length * self.pull
         if self.compression is not None:
             diagonal -= self.shortening * self.sideways_pull**2
@@ -697,7 +698,7 @@ class DiscreteRod:
         total = float(lengths.sum())
         square = total**2 * lengths * v**2
         per_stiffness = (total * np.diff(v, prepend=0.0, append=0.0)) ** 2 / self.node_lengths
-        self._zero_free_ends(per_stiffness)
+        per_stiffness[turning_nodes(self.supports)] = 0.0
         per_force = -square[:, None] * self.tangents
         per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)
         per_length = 2 / total * float((per_force * self.force).sum())
@@ -761,7 +762,10 @@ class DiscreteRod:
             self.supports.reversed(), self.position[-1],
         )  # fmt: skip
 
-    def _zero_free_ends(self, per_node: FloatArray) -> None:
-        for node, held in zip((0, -1), self.held_angles, strict=True):
-            if not held:
-                per_node[node] = 0.0
+
+def braced(rod: DiscreteRod, between: Sequence[ElementForce]) -> DiscreteRod:
+    """Return the rod with taut rails, pins and ties that support it between its ends."""
+    return replace(rod, bracing=bracing_of(
+        between, tangents=rod.tangents, edge_length=float(rod.edge_lengths[0]), supports=rod.supports,
+        directions=None if rod.compression is None else rod.directions,
+    ))  # fmt: skip

@@ -31,6 +31,7 @@ from elastica_cad.mechanics.theorem1 import (
     Undecided,
     examine_curvature,
     lengths,
+    refused,
 )
 from elastica_cad.mechanics.unbent_ends import (
     MEANT_SHARE,
@@ -263,7 +264,7 @@ def _check_line(
             "that hold both ends along x, or both along y.",
             places=lengths(z.s for z in check.zeros),
         )
-        return _refused(check, reason)
+        return refused(check, reason)
     normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
     if len(check.zeros) == 1 and normal is None:
         return _with_one_zero(check, natural_curvature)
@@ -286,7 +287,7 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         "curve is bent. Move the curve away from the inflection.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
-    return _refused(replace(checked, crossings=near), reason)
+    return refused(replace(checked, crossings=near), reason)
 
 
 def _with_line(
@@ -304,12 +305,12 @@ def _with_line(
     check = replace(check, line=line, off_line=off_line)
     largest, allowed = float(np.abs(distance).max()), tolerance * check.length
     if largest > allowed:
-        return _refused(check, _off_line_reason(check, normal, allowed))
+        return refused(check, _off_line_reason(check, normal, allowed))
     meant = largest > 1e-10 * check.length or _ends_keep_bend(check, natural_curvature)
     if meant and check.realizable:
         moved = _moved_onto(line, check, supports, natural_curvature)
         if moved is None:
-            return _refused(check, _off_line_reason(check, normal, 0.0))
+            return refused(check, _off_line_reason(check, normal, 0.0))
         check = moved
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not any(meetings.values()):
@@ -328,7 +329,7 @@ def _with_line(
         line=note(_LINES[_kind_of(normal)][1]),
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip
-    return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
+    return refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
 
 
 def _moved_onto(
@@ -367,7 +368,7 @@ def _refuse_extreme_ratio(
         "more there.",
         s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
     )  # fmt: skip
-    return _refused(check, reason)
+    return refused(check, reason)
 
 
 def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
@@ -382,10 +383,6 @@ def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed
         one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
         off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
     )  # fmt: skip
-
-
-def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
-    return replace(check, realizable=False, reasons=(*check.reasons, reason))
 
 
 def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:

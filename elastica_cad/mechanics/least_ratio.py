@@ -56,6 +56,7 @@ from elastica_cad.mechanics.theorem1 import (
     InflectionLine,
     NotRealizable,
     is_about_kinks,
+    refused,
 )
 from elastica_cad.refusals import FieldName, Length, Listed, note
 
@@ -401,7 +402,7 @@ def _require_load_at_free_end(request: RodRequest) -> None:
             "a distance u from the end is cos(angle) u^2 / (2 l^3), with the elasto-gravity length l.)",
             end=note(name), s=Length(s),
         )  # fmt: skip
-        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+        raise NotRealizable(refused(check, reason))
 
 
 def _rod_of(
@@ -434,7 +435,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
     )  # fmt: skip
     if request.forces:
         reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
-        raise NotRealizable(replace(check, realizable=False, any_stiffness=False, reasons=(reason,)))
+        raise NotRealizable(refused(check, reason))
     if request.section is not None:
         rod = _uniform_rod(rod, request.section)
     if request.gravity is None:
@@ -443,8 +444,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
     sideways = abs(chord @ left_of(request.gravity.direction)) / norm(chord)
     if request.natural_curvature or sideways > 1e-9:
         reason = "Under its weight a straight strip sags, unless it is vertical. Draw its sagging shape."
-        refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
-        raise NotRealizable(refused)
+        raise NotRealizable(refused(check, reason))
     if rod.weight is not None and rod.bending_stiffness is None:
         raise InputError(
             "a straight vertical strip hangs straight with any stiffness: set its `bending_stiffness`"

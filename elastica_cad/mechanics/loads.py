@@ -398,6 +398,11 @@ class Supports:
         return Supports(self.end, self.start)
 
 
+def turning_nodes(supports: Supports) -> list[int]:
+    """Return the indices, 0 and -1, of the end nodes at which the supports leave the angle free."""
+    return [node for node, end in zip((0, -1), supports.ends, strict=True) if not end.angle]
+
+
 # unit reactions of x, y and angle at the start and the end; the end of a bent rod is beside and above the start
 _REACTIONS = np.array([(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, -1), (0, 1, 1), (0, 0, 1)], dtype=float)
 

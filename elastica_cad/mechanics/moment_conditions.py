@@ -15,7 +15,7 @@ One integration for each of these numbers is therefore enough.
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import NoReturn
 
 import numpy as np
@@ -62,7 +62,7 @@ from elastica_cad.mechanics.minimax_lp import (
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, require_held
 from elastica_cad.mechanics.quadrature_panels import CutCurve, Panels, nearest_of
-from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, refused
 from elastica_cad.refusals import Length, Listed, Span, note
 
 
@@ -903,7 +903,7 @@ class ConditionedRows:
                 "Use a lighter or stiffer sheet, support the strip, or change the curve.",
                 stretches=near,
             )  # fmt: skip
-        raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))
+        raise NotRealizable(refused(self.check, reason))
 
 
 def null_space(matrix: FloatArray) -> FloatArray:

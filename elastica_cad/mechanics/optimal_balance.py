@@ -31,7 +31,7 @@ from elastica_cad.mechanics.moment_conditions import (
 )
 from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.mechanics.theorem1 import NotRealizable, refused
 from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
@@ -190,7 +190,7 @@ class WeightedPanels:
         check = self.request.check
         assert self.gravity is not None  # only weight makes moments that large
         reason = far_too_heavy(self.gravity, check.length)
-        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+        raise NotRealizable(refused(check, reason))
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:

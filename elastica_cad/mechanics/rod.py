@@ -18,11 +18,12 @@ from elastica_cad.geometry.plane_points import angle_of, left_of, midpoints, nor
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
-from elastica_cad.mechanics.bracing import bracing_of, slack_elements
+from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.cross_sections import BendFactor, Section, at_stations, scale_within
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
     DiscreteRod,
+    braced,
     edge_forces,
     edge_positions,
     node_weights,
@@ -746,19 +747,14 @@ class Rod:
         # a rail, pin or tie at a node makes the force there ambiguous, so take the median difference of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
-        edge_length = self.length / angles.size
         rod = DiscreteRod(
-            self.tangent_stiffness, angles, force, edge_length, self.supports, self.position[0],
+            self.tangent_stiffness, angles, force, self.length / angles.size, self.supports, self.position[0],
             compression=self.compression,
         )  # fmt: skip
         if not self.between:
             return rod
         slack = slack_elements(self.between, force)
-        return replace(rod, bracing=bracing_of(
-            [action for action in self.between if action not in slack], tangents=rod.tangents,
-            edge_length=edge_length, supports=self.supports,
-            directions=None if self.compression is None else rod.directions,
-        ))  # fmt: skip
+        return braced(rod, [action for action in self.between if action not in slack])
 
     @cached_property
     def curve(self) -> PlaneCurve:

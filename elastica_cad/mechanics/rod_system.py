@@ -9,16 +9,16 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import dot, midpoints, unit_vectors
-from elastica_cad.mechanics.bracing import bracing_of
 from elastica_cad.mechanics.discrete_rod import (
     Compression,
     DiscreteRod,
     bending_moments,
+    braced,
     edge_forces,
     node_weights,
 )
 from elastica_cad.mechanics.elements import ElementForce, at_ends, lumped
-from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.loads import Supports, turning_nodes
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedElements
 from elastica_cad.mechanics.rod import Rod
@@ -210,12 +210,7 @@ class RodState:
         rod = DiscreteRod(
             K, self.angles, force, system.edge_length, system.supports, compression=system.compression
         )
-        if system.elements is None:
-            return rod
-        return replace(rod, bracing=bracing_of(
-            self.actions, tangents=rod.tangents, edge_length=system.edge_length, supports=system.supports,
-            directions=None if system.compression is None else rod.directions,
-        ))  # fmt: skip
+        return rod if system.elements is None else braced(rod, self.actions)
 
     @property
     def _numbers(self) -> FloatArray:
@@ -289,10 +284,8 @@ class RodState:
         system, hooke = self.system, self._hooke_moments
         if system.law is None:
             return hooke
-        moments = system.stiffness * self._lawful[0]
-        for node, held in zip((0, -1), system.held_angles, strict=True):
-            if held is None:
-                moments[node] = hooke[node]
+        moments, turning = system.stiffness * self._lawful[0], turning_nodes(system.supports)
+        moments[turning] = hooke[turning]
         return moments
 
     @cached_property
@@ -334,10 +327,9 @@ class RodState:
         if compression is not None:
             more = dot(rod.force, rod.directions) - compression.pull
             work -= float(rod.shortening @ (more**2 / 2 + compression.pull * more))
-        for node, held, moment in zip((0, -1), system.held_angles, system.moments, strict=True):
-            if held is None:
-                spring[node] = 0.0
-                work += float(moment * self.angles[node])
+        turning = turning_nodes(system.supports)
+        spring[turning] = 0.0
+        work += float(system.moments[turning] @ self.angles[turning])
         # per length, the dead loads do the work -<lambda, T>, with their force lambda and the unit tangent T
         work -= system.edge_length * float((system.given_force * self.discrete.tangents).sum())
         if system.elements is not None:
@@ -392,13 +384,12 @@ class RodState:
         force[0] = edge[0] - system.load[0] - element_load[0] + start
         force[-1] = edge[-1] + system.load[-1] + element_load[-1] - end
         change = self._hooke_moments / system.stiffness
-        if system.law is not None:
-            for node, held in zip((0, -1), system.held_angles, strict=True):
-                # at an end that is free to turn, compute the curvature from the applied moment
-                if held is None:
-                    effective = np.zeros_like(change)
-                    effective[node] = change[node]
-                    change[node] = system.law.curvature(effective)[node]
+        turning = turning_nodes(system.supports)
+        if system.law is not None and turning:
+            # at ends that are free to turn, compute the curvature from the applied moment
+            effective = np.zeros_like(change)
+            effective[turning] = change[turning]
+            change[turning] = system.law.curvature(effective)[turning]
         curvature = change + system.natural_curvature
         bend = system.node_lengths * curvature
         angle = np.empty(n + 1)

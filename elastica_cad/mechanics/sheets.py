@@ -423,13 +423,11 @@ def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) ->
         return None
     column = 1 if grain == "along" else 2
     strains = []
-    for rows in ROWS_INCH.values():
+    for plies, rows in ROWS_INCH.items():
         table = MM_PER_INCH * np.array(rows)
-        inside = table[0, 0] * (1 - SOLD_AS) <= thickness <= table[-1, 0]
-        thinnest, thickest = min(ROWS_INCH), max(ROWS_INCH)
-        below = thickness < table[0, 0] and rows is ROWS_INCH[thinnest]
-        above = thickness > table[-1, 0] and rows is ROWS_INCH[thickest]
-        if inside or below or above:
+        low = LEAST_MM if plies == min(ROWS_INCH) else table[0, 0] * (1 - SOLD_AS)
+        high = LARGEST_MM if plies == max(ROWS_INCH) else table[-1, 0]
+        if low <= thickness <= high:
             strains.append(float(np.interp(thickness, table[:, 0], table[:, 0] / (2 * table[:, column]))))
     return thickness / (2 * min(strains))
 

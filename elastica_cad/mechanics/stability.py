@@ -17,7 +17,7 @@ from elastica_cad.mechanics.discrete_rod import (
     lowest_constrained,
     solve_bordered,
 )
-from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.loads import Supports, turning_nodes
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import note
 
@@ -144,8 +144,7 @@ def determinant_gradient(
     y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
     per_force -= (lengths * y)[:, None] * left_of(T)
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
-    for node, angle_held in zip((0, -1), rod.held_angles, strict=True):
-        gradient[node] *= angle_held
+    gradient[turning_nodes(rod.supports)] = 0.0
     if load_slope is not None:
         gradient += np.einsum("kp,kp->k", load_slope, _per_load(per_force, rod.supports))
     return np.asarray(gradient, dtype=float)
@@ -399,9 +398,7 @@ def _safe_margin(rod: DiscreteRod) -> float:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    mode = rod.margin.mode
-    nodal = np.empty(mode.size + 1)
-    nodal[1:-1] = midpoints(mode)
-    for node, held in zip((0, -1), rod.held_angles, strict=True):
-        nodal[node] = 0.0 if held else mode[node]
+    mode, turning = rod.margin.mode, turning_nodes(rod.supports)
+    nodal = np.pad(midpoints(mode), 1)
+    nodal[turning] = mode[turning]
     return np.asarray(nodal / nodal[np.abs(nodal).argmax()])

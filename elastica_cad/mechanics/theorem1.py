@@ -423,6 +423,11 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
         self.details = () if isinstance(check, PairCheck) else check.details
 
 
+def refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
+    """Return the check of a curve that no strip can take for one more reason."""
+    return replace(check, realizable=False, any_stiffness=False, reasons=(*check.reasons, reason))
+
+
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
     """Return the noisy points to which a curve was fitted, or None if there are none."""
     points = None if curve.provenance is None else curve.provenance.measured
