@@ -76,7 +76,7 @@ class QuadraticSolution:
 
     A positive multiplier of a constraint means that A x would be smaller without the constraint.
 
-    `converged` is True if the tolerance was reached. `iterations` is the number of factorisations.
+    `converged` is True if the tolerance was reached.
     """
 
     x: FloatArray
@@ -84,7 +84,6 @@ class QuadraticSolution:
     lower_multipliers: FloatArray
     upper_multipliers: FloatArray
     converged: bool
-    iterations: int
 
 
 def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accuracy) -> QuadraticSolution:
@@ -112,26 +111,22 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
             p.hessian[np.ix_(free, free)], pull[free], p.lower[free], p.upper[free], p.rows[:, free], gap,
             p.penalty, p.one_sided,
         )  # fmt: skip
-        solve = _in_python if _native.compiled is None else _compiled
-        x[free], y, converged, iterations = solve(inner, accuracy)
+        if _native.compiled is None:
+            x[free], y, converged = _in_python(inner, accuracy)
+        else:
+            given = *vars(inner).values(), accuracy
+            (x[free], y, *_), converged, _ = _native.interior_points(*given)
     else:
-        y, converged, iterations = p.penalty * np.where(p.one_sided, gap > 0, np.sign(gap)), True, 0
+        y, converged = p.penalty * np.where(p.one_sided, gap > 0, np.sign(gap)), True
     pull = p.hessian @ x + p.gradient - y @ p.rows
-    return QuadraticSolution(x, y, np.maximum(pull, 0), np.maximum(-pull, 0), converged, iterations)
-
-
-def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    (x, y, _, _), converged, iterations = _native.interior_points(
-        p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.penalty, p.one_sided, accuracy
-    )
-    return x, y, converged, iterations
+    return QuadraticSolution(x, y, np.maximum(pull, 0), np.maximum(-pull, 0), converged)
 
 
 _SIDES = np.array([[1.0], [-1.0]])
 """Derivatives of the distances from the lower and the upper bound with respect to the unknown."""
 
 
-def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
+def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool]:
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     g, y_high = p.gradient * scale, p.penalty * scale
@@ -156,7 +151,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         mu = float(np.vdot(u, v)) / u.size
         met = np.abs(residual[n:]).max(initial=0.0) < 10 * METHOD.accuracy
         if met and mu < tolerance and np.abs(residual[:n]).max() < 10 * tolerance:
-            return z[:n], z[n:] / scale, True, iteration
+            return z[:n], z[n:] / scale, True
         ratio = v / u
         system = matrix.copy()
         system.flat[:: n + m + 1] += ratio[0] + ratio[1]
@@ -179,4 +174,4 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
                 aim = (METHOD.centered * mu if centred else mu * (after / mu) ** 3 - du * dv) - product
         step *= METHOD.backoff
         z, u, v = z + step * dz, u + step * du, v + step * dv
-    return z[:n], z[n:] / scale, False, METHOD.most
+    return z[:n], z[n:] / scale, False

@@ -717,7 +717,7 @@ def reach(
                 "but its end angles or its weight bend it. Bring the ends closer together",
                 length=Length(system.length),
             )
-        return Reached(taut, 1.0, 0)
+        return Reached(taut, 1.0)
     if straight and system.compression is not None:
         bent = reach(state.under(replace(system, compression=None)), side, mode).state
         reached = follow(bent.under(system))

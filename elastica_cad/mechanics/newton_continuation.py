@@ -34,11 +34,10 @@ Stop = Callable[[RodState, float], bool]
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Last state of a continuation, with the completed fraction of the path and the number of steps."""
+    """Last state of a continuation, with the completed fraction of the path."""
 
     state: RodState
     fraction: float
-    steps: int
 
     @property
     def arrived(self) -> bool:
@@ -158,7 +157,7 @@ def follow(
         System with the initial loads, which change linearly to the final loads. By default the loads are constant.
     """
     if is_balanced(state):
-        return Reached(_polish(state), 1.0, 0)
+        return Reached(_polish(state), 1.0)
     final = state.system
     changes = before is not None and any(
         not np.array_equal(getattr(before, name), getattr(final, name)) for name in LOADS
@@ -175,7 +174,7 @@ def follow(
 
     reached = trace(kept, state, stop=stop, turn=turn)
     if reached.arrived:
-        return Reached(_polish(reached.state.under(final)), 1.0, reached.steps)
+        return Reached(_polish(reached.state.under(final)), 1.0)
     return replace(reached, state=reached.state.under(final))
 
 
@@ -192,22 +191,21 @@ def trace(
     Along a branch, the number of unstable modes changes only at crossings with other branches. Small steps lead
     over these crossings. A long step that changes this number may have reached another branch, so it is shortened.
     """
-    t, step, count = start, 1.0 - start, 0
+    t, step = start, 1.0 - start
     modes: int | None = None
     while t < 1.0:
         t_next = min(t + step, 1.0)
         system, residual = problem(t_next)
         corrected = correct(state.under(system), residual, turn=turn)
-        count += 1
         long = (
             corrected is not None and float(np.abs(corrected[0].angles - state.angles).max()) > SMALL_TURN_RAD
         )
         if long and modes is None:
             modes = state.under(problem(t)[0]).discrete.unstable_modes
         if corrected is None or (long and corrected[0].discrete.unstable_modes != modes):
-            step = (t_next - t) / (4 if t == start and count == 1 else 2)
+            step = (t_next - t) / (4 if (t, step) == (start, 1.0 - start) else 2)
             if step < LEAST_STEP:
-                return Reached(state, t, count)
+                return Reached(state, t)
             continue
         stops = stop is not None and stop(corrected[0], t_next)
         if stops and t_next - t > STOP_SHARE:
@@ -215,11 +213,11 @@ def trace(
             continue
         state, iterations = corrected
         if stops:
-            return Reached(state, t_next, count)
+            return Reached(state, t_next)
         modes = modes if long else None
         t = t_next
         step *= 2 if iterations <= 4 else 1
-    return Reached(state, 1.0, count)
+    return Reached(state, 1.0)
 
 
 def _polish(state: RodState) -> RodState:
@@ -370,11 +368,11 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
                 return arc
             rest = relax(arc.state)
             if rest is not None:
-                return Reached(rest, 1.0, arc.steps)
+                return Reached(rest, 1.0)
         return follow(_buckle_by_shortening(straight, side or 1, mode).under(system))
     reached = follow(straight)
     if side is not None and reached.arrived and is_straight(reached.state):
-        return Reached(_buckle_by_load(reached.state, side, mode), 1.0, reached.steps)
+        return Reached(_buckle_by_load(reached.state, side, mode), 1.0)
     return reached
 
 
