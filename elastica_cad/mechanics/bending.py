@@ -220,7 +220,14 @@ def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState,
 
 
 def _warnings(state: RodState, snaps_at: float | None) -> tuple[str, ...]:
-    return (*(() if snaps_at is None else (_snap_warning(100 * snaps_at),)), *_too_coarse(state))
+    warnings = [] if snaps_at is None else [_snap_warning(100 * snaps_at)]
+    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
+    if turn >= 60.0:
+        warnings.append(note(
+            "the strip turns by {turn:.0f} between two nodes, so its shape is inaccurate: use more samples",
+            turn=Degrees(turn), severity="warning",
+        ))  # fmt: skip
+    return tuple(warnings)
 
 
 def _with_loads(rod: Rod, loads: object) -> Rod:
@@ -487,19 +494,6 @@ def snap_percent(rod: Rod) -> float | None:
 def is_snap_warning(message: str) -> TypeGuard[Refusal]:
     """Return True if a warning of `bend` states that the rod snapped."""
     return isinstance(message, Refusal) and "percent" in message.values
-
-
-def _too_coarse(state: RodState) -> tuple[str, ...]:
-    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
-    if turn < 60.0:
-        return ()
-    return (
-        note(
-            ("the strip turns by {turn:.0f} between two nodes, so its shape is inaccurate: use more samples"),
-            turn=Degrees(turn),
-            severity="warning",
-        ),
-    )
 
 
 def bend_path(

@@ -162,8 +162,13 @@ def creep(rod: Rod, factor: float) -> Creep:
     if phi > 0 and feels_modulus(rod):
         first = bend(rod, guess=rod.angle)
         force, moment = dead_loads(rod, 1 + phi)
+        soft = first
+        if soft.gravity is not None:
+            soft = replace(soft, gravity=soft.gravity.scaled(1 + phi))
+        if soft.bending_stiffness is not None:
+            soft = replace(soft, bending_stiffness=soft.bending_stiffness / (1 + phi))
         try:
-            later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
+            later = bend(soft, force=force, moment=moment, guess=rod.angle)
         except NotConvergedError as problem:
             raise NotConvergedError(
                 f"Over the years the strip collapses under its load (creep factor {phi:g}). Use a stiffer sheet, "
@@ -186,10 +191,3 @@ def require_creep(factor: object) -> float:
             "creep is {factor:g}: give 0 or more; for plywood indoors 0.8 (Eurocode 5)", factor=factor
         )
     return float(factor)
-
-
-def _softened(rod: Rod, times: float) -> Rod:
-    softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
-    if rod.bending_stiffness is None:
-        return softer
-    return replace(softer, bending_stiffness=rod.bending_stiffness / times)

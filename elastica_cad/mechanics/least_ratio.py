@@ -129,8 +129,14 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
     fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
     for i, foot in enumerate(feet):
-        fitted = _without_jump(fitted, foot, keep_left=i % 2 == 0)
-    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
+        # at a foot, the spline has two values: keep the value beside the ramp
+        first = int(fitted.knots.searchsorted(foot - 1e-9 * fitted.length))
+        coefficients = np.delete(fitted.coefficients, first - i % 2)
+        fitted = Profile(np.delete(fitted.knots, first), coefficients, fitted.degree)
+    low, high = fitted.extremes
+    if high - low <= tolerance:
+        return fitted
+    return fitted.stretched(*stiffness(np.array(fitted.extreme_places)).tolist())
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,19 +186,6 @@ class _AlongArc:
             a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)
         ]
         return np.interp(np.concatenate(inner_knots), reached, s)
-
-
-def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    low, high = profile.extremes
-    if high - low <= tolerance:
-        return profile
-    return profile.stretched(*exact.tolist())
-
-
-def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    first = int(profile.knots.searchsorted(place - 1e-9 * profile.length))
-    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
-    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
 
 
 def optimal_rod(
@@ -302,9 +295,17 @@ def optimal_rod(
     weight, forces = weight_with_loads(weight, gravity, loads)
     _check_options(gravity, samples, weight)
     in_newtons = weight is not None or bool(forces)
-    _check_stiffness("bending_stiffness", bending_stiffness, in_newtons=in_newtons)
-    _check_stiffness("largest_stiffness", largest_stiffness, in_newtons=in_newtons)
-    _check_stiffness("least_stiffness", least_stiffness, in_newtons=in_newtons)
+    for name, value in (
+        ("bending_stiffness", bending_stiffness),
+        ("largest_stiffness", largest_stiffness),
+        ("least_stiffness", least_stiffness),
+    ):
+        if value is not None and not in_newtons:
+            raise InputError(
+                f"{name} applies only to rods with a weight in newtons: pass weight=Weight(...) too"
+            )
+        if value is not None and not (is_number(value) and value > 0):
+            raise InputError(f"{name} is {value!r}: give a number above 0, in N mm2")
     if section is None and bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
             "`bending_stiffness` already sets the stiffness, so `largest_stiffness` has no effect: give "
@@ -376,15 +377,6 @@ def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight 
         require_record(weight, Weight, "weight", "a Weight record, or None")
     if weight is not None and gravity is None:
         raise InputError("a weight in newtons needs a direction: set {field} too", field=FieldName("gravity"))
-
-
-def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> None:
-    if value is None:
-        return
-    if not in_newtons:
-        raise InputError(f"{name} applies only to rods with a weight in newtons: pass weight=Weight(...) too")
-    if not (is_number(value) and value > 0):
-        raise InputError(f"{name} is {value!r}: give a number above 0, in N mm2")
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:

@@ -53,7 +53,6 @@ from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, PointMass, S
 from elastica_cad.mechanics.minimax_lp import (
     METHOD,
     MinimaxProgram,
-    MinimaxSolution,
     largest_number,
     least_variation,
     minimax_ratio,
@@ -362,20 +361,17 @@ def least_ratio(
     its bounds by at most the relative `tolerance`.
     """
     if places is not None:
-        solution = _sampled(family, *family.at(*places))
+        rows, offset = family.at(*places)
     elif family.freedom == 0 or (family.freedom == 1 and family.is_homogeneous and not family.sides):
         # a single free parameter only scales the stiffness, so the extremes have fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
-        solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
+        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
     else:
         return _continuous_ratio(family, tolerance, most)
-    return None if solution is None else (solution.x, solution.ratio)
-
-
-def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> MinimaxSolution | None:
     side_rows, side_offset = family.side_conditions
-    return minimax_ratio(rows, offset=offset, side_rows=side_rows, side_offset=side_offset)
+    solution = minimax_ratio(rows, offset=offset, side_rows=side_rows, side_offset=side_offset)
+    return None if solution is None else (solution.x, solution.ratio)
 
 
 def _continuous_ratio(
