@@ -95,14 +95,12 @@ class LineLoad:
 class MomentRows:
     """Stiffness, force and moment along a rod as linear functions of m unknowns, on N panels with p nodes each.
 
-    The unknowns are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
-    bending moment, b the negative internal force turned clockwise by 90 degrees, and tau the inverse of the
-    least bending stiffness.
+    The unknowns are (M, b_x, b_y) at the end of the curve, tau, and the unknown forces. M is the bending moment, b
+    the negative internal force turned clockwise by 90 degrees, and tau the inverse of the least bending stiffness.
+    The coefficients of tau are zero if the whole load is proportional to the stiffness.
 
     Attributes
     ----------
-    loaded : bool
-        True if part of the load is not proportional to the stiffness; tau is then the fourth unknown.
     stiffness : (N, p, m) array
         Coefficients of the stiffness K at the nodes of the panels.
     force : (N, p, 2, m) array
@@ -113,7 +111,6 @@ class MomentRows:
         Coefficients of b that the supports exert at the two ends.
     """
 
-    loaded: bool
     stiffness: FloatArray
     force: FloatArray
     edge_moment: FloatArray
@@ -121,9 +118,9 @@ class MomentRows:
     end_force: FloatArray
 
     @property
-    def elements_from(self) -> int:
-        """Index of the first unknown force among the m unknowns."""
-        return 4 if self.loaded else 3
+    def loaded(self) -> bool:
+        """True if part of the load is not proportional to the stiffness."""
+        return bool(self.force[..., 3].any() or self.start_force[:, 3].any())
 
 
 def moment_rows(panels: Panels, units: FloatArray, load: LineLoad | None = None) -> MomentRows:
@@ -152,7 +149,7 @@ def moment_rows(panels: Panels, units: FloatArray, load: LineLoad | None = None)
 
 def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    size = 3 + units.shape[2]
+    size = 4 + units.shape[2]
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
@@ -161,8 +158,8 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     for k in np.flatnonzero(units.any(axis=(1, 2))):
         # from the end of the curve towards its start, the force b jumps at each rail, pin and end of a tie
         step = left_of(units[k].T).T
-        b[: k + 1, :, 3:] += step
-        edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
+        b[: k + 1, :, 4:] += step
+        edge_moment[: k + 1, 4:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
     # moment at a node = moment at one end of the panel (0 at a zero) + <b, vector from this end to the node>
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
@@ -172,8 +169,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     rows /= np.where(panels.flat[:, None], 1.0, panels.curvature)[..., None]
     _continue_on_tails(rows, panels)
     return MomentRows(
-        loaded=False, stiffness=rows,
-        force=np.broadcast_to(b[1:-1, None], (count, order, 2, size)),
+        stiffness=rows, force=np.broadcast_to(b[1:-1, None], (count, order, 2, size)),
         edge_moment=edge_moment, start_force=b[0], end_force=b[-1],
     )  # fmt: skip
 
@@ -204,13 +200,11 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau if needed
-    size = 4 if load.dead.any() or load.points.any() else 3
-    total = size + units.shape[2]
+    # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau
+    total = 4 + units.shape[2]
     steps = np.zeros((count + 1, 2, total))
-    steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
-    if size == 4:
-        steps[:, :, 3] = left_of(load.points)
+    steps[:, :, 3] = left_of(load.points)
+    steps[:, :, 4:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     G = np.array([load.up[1], -load.up[0]])  # the upward unit vector, turned clockwise by 90 degrees
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
@@ -219,29 +213,27 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     kernel = integral * (lever[:, :, None] - lever[:, None, :])
     matrix = -kernel * load.own[:, None, :]
     matrix[:, np.arange(order), np.arange(order)] += np.where(panels.flat[:, None], 1.0, panels.curvature)
-    known = np.zeros((count, order, size))
+    known = np.zeros((count, order, 4))
     known[~zero, :, 0] = 1.0
     known[..., 1:3] = local
-    if size == 4:
-        known[..., 3] = np.einsum("nij,nj->ni", kernel, load.dead)
+    known[..., 3] = np.einsum("nij,nj->ni", kernel, load.dead)
     stiffness = np.linalg.solve(matrix, known)
     weight = load.own[..., None] * stiffness
-    if size == 4:
-        weight[..., 3] += load.dead
+    weight[..., 3] += load.dead
     shares = WEIGHTS * panels.stretch
     # integrate each panel from its right end, or from its left end if the left end is a zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
-    transfer = np.tile(np.eye(size), (count, 1, 1))
+    transfer = np.tile(np.eye(4), (count, 1, 1))
     transfer[:, 0, 1:3] = chord
     transfer[:, 0] -= np.einsum("n,ni,nim->nm", sign, shares * far, weight)
     transfer[:, 1:3] += np.einsum("n,k,ni,nim->nkm", sign, G, shares, weight)
     backward = transfer.copy()
     backward[left] = np.linalg.inv(transfer[left])
-    near = np.empty((count, size, total))
+    near = np.empty((count, 4, total))
     edge_moment = np.empty((count + 1, total))
-    state = np.eye(size, total)
+    state = np.eye(4, total)
     for k in range(count, 0, -1):
         state[1:3] += steps[k]
         edge_moment[k] = state[0]
@@ -254,7 +246,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     weight = weight @ near
     force = near[:, None, 1:3, :] + np.einsum("k,nij,njm->nikm", G, integral, weight)
     return MomentRows(
-        loaded=size == 4, stiffness=stiffness, force=force, edge_moment=edge_moment,
+        stiffness=stiffness, force=force, edge_moment=edge_moment,
         start_force=state[1:3] + steps[0], end_force=np.eye(2, total, 1),
     )  # fmt: skip
 
@@ -712,7 +704,7 @@ class ConditionedRows:
             across = left_of(unit(self.check.curve.evaluate(t[inner], 1)))
             normal = np.zeros((len(across), self.scale.size))
             units = self.request.units_on(self.panels)[at[inner]]
-            normal[:, self.rows.elements_from :] = np.einsum("kc,kcu->ku", across, units)
+            normal[:, 4:] = np.einsum("kc,kcu->ku", across, units)
             rows.append(normal[normal.any(axis=1)])
         forces = self.rows.start_force, self.rows.end_force
         for end, force in zip(self.request.supports.ends, forces, strict=True):
@@ -739,15 +731,15 @@ class ConditionedRows:
             for placed in self.request.elements
             for _ in range(placed.unknowns)
         ]
-        return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
+        return 4 + np.flatnonzero(kinds)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
         """Return all stiffnesses in equilibrium, with any positive multiple of the known loads or without loads."""
         basis = np.diag(self.scale)
-        if self.rows.loaded and not loaded:
+        if not loaded:
             basis = np.delete(basis, 3, axis=1)
         basis = basis @ null_space(self.conditions @ basis)
-        sides = np.append(self.pushed, 3) if self.rows.loaded and loaded else self.pushed
+        sides = np.append(self.pushed, 3) if loaded else self.pushed
         return self._states(basis, np.zeros(self.scale.size), sides)
 
     def _states(self, basis: FloatArray, fixed: FloatArray, sides: IntArray) -> StateFamily:
@@ -758,8 +750,6 @@ class ConditionedRows:
 
     def at_compliance(self, tau: float) -> StateFamily:
         """Return all stiffnesses in equilibrium for the least bending stiffness 1 / tau."""
-        if not self.rows.loaded:
-            return self.homogeneous(loaded=False)
         basis = np.delete(np.diag(self.scale), 3, axis=1)
         fixed = tau * np.eye(self.scale.size)[3]
         free, particular = _solutions(self.conditions @ basis, -self.conditions @ fixed)
@@ -868,7 +858,7 @@ class ConditionedRows:
             PanelFunction.through(K),
             PanelFunction.through(K * self.panels.curvature),
             PanelFunction.through(self.rows.force @ state),
-            between=forces_of(self.request.elements, state[self.rows.elements_from :]),
+            between=forces_of(self.request.elements, state[4:]),
         )
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:

@@ -460,7 +460,7 @@ def _balance_by_descent(
         problem = load.carrying(*tangent, points)
         numbers = problem.at_compliance(1 / scale)
         # the parameters for which the unknowns are nearest to the present state
-        off = np.append(state / scale, 1 / scale)[: numbers.fixed.size] - numbers.fixed
+        off = np.append(state / scale, 1 / scale) - numbers.fixed
         size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
         here = np.linalg.lstsq(numbers.basis / size[:, None], off / size, rcond=None)[0]
         share = sense * scale / limit
