@@ -184,10 +184,7 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
-            self, lambda: self._find_foot(rod.position)
-        )
-        return foot
+        return rod.remembered(self, lambda: self._find_foot(rod.position))
 
     def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
         n = len(position) - 1
@@ -425,10 +422,7 @@ class FollowedMarginLimit(MarginLimit):
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
             return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
 
-        tangent_rod: DiscreteRod = rod.remembered(
-            (FollowedMarginLimit, id(self.section)), with_tangent_stiffness
-        )
-        return tangent_rod
+        return rod.remembered((FollowedMarginLimit, id(self.section)), with_tangent_stiffness)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
         """Convert derivatives by the tangent stiffness to derivatives by stiffness and by moment."""

@@ -234,8 +234,7 @@ def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray
 
     Beyond an end of the target, the normal is the direction of the offset.
     """
-    both: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
-    return both
+    return rod.remembered(target, lambda: _offsets(target, rod))
 
 
 def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:

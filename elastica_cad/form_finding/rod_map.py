@@ -5,7 +5,7 @@ The unit of length is the length of the target curve.
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple, Self, TypeAlias, cast
+from typing import Any, NamedTuple, Self, TypeAlias, TypeVar, cast
 
 import numpy as np
 
@@ -216,6 +216,7 @@ class SectionScale:
 # names of cached properties of a rod that compiled code computes in one call
 _SHAPE = "tangents", "position", "pull", "shear"
 
+Value = TypeVar("Value")
 WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
@@ -276,11 +277,11 @@ class MappedRod(DiscreteRod):
     length: float
     memory: dict[Hashable, Any] = field(default_factory=dict)
 
-    def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
+    def remembered(self, key: Hashable, compute: Callable[[], Value]) -> Value:
         """Return the cached result of `compute` for `key`."""
         if key not in self.memory:
             self.memory[key] = compute()
-        return self.memory[key]
+        return cast(Value, self.memory[key])
 
 
 @dataclass(frozen=True, eq=False)
@@ -395,7 +396,7 @@ class StripGrid:
             by_coefficient = (self.shares * slope)[:, None] * self.basis
             return CarriedWeight((self.shares * q).cumsum(), by_coefficient.cumsum(axis=0))
 
-        return cast(CarriedWeight, rod.remembered("carried weight", summed))
+        return rod.remembered("carried weight", summed)
 
     @cached_property
     def heavy(self) -> bool:

@@ -66,32 +66,6 @@ from elastica_cad.refusals import Length, Listed, Span, note
 
 
 @dataclass(frozen=True, eq=False)
-class LineLoad:
-    """Weight and known forces along a curve that is cut into N panels with p nodes each.
-
-    Only `own` is divided by the least bending stiffness. In the equations, `dead` and `points` are multiplied by
-    the unknown tau of `MomentRows`, which is the inverse of the least bending stiffness.
-
-    Attributes
-    ----------
-    up : (2,) array
-        Unit vector against gravity.
-    own : (N, p) array
-        Weight per length for a relative stiffness of 1, divided by the least bending stiffness, 1/mm3. For a
-        strip of one sheet, the value is 1/l_eg^3 with the elasto-gravity length l_eg.
-    dead : (N, p) array
-        Weight per length that does not depend on the stiffness, N/mm.
-    points : (N + 1, 2) array
-        Known forces on the strip at the ends of the panels, N.
-    """
-
-    up: FloatArray
-    own: FloatArray
-    dead: FloatArray
-    points: FloatArray
-
-
-@dataclass(frozen=True, eq=False)
 class MomentRows:
     """Stiffness, force and moment along a rod as linear functions of m unknowns, on N panels with p nodes each.
 
@@ -123,13 +97,13 @@ class MomentRows:
         return bool(self.force[..., 3].any() or self.start_force[:, 3].any())
 
 
-def moment_rows(panels: Panels, units: FloatArray, load: LineLoad | None = None) -> MomentRows:
-    """Return stiffness, force and moment along a curve as linear maps of the state at the end (paper, Eqs. 3, 5).
+def moment_rows(panels: Panels, units: FloatArray) -> MomentRows:
+    """Return stiffness, force and moment along a curve as linear maps of the state at the end (paper, Eq. 3).
 
-    The equations of the rod are integrated from the end of the curve to its start, panel by panel. The stiffness is
-    the moment divided by the excess curvature kappa - kappa_0 (curvature minus natural curvature). At a zero of the
-    excess curvature, the moment is set to exactly 0, so that the stiffness is not a quotient of rounding errors.
-    The caller must require that the moment is 0 there: the rows of `edge_moment` contain its coefficients.
+    The stiffness is the moment divided by the excess curvature kappa - kappa_0 (curvature minus natural curvature).
+    At a zero of the excess curvature, the moment is set to exactly 0, so that the stiffness is not a quotient of
+    rounding errors. The caller must require that the moment is 0 there: the rows of `edge_moment` contain its
+    coefficients.
 
     Parameters
     ----------
@@ -137,17 +111,7 @@ def moment_rows(panels: Panels, units: FloatArray, load: LineLoad | None = None)
         The curve, cut at the zeros of kappa - kappa_0.
     units : (N + 1, 2, u) array
         Forces x and y on the strip at the ends of the N panels that a unit value of each of the u unknowns causes.
-    load : LineLoad, optional
-        Weight along the curve; none by default.
     """
-    if load is None:
-        return _weightless(panels, units)
-    # the caller checks for the overflow of a far too large weight
-    with np.errstate(over="ignore", invalid="ignore"):
-        return _weighted(panels, load, units)
-
-
-def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
     size = 4 + units.shape[2]
     edge_moment = np.zeros((count + 1, size))
@@ -198,28 +162,48 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     return edge_moment - traces
 
 
-def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
+def weighted_moment_rows(
+    panels: Panels, units: FloatArray, up: FloatArray, own: FloatArray, dead: FloatArray, points: FloatArray
+) -> MomentRows:
+    """Return the linear maps of `moment_rows` for a rod with weight and known forces (paper, Eq. 5).
+
+    The equations of the rod are integrated from the end of the curve to its start, panel by panel. Only `own` is
+    divided by the least bending stiffness. In the equations, `dead` and `points` are multiplied by the unknown tau.
+    The coefficients are not finite if the weight is far too large.
+
+    Parameters
+    ----------
+    up : (2,) array
+        Unit vector against gravity.
+    own : (N, p) array
+        Weight per length for a relative stiffness of 1, divided by the least bending stiffness, 1/mm3. For a
+        strip of one sheet, the value is 1/l_eg^3 with the elasto-gravity length l_eg.
+    dead : (N, p) array
+        Weight per length that does not depend on the stiffness, N/mm.
+    points : (N + 1, 2) array
+        Known forces on the strip at the ends of the panels, N.
+    """
     count, order = panels.t.shape
     # unknowns at an end of a panel: moment, two force components, and the inverse stiffness tau
     total = 4 + units.shape[2]
     steps = np.zeros((count + 1, 2, total))
-    steps[:, :, 3] = left_of(load.points)
+    steps[:, :, 3] = left_of(points)
     steps[:, :, 4:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
-    G = np.array([load.up[1], -load.up[0]])  # the upward unit vector, turned clockwise by 90 degrees
+    G = np.array([up[1], -up[0]])  # the upward unit vector, turned clockwise by 90 degrees
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
     integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
     lever = local @ G
     kernel = integral * (lever[:, :, None] - lever[:, None, :])
-    matrix = -kernel * load.own[:, None, :]
+    matrix = -kernel * own[:, None, :]
     matrix[:, np.arange(order), np.arange(order)] += np.where(panels.flat[:, None], 1.0, panels.curvature)
     known = np.zeros((count, order, 4))
     known[~zero, :, 0] = 1.0
     known[..., 1:3] = local
-    known[..., 3] = np.einsum("nij,nj->ni", kernel, load.dead)
+    known[..., 3] = np.einsum("nij,nj->ni", kernel, dead)
     stiffness = np.linalg.solve(matrix, known)
-    weight = load.own[..., None] * stiffness
-    weight[..., 3] += load.dead
+    weight = own[..., None] * stiffness
+    weight[..., 3] += dead
     shares = WEIGHTS * panels.stretch
     # integrate each panel from its right end, or from its left end if the left end is a zero
     sign = np.where(left, -1.0, 1.0)

@@ -21,13 +21,13 @@ from elastica_cad.mechanics.moment_conditions import (
     SMOOTHING_SHARE,
     BalancedStiffness,
     ConditionedRows,
-    LineLoad,
     RodRequest,
     StateFamily,
     StiffnessFamily,
     largest_within,
     least_ratio,
     moment_rows,
+    weighted_moment_rows,
 )
 from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
@@ -178,9 +178,10 @@ class WeightedPanels:
         return np.array([0.0, -1.0]) if self.gravity is None else np.asarray(self.gravity.direction)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
-        """Return the conditions of equilibrium for the weights `own`, `dead` and `points` of a `LineLoad`."""
-        panels = self.panels
-        rows = moment_rows(panels, self.request.units_on(panels), LineLoad(-self.down, own, dead, points))
+        """Return the conditions of equilibrium for the weights of `weighted_moment_rows`."""
+        panels, units = self.panels, self.request.units_on(self.panels)
+        with np.errstate(over="ignore", invalid="ignore"):
+            rows = weighted_moment_rows(panels, units, -self.down, own, dead, points)
         if not np.isfinite(rows.stiffness).all():
             self.refuse()
         return ConditionedRows(self.request, panels, rows)

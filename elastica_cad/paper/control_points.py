@@ -152,10 +152,6 @@ class CurveChanges:
         change = (kappa - C[:, None] * moment) / M[:, None]
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
-    def watched(self) -> tuple[FloatArray, FloatArray]:
-        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)."""
-        return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
-
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
         """Derivatives of arc lengths by the r coordinates u of a change of the curve.
@@ -386,8 +382,8 @@ def _step(
     length = changes.state.curve.length
     J = changes.distance_rows @ changes.basis[:-3]
     r = J.shape[1]
-    C, dC = changes.watched()
-    dC = dC * length
+    # compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)
+    C, dC = 1 / changes.state.stiffness, length * changes.compliance.at(*changes.state.places)
     H, g = np.zeros((r + 3, r + 3)), np.zeros(r + 3)
     H[:r, :r] = J.T @ J
     g[:r] = J.T @ offsets
