@@ -18,10 +18,10 @@ from elastica_cad.geometry.fairing import (
     SIDE_TOLERANCES,
     allowed_distance,
     fit_polyline,
+    largest_distance,
     smooth_through,
 )
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
-from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     begun_at,
@@ -32,7 +32,6 @@ from elastica_cad.geometry.plane_points import (
     norm,
     sharp_points,
 )
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction, knot_runs, over_knots
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
@@ -505,7 +504,7 @@ def _distance_moved(drawn: Edge, healed: PlaneCurve) -> float:
     points = drawn.at(t)
     away = norm(points - healed.evaluate(t))
     # `away` compares points at equal parameters; the distances to the nearest points are smaller
-    return float(distances(Spline(healed), points[away >= away.max() / 2]).max())
+    return largest_distance(points[away >= away.max() / 2], healed)
 
 
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
@@ -581,7 +580,7 @@ def curve_from_points(
     if len(pieces) == 1:
         near = allowed_distance(points)
         if tolerance > near:
-            _require_distance(float(distances(Spline(pieces[0]), points).max()), near)
+            _require_distance(largest_distance(points, pieces[0]), near)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
     drawn = replace(drawn, vertices=points) if sides else replace(drawn, measured=measured)
@@ -676,7 +675,7 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:
         inner_knots, rows = _clamped(edge, degree)
-        length = float(np.linalg.norm(np.diff(edge.at(edge.stations()), axis=0), axis=1).sum())
+        length = lengths_along(edge.at(edge.stations()))[-1]
         inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
         if len(homogeneous):
             last = homogeneous[-1]

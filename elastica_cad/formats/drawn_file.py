@@ -17,11 +17,10 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.chains import JoinedRuns, curve_from_run, holes_on_chains, join_runs, near_ends
 from elastica_cad.formats.edges import Edge, Run, Source, sample_run
 from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tolerance, name_source
+from elastica_cad.geometry.fairing import largest_distance
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
-from elastica_cad.geometry.plane_points import near_pairs, norm
-from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.plane_points import cross, lengths_along, near_pairs, norm, points_at
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 # a closed loop is the outline of a stroke only if its perimeter is at least this many stroke widths
@@ -50,15 +49,14 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
         return None
     drawn = sample_run(run)
     drawn -= drawn[0]
-    s = np.append(0.0, np.cumsum(norm(np.diff(drawn, axis=0))))
-    area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
+    s, area = lengths_along(drawn), abs(float(cross(drawn[:-1], drawn[1:]).sum())) / 2
     # width of a rectangle with this perimeter and area
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
     if not _SAMPLES_PER_WIDTH * s[-1] / _MOST_SAMPLES < width < s[-1] / _LEAST_SLENDERNESS:
         return None
     count = int(np.ceil(_SAMPLES_PER_WIDTH * s[-1] / width))
     at = np.arange(count) / count * s[-1]
-    points = np.column_stack([np.interp(at, s, x) for x in drawn.T])
+    points = points_at(at, s, drawn)
     i, j = near_pairs(points, points, _SEARCH_WIDTHS * width)
     between = np.abs(i - j)
     across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
@@ -440,7 +438,7 @@ def _distance(curve: PlaneCurve, flat: Run) -> float:
         points = record.measured.points
     else:
         return 0.0
-    return float(distances(Spline(curve), points[:: -(-len(points) // _MOST_POINTS)]).max())
+    return largest_distance(points[:: -(-len(points) // _MOST_POINTS)], curve)
 
 
 def collect_curves(

@@ -8,7 +8,8 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.splines import Spans, bezier_spans, knot_runs, unit_circle_arc
+from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.splines import Spans, bezier_spans, is_clamped, knot_runs, unit_circle_arc
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,24 +148,26 @@ class Edge:
         values = np.einsum("nj,njd->nd", local, near)
         return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
 
-    @cached_property
+    @property
     def start(self) -> FloatArray:
         """First point (d,)."""
-        if self.knots[0] == self.knots[self.degree]:
-            return np.asarray(self.points[0], dtype=float)
-        return np.asarray(self.at(self.spans.edges[0])[0], dtype=float)
+        return self._ends[0]
 
-    @cached_property
+    @property
     def end(self) -> FloatArray:
         """Last point (d,)."""
-        if self.knots[-1] == self.knots[-self.degree - 1]:
-            return np.asarray(self.points[-1], dtype=float)
-        return np.asarray(self.at(self.spans.edges[-1])[0], dtype=float)
+        return self._ends[1]
+
+    @cached_property
+    def _ends(self) -> tuple[FloatArray, FloatArray]:
+        clamped = is_clamped(self.knots, self.degree)
+        start, end = self.points[[0, -1]] if clamped else self.at(self.spans.edges[[0, -1]])
+        return start, end
 
     @cached_property
     def size(self) -> float:
         """Length of the control polygon, mm, which is an upper bound of the length of the curve."""
-        return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
+        return float(lengths_along(self.points)[-1])
 
     @cached_property
     def length(self) -> float:
@@ -172,7 +175,7 @@ class Edge:
         if self.degree == 1:
             return self.size
         points = self.at(self.stations())
-        fine, coarse = (np.linalg.norm(np.diff(points[::k], axis=0), axis=1).sum() for k in (1, 2))
+        fine, coarse = (lengths_along(points[::k])[-1] for k in (1, 2))
         return float(4 * fine - coarse) / 3
 
     def stations(self, each: int = 17) -> FloatArray:

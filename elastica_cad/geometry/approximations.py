@@ -86,17 +86,12 @@ def as_beziers(path: Path) -> Path:
 
 
 def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
-    pieces = [(start, end, _raised(rows)) for start, end, rows in curve.bezier_pieces()]
-    rows = np.concatenate([pieces[0][2][:1], *(piece[1:] for _, _, piece in pieces)])
-    inside = np.repeat([start for start, _, _ in pieces[1:]], 3)
-    knots = np.concatenate([[pieces[0][0]] * 4, inside, [pieces[-1][1]] * 4])
+    edges, pieces = curve.bezier_table
+    while pieces.shape[1] < 4:
+        pieces = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
+    rows = np.concatenate([pieces[0, :1], *pieces[:, 1:]])
+    knots = np.concatenate([edges[:1], edges.repeat(3), edges[-1:]])
     return PlaneCurve(knots, project(rows), 3, rows[:, 2] if curve.is_rational else None)
-
-
-def _raised(rows: FloatArray) -> FloatArray:
-    while len(rows) < 4:
-        rows = raise_degree(rows.T).T
-    return rows
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:

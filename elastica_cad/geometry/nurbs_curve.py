@@ -22,6 +22,7 @@ from elastica_cad.geometry.plane_points import (
     dot,
     homogeneous,
     is_smooth_around,
+    lengths_along,
     norm,
     place,
     project,
@@ -430,7 +431,7 @@ def _refuse_standstill(
     at = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
     dense = [np.linspace(a, b, 65) for a, b in pairwise(np.append(pieces.edges[pieces.edges < t], t))]
-    length = sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense)
+    length = sum(lengths_along(pieces.at(places, 0)[0])[-1] for places in dense)
     where = note(
         "the curve has no tangent at {place}, {s} from its start",
         place=at,

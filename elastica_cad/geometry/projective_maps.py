@@ -128,13 +128,11 @@ def map_spline(
         return knots, project(image), np.abs(image[:, 2])
     bezier, edges = pieces()
     parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
-    t = [edges[0]] * (degree + 1)
-    for start, _ in parts[1:]:
-        t += [start] * degree
-    t += [edges[-1]] * (degree + 1)
+    ends = np.array([*(start for start, _ in parts), edges[-1]])
+    t = np.concatenate([ends[:1], ends.repeat(degree), ends[-1:]])
     # neighbours share an end point, so omit the first control point of all pieces but the first
     points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
-    return np.array(t), project(points), np.abs(points[:, 2])
+    return t, project(points), np.abs(points[:, 2])
 
 
 def _positive_pieces(

@@ -26,7 +26,7 @@ from elastica_cad.geometry.plane_points import (
     unit_vectors,
 )
 from elastica_cad.geometry.polynomials import gauss_rule
-from elastica_cad.geometry.splines import SplineFunction
+from elastica_cad.geometry.splines import SplineFunction, is_clamped
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
@@ -264,17 +264,21 @@ class Spline:
 
     curve: PlaneCurve
 
-    @cached_property
+    @property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
-        c = self.curve
-        return c.control_points[0] if c.knots[0] == c.knots[c.degree] else self.at(0.0)
+        return self._ends[0]
 
-    @cached_property
+    @property
     def end(self) -> FloatArray:
         """Last point (2,), mm."""
+        return self._ends[1]
+
+    @cached_property
+    def _ends(self) -> tuple[FloatArray, FloatArray]:
         c = self.curve
-        return c.control_points[-1] if c.knots[-1] == c.knots[-c.degree - 1] else self.at(1.0)
+        start, end = c.control_points[[0, -1]] if is_clamped(c.knots, c.degree) else self.at(_ENDS)
+        return start, end
 
     @property
     def length(self) -> float:
@@ -290,7 +294,7 @@ class Spline:
         """Return the parameters of the curve at u in [0, 1]."""
         t0, t1 = self.curve.domain
         u = numbers(u, "u")
-        return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
+        return t0 * (1 - u) + t1 * u
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Return points (..., 2) at u in [0, 1], which is proportional to the parameter of the curve."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, points_at, unit_vectors
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import (
     NOUNS,
@@ -161,7 +161,7 @@ def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> Float
     """
     chord = position[-1] - position[0]
     stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]
-    marks = np.column_stack([np.interp(MARKS, stations, axis) for axis in (position - position[0]).T])
+    marks = points_at(np.array(MARKS), stations, position - position[0])
     return cross(chord, marks) / norm(chord)
 
 

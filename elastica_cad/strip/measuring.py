@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import norm, turn_between, unit
+from elastica_cad.geometry.plane_points import norm, points_at, turn_between, unit
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Degrees, Length, Quantity, number_text
 from elastica_cad.report_rows import Row, warning_row
@@ -193,8 +193,7 @@ class Measuring:
             lengths = _measured(design.position + moved[:, k], design.position)
             change = {name: lengths[name] - unmoved[name] for name in unmoved}
             causes[cause] = (*causes.get(cause, ()), change)
-        sketched = np.linspace(0, n - 1, SKETCHED)
-        shape = [np.interp(sketched, np.arange(n), axis).tolist() for axis in design.position.T]
+        shape = points_at(np.linspace(0, n - 1, SKETCHED), np.arange(float(n)), design.position)
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
@@ -202,7 +201,7 @@ class Measuring:
             expected,
             uncertain,
             causes,
-            tuple(zip(*shape, strict=True)),
+            tuple((x, y) for x, y in shape.tolist()),
             distance_of_tips(held_ends(strip)),
             instability_in_plane(strip, stability(strip.rod)) is not None,
         )

@@ -145,7 +145,9 @@ class RoundSolid:
         skins = _RoundBoundary()
         rings = [skins.skin(pieces, share, self.frame, outward=share == 1.0) for share in shares]
         for end, station in ((0, stations[0]), (-1, stations[-1])):
-            skins.cap([ring[end] for ring in rings], self._cross_section(station), at_start=end == 0)
+            axis, normal, _ = self._at(np.array([station]))
+            cross = Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
+            skins.cap([ring[end] for ring in rings], cross, at_start=end == 0)
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -178,10 +180,6 @@ class RoundSolid:
 
         inner = [(s, continuity) for s, continuity in breaks if start < s < end]
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
-
-    def _cross_section(self, s: float) -> Frame:
-        axis, normal, _ = self._at(np.array([s]))
-        return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
 
 class _RoundBoundary:

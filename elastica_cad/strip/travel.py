@@ -10,7 +10,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import dot, norm
+from elastica_cad.geometry.plane_points import dot, norm, unit
 from elastica_cad.mechanics.bending import (
     Movement,
     as_steps,
@@ -364,12 +364,14 @@ def bend_strip(
     strain = np.array([layer.largest for layer in layers])
     with np.errstate(divide="ignore"):
         safety = np.array([layer.limit for layer in layers]) / strain
+    begins = np.concatenate([end[:1] if len(end) > 1 else [strip.rod.chord], end[:-1]])
+    steps = np.concatenate([end[1:], end[-1:]]) - begins
     return Travel(
         strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end,
         travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=dot(end_force, _path_directions(end, strip.rod.chord)),
+        force_along=dot(end_force, unit(steps)),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=strain,
         stress=strain * [layer.sheet.youngs_modulus for layer in layers],
@@ -377,10 +379,3 @@ def bend_strip(
         verdicts=tuple(map(stability, rods)),
         sideways=tuple(strip_sideways(rod, strip.layout) for rod in rods),
     )  # fmt: skip
-
-
-def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    before = np.concatenate([[end[0] if len(end) > 1 else first_direction], end[:-1]])
-    steps = np.concatenate([end[1:], end[-1:]]) - before
-    size = norm(steps)[:, None]
-    return np.asarray(np.divide(steps, size, out=np.zeros_like(steps), where=size > 0))
