@@ -89,7 +89,12 @@ def encode_dxf(
     styles = style_layers(layers)
     old = version == "R12"
     if old:
-        _check_old_names(styles)
+        for style in styles.values():
+            if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
+                raise InputError(
+                    "DXF R12 does not allow the layer name {name!r}: use up to 31 letters, digits, $, - and _",
+                    name=style.name,
+                )
         curves = "polyline" if curves == "polyline" else "arc"
     shown = {layer: styles[layer] for layer in drawing.layers}
     strokes = drawing.strokes
@@ -222,15 +227,6 @@ def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, 
 def _at(code: int, point: FloatArray | Sequence[float]) -> list[tuple[int, object]]:
     x, y = point
     return [(code, float(x)), (code + 10, float(y)), (code + 20, 0.0)]
-
-
-def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
-    for style in styles.values():
-        if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
-            raise InputError(
-                "DXF R12 does not allow the layer name {name!r}: use up to 31 letters, digits, $, - and _",
-                name=style.name,
-            )
 
 
 def _circle(path: Path) -> Arc | None:

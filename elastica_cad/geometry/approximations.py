@@ -14,7 +14,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import norm, place, project, turn_between
 from elastica_cad.geometry.polynomials import raise_degree
 from elastica_cad.geometry.segments import Segment, Spline, require_tolerance_mm, segment_from_bulge
-from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, knot_runs, solved
+from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, kinks, solved
 from elastica_cad.refusals import Length
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
@@ -105,12 +105,10 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
     >>> [[knots.tolist() for knots in smooth_stretches(arch, order)] for order in (1, 2)]
     [[[0.0, 0.5, 1.0]], [[0.0, 0.5], [0.5, 1.0]]]
     """
-    t0, t1 = curve.domain
-    knots, counts = knot_runs(curve.knots)
-    inside = (knots > t0) & (knots < t1)
-    cuts = knots[inside & (curve.degree - counts < continuity)]
-    sites = np.concatenate([[t0], knots[inside], [t1]])
-    return tuple(sites[(sites >= a) & (sites <= b)] for a, b in pairwise([t0, *cuts, t1]))
+    sites, _ = curve.bezier_table
+    cuts = kinks(curve.knots, curve.degree, continuity)
+    ends = pairwise([sites[0], *cuts, sites[-1]])
+    return tuple(sites[(sites >= a) & (sites <= b)] for a, b in ends)
 
 
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:

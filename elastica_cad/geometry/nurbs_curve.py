@@ -232,13 +232,6 @@ class RationalPieces:
         rows[0] = rows[0] + self._origins[index]
         return rows
 
-    def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return derivatives up to `order`, each (p - 1, 2), just before and just after the interior knots."""
-        knots = self.edges.size - 2
-        before = np.arange(knots)
-        both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
-        return [d[:knots] for d in both], [d[knots:] for d in both]
-
     def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
         """Return the speed (n,), mm per unit of t, at parameters t (n,) of the spans `index` (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]
@@ -372,7 +365,10 @@ class KnotSides:
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
         """Return the values on both sides of each interior knot."""
-        t, (before, after) = pieces.edges[1:-1], pieces.beside_knots(ORDERS_OF_SIDES)
+        t, knots = pieces.edges[1:-1], pieces.edges.size - 2
+        index, u = np.append(np.arange(knots), np.arange(knots) + 1), np.repeat([1.0, 0.0], knots)
+        both = pieces.within(index, u, ORDERS_OF_SIDES)
+        before, after = [d[:knots] for d in both], [d[knots:] for d in both]
         return cls(_side(turning, t, before, left=True), _side(turning, t, after, left=False))
 
     @classmethod

@@ -65,6 +65,19 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
     return edges.repeat(counts)
 
 
+def kinks(knots: FloatArray, degree: int, continuity: int) -> FloatArray:
+    """Return the inner knots (k,) at which a spline has fewer than `continuity` continuous derivatives.
+
+    Examples
+    --------
+    >>> kinks(np.array([0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 3.0, 3.0, 3.0]), 2, 1).tolist()
+    [2.0]
+    """
+    places, counts = knot_runs(knots)
+    start, end = float(knots[degree]), float(knots[-degree - 1])
+    return places[(counts > degree - continuity) & (places > start) & (places < end)]
+
+
 def is_clamped(knots: FloatArray, degree: int) -> bool:
     """Return True if a spline begins at its first control point and ends at its last."""
     return bool(knots[0] == knots[degree] and knots[-1] == knots[-degree - 1])

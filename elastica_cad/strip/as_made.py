@@ -34,7 +34,7 @@ from elastica_cad.strip.held_shape import (
     shape_responses,
     sheet_effects,
 )
-from elastica_cad.strip.layers import LapJoint, LapPlates, Layer
+from elastica_cad.strip.layers import LapPlates, Layer, lap_joint
 from elastica_cad.strip.outline import Ends, fix_tab_widths
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
@@ -390,8 +390,8 @@ class StripAsMade:
         `stiffness_factors`. The cause "plates" means plates over the joints of pieces.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
-    lap : LapJoint, optional
-        Joint of a closed strip.
+    lap : pair of (n,) arrays, optional
+        Stiffness factors and rest curvature of the joint of a closed strip: see `lap_joint`.
     curl : Curl, optional
         Dependence of the nodes' stiffness on their curvature.
     crowded : tuple of float
@@ -404,7 +404,7 @@ class StripAsMade:
     cut: Rod
     factors: Mapping[str, FloatArray]
     approximated: bool
-    lap: LapJoint | None = None
+    lap: tuple[FloatArray, FloatArray] | None = None
     curl: Curl | None = None
     crowded: tuple[float, ...] = ()
 
@@ -438,7 +438,7 @@ class StripAsMade:
             rod_as_built(design, layout, whole()),
             factors,
             layout.pattern is not None or layout.backing is not None,
-            LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
+            lap_joint(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)
             else None,
             _curl(design, layout),
@@ -453,7 +453,8 @@ class StripAsMade:
         """
         rod = _with_factors(self.cut, list(self.factors.values()))
         if self.lap is not None:
-            rod = replace(_with_factors(rod, [self.lap.share]), natural_curvature=self.lap.rest)
+            share, rest = self.lap
+            rod = replace(_with_factors(rod, [share]), natural_curvature=rest)
         return rod if self.curl is None else self.curl.on(rod)
 
     @property
@@ -632,7 +633,8 @@ class StripAsMade:
             )
             bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
-            bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
+            share, rest = self.lap
+            bends["lap joint"] = rest - design.natural_curvature + elastic * (1 / share - 1)
         jumps = (
             {LEAF_ENDS: deviation_from(design, design.position + self._leaf_ends)}
             if self._leaf_ends.any()

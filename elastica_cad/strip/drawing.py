@@ -250,24 +250,20 @@ def _compensated(drawing: Drawing, kerf: float, tolerance: float) -> Drawing:
     loops = []
     for item in drawing.paths:
         if item.layer in sides and item.path.closed:
-            loops.append(_moved(item, sides[item.layer], kerf, tolerance))
+            try:
+                loops.append(offset_path(item.path, sides[item.layer], tolerance=tolerance))
+            except InputError as error:
+                raise InputError(
+                    "a kerf (width of the cut) of {kerf:g} is too wide for a closed cut on layer {layer}: {error}",
+                    kerf=Mm(kerf),
+                    layer=item.layer,
+                    error=error,
+                ) from error
             moved.append(LayeredPath(item.layer, loops[-1]))
         else:
             moved.append(item)
     _refuse_overlaps(loops, kerf, tolerance)
     return Drawing(drawing.name, tuple(moved), drawing.texts)
-
-
-def _moved(item: LayeredPath, distance: float, kerf: float, tolerance: float) -> Path:
-    try:
-        return offset_path(item.path, distance, tolerance=tolerance)
-    except InputError as error:
-        raise InputError(
-            "a kerf (width of the cut) of {kerf:g} is too wide for a closed cut on layer {layer}: {error}",
-            kerf=Mm(kerf),
-            layer=item.layer,
-            error=error,
-        ) from error
 
 
 def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:

@@ -20,6 +20,7 @@ from elastica_cad.geometry.splines import (
     SplineFunction,
     adaptive_spline,
     greville,
+    kinks,
     knot_runs,
     over_knots,
 )
@@ -70,8 +71,9 @@ def in_smooth_pieces(path: Path, pieces: int = SIDE_PIECES) -> Path:
     4
     """
     sides = [segment for segment in path.segments if isinstance(segment, Spline) and pace(segment)]
-    bends = sum(_kinks(side, SMOOTH).size - _kinks(side, 1).size for side in sides)
-    each = ceil(pieces / len(sides)) if bends >= pieces else 0
+    curves = [side.curve for side in sides]
+    soft, sharp = (sum(kinks(c.knots, c.degree, k).size for c in curves) for k in (SMOOTH, 1))
+    each = ceil(pieces / len(sides)) if soft - sharp >= pieces else 0
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -110,24 +112,17 @@ def in_short_pieces(path: Path) -> Path:
     return Path(pieces, path.closed)
 
 
-def _kinks(spline: Spline, smooth: int) -> FloatArray:
-    """Return the inner knots at which fewer than `smooth` derivatives are continuous."""
-    curve = spline.curve
-    knots, counts = knot_runs(curve.knots)
-    first, last = curve.domain
-    return knots[(counts > curve.degree - smooth) & (knots > first) & (knots < last)]
-
-
 def _in_pieces(segment: Segment, ramp: float, each: int) -> list[Segment]:
     """Return the smooth pieces of a segment. A side becomes `each` edges between its steps, if this is not 0."""
     if not isinstance(segment, Spline):
         return [segment]
-    kinks, even = _kinks(segment, SMOOTH).tolist(), pace(segment)
-    if not kinks and not (even and each):
+    curve, even = segment.curve, pace(segment)
+    bends = kinks(curve.knots, curve.degree, SMOOTH).tolist()
+    if not bends and not (even and each):
         return [segment]
-    curve = clamp_ends(segment.curve)
+    curve = clamp_ends(curve)
     first, last = curve.domain
-    inner = [*_joints(even[1], kinks, ramp)] if even else [(kink, kink, kink) for kink in kinks]
+    inner = [*_joints(even[1], bends, ramp)] if even else [(kink, kink, kink) for kink in bends]
     if even and each:
         inner = [joint for joint in inner if joint[1] < joint[2]]
     joints = [(first, first, first), *inner, (last, last, last)]
@@ -173,12 +168,12 @@ def _approximated(side: PlaneCurve, offset: float, speed: float, count: int) -> 
     return [whole.trimmed(*piece) for piece in pairwise(ends)]
 
 
-def _joints(speed: float, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
+def _joints(speed: float, places: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
     """Yield (middle, first, last) of each group of kinks closer together than `ramp`, mm."""
-    while kinks:
-        first = last = kinks.pop(0)
-        while kinks and (kinks[0] - last) * abs(speed) < ramp:
-            last = kinks.pop(0)
+    while places:
+        first = last = places.pop(0)
+        while places and (places[0] - last) * abs(speed) < ramp:
+            last = places.pop(0)
         yield (first + last) / 2, first, last
 
 

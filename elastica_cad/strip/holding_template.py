@@ -384,7 +384,8 @@ def holding_template(strip: Strip) -> Drawing:
     """
     ends, rod, elements = held_ends(strip), strip.rod, held_elements(strip)
     shape = Spline(rod.curve)
-    if rod.gravity is None and not elements and _is_upside_down(strip):
+    upside_down = round(upward(heights_of_marks(rod.position, rod.s)) * float(rod.chord[0]), 6) < 0
+    if rod.gravity is None and not elements and upside_down:
         x, y = ends[0].position + ends[1].position
         shape = shape.transformed([[-1.0, 0.0, x], [0.0, -1.0, y], [0.0, 0.0, 1.0]])
         ends = ends[0].turned_about(x / 2, y / 2), ends[1].turned_about(x / 2, y / 2)
@@ -429,9 +430,3 @@ def holding_template(strip: Strip) -> Drawing:
     for name, wide, (x, y) in names:
         texts.append(Text((x - wide * LETTERS_MM / 2, y - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
-
-
-def _is_upside_down(strip: Strip) -> bool:
-    rod = strip.rod
-    x, _ = rod.chord
-    return round(upward(heights_of_marks(rod.position, rod.s)) * float(x), 6) < 0

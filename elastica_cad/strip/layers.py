@@ -278,9 +278,8 @@ for the joint, which is an edge crack through half of the total thickness. In be
 an added length of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
 
 
-@dataclass(frozen=True, eq=False)
-class LapJoint:
-    """Effect of a lap joint on the strip.
+def lap_joint(rod: Rod, width: FloatArray, length: float, lap_width: float) -> tuple[FloatArray, FloatArray]:
+    """Return the effect of the lap joint at the start of a closed rod.
 
     Strip (width w) and tab (width v) are bent from the rest curvature kappa_0 to the drawn curvature kappa,
     and are glued there. The moment of both is proportional to w + v, but the design needs a moment
@@ -288,37 +287,29 @@ class LapJoint:
     layers. Its stiffness is c times that of the strip, where c w = w + v + 12 w v / (w + v). Its rest
     curvature is kappa - (w + v) / (c w) (kappa - kappa_0).
 
-    Attributes
+    Parameters
     ----------
-    share : (n,) array
+    rod : Rod
+        The design.
+    width : (n,) array
+        Width of the material at the nodes, mm.
+    length, lap_width : float
+        Length and width of the tab, mm.
+
+    Returns
+    -------
+    (n,) array
         Factors on the stiffness at the nodes of the rod.
-    rest : (n,) array
+    (n,) array
         Rest curvature at the nodes, 1/mm.
     """
-
-    share: FloatArray
-    rest: FloatArray
-
-    @classmethod
-    def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
-        """Return the effect of the lap joint at the start of a closed rod.
-
-        Parameters
-        ----------
-        rod : Rod
-            The design.
-        width : (n,) array
-            Width of the material at the nodes, mm.
-        length, lap_width : float
-            Length and width of the tab, mm.
-        """
-        edges = cell_edges(rod.s)
-        covered = ((length - edges[:-1]) / np.diff(edges)).clip(0.0, 1.0)
-        both = width + lap_width
-        stiffer = (both + 12 * width * lap_width / both) / width
-        natural = rod.natural_curvature
-        lapped = rod.curvature - both / width / stiffer * (rod.curvature - natural)
-        return cls(1 / (covered / stiffer + 1 - covered), natural + covered * (lapped - natural))
+    edges = cell_edges(rod.s)
+    covered = ((length - edges[:-1]) / np.diff(edges)).clip(0.0, 1.0)
+    both = width + lap_width
+    stiffer = (both + 12 * width * lap_width / both) / width
+    natural = rod.natural_curvature
+    lapped = rod.curvature - both / width / stiffer * (rod.curvature - natural)
+    return 1 / (covered / stiffer + 1 - covered), natural + covered * (lapped - natural)
 
 
 @dataclass(frozen=True)

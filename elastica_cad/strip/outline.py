@@ -18,7 +18,7 @@ from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.splines import greville, knot_runs
+from elastica_cad.geometry.splines import greville, kinks
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.refusals import BareLength, Length
 
@@ -399,8 +399,7 @@ def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
 
 def _parts_between_jumps(width: Profile) -> list[Profile]:
     k = width.degree
-    knots, counts = knot_runs(width.knots)
-    cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
+    cuts = kinks(width.knots, k, 0)
     if not cuts.size:
         return [width]
     pieces, first = [], 0

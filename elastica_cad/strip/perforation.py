@@ -125,9 +125,12 @@ class DiamondPattern:
         A part of at most half a hole is omitted if the corner radius does not fit into it.
         """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
+        length = self.width.length
+        within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        rows = filter(None, (row.within(*within) for row in self._rows))
         clear = [
             (part, part.loop(j))
-            for row in self._rows_within(ends)
+            for row in rows
             for j in range(row.across)
             for part in self._divide_at_slots(row, j, cuts)
         ]
@@ -141,11 +144,6 @@ class DiamondPattern:
         if self.arcs is not None:
             loops = [as_arcs(loop, self.arcs) for loop in loops]
         return tuple(loops)
-
-    def _rows_within(self, ends: Ends) -> list["_Row"]:
-        length = self.width.length
-        within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
-        return [row for whole in self._rows if (row := whole.within(*within)) is not None]
 
     def _margin(self, tab: Tab, s: float) -> float:
         held = tab.width is None or tab.width >= float(self.width(s))
