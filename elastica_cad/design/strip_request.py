@@ -4,52 +4,47 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 
+from elastica_cad.design.records import BY_KIND
 from elastica_cad.design.tables import with_present_keys
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.form_finding.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.cross_sections import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
-from elastica_cad.mechanics.loads import (
-    End,
-    Gravity,
-    PointMass,
-    RestCurvature,
-    Supports,
-    Weight,
-    nodal_curvature,
-)
+from elastica_cad.mechanics.cross_sections import LaidLeaves, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.elements import PointForce
+from elastica_cad.mechanics.loads import Weight, nodal_curvature
 from elastica_cad.mechanics.optimal_balance import carried_weight, refuse_below_limits
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection
-from elastica_cad.mechanics.sheets import NominalRatio, Sheet
-from elastica_cad.strip.held_shape import MakingTolerance
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab, TSlot
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
+from elastica_cad.mechanics.sheets import NominalRatio
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import Loads, StripSpec
 from elastica_cad.strip.styles import Plain
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
-
-RECORDS = {
-    record.__name__: record
-    for record in (
-        End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Pin,
-        Plain, PointForce, PointMass, Profile, Rail, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab,
-        ThicknessLaw, Tie, TSlot, Weight,
-    )
-} | {"WidthLaw": PlainSection}  # fmt: skip
-"""Record classes in a request, by their names in a report. A name does not change with its class."""
 
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
 """Fields of `StripSpec` without effect on a finished strip."""
+
+
+def _records_in(kind: Any, found: dict[str, Any]) -> dict[str, Any]:
+    """Add the record classes in values of the type `kind` to `found`, by name."""
+    makers = [maker for family, kinds in BY_KIND.items() if family is kind for maker in kinds.values()]
+    made = [get_type_hints(maker).get("return", maker) for maker in makers]
+    for inner in (*get_args(kind), *made):
+        _records_in(inner, found)
+    if isinstance(kind, type) and is_dataclass(kind) and kind not in found.values():
+        found[kind.__name__] = kind
+        for name, inner in get_type_hints(kind).items():
+            if kind is not StripSpec or name not in SOLVED:
+                _records_in(inner, found)
+    return found
+
+
+RECORDS = _records_in(StripSpec | LaidLeaves, {"WidthLaw": PlainSection})
+"""Record classes in a request, by their names in a report. A name does not change with its class."""
 
 STIFFNESS_TOLERANCE = 1e-6
 
@@ -201,7 +196,7 @@ def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
 
 def _as_json(value: Any) -> Any:
     if is_dataclass(value):
-        kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
+        kind = next(name for name, record in RECORDS.items() if type(value) is record)
         return {"record": kind} | {
             field.name: _as_json(getattr(value, field.name)) for field in fields(RECORDS[kind]) if field.init
         }
