@@ -516,11 +516,13 @@ class StrainLimit(Constraint):
 class AtNodes(Constraint):
     """Condition that all nodes meet a limit of places, which is given in mm.
 
-    Positions of the rod are relative to `origin`, in units of `size`, mm.
+    Positions of the rod are relative to `origin`, in units of `size`, mm. `rest` is the curvature before bending,
+    in units of 1 / `size`.
     """
 
     room: Callable[[Places], Room]
     size: float
+    rest: FloatArray | float = 0.0
     origin: tuple[float, float] = (0.0, 0.0)
     kept: tuple[bool, bool] = (False, False)
     one_sided: bool = True
@@ -542,7 +544,8 @@ class AtNodes(Constraint):
 
     def _at_nodes(self, rod: MappedRod) -> Room:
         s, position = np.linspace(0.0, self.size, rod.stiffness.size), rod.position * self.size + self.origin
-        return self.room(Places(self.size, s, position, _bend(rod, self.size), self.kept))
+        bend = _bend(rod, self.size)
+        return self.room(Places(self.size, s, position, bend, bend + self.rest / self.size, self.kept))
 
 
 @dataclass(frozen=True, kw_only=True)

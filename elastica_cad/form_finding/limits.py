@@ -76,6 +76,8 @@ class Places(NamedTuple):
         Positions, mm.
     bend : (n,) array
         Change of curvature by bending, 1/mm.
+    curvature : (n,) array
+        Curvature of the bent strip, 1/mm.
     kept : (bool, bool)
         For start and end, True if its position is that of the drawn curve.
     """
@@ -84,13 +86,14 @@ class Places(NamedTuple):
     s: FloatArray
     position: FloatArray
     bend: FloatArray
+    curvature: FloatArray
     kept: tuple[bool, bool]
 
 
 Room: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
 """Values (n,) of places, at least 0 where a limit is met, in the unit of `ActiveLimit.broken`.
 
-Their derivatives follow: by position / length (n, 2) and by the change of curvature (n,)."""
+Their derivatives follow: by position / length (n, 2) and by the curvature (n,)."""
 
 
 class PlaceLimit(NamedTuple):
@@ -125,11 +128,18 @@ def _room_to_bend(limit: float, places: Places) -> Room:
     return 1 - np.abs(bend) / limit, np.zeros(places.position.shape), -np.sign(bend) / limit
 
 
-def _radius_sentence(limit: float, rod: "Rod") -> str:
+def _bend_sentence(limit: float, rod: "Rod") -> str:
+    largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
+    if np.any(rod.natural_curvature):
+        return note(
+            "Bending changes the curvature by {change} 1/mm, above the limit of {most} 1/mm.",
+            change=rounded_up(largest, 3),
+            most=rounded_down(limit, 3),
+        )
     return note(
         "The smallest radius is {radius}, below the limit of {least}.",
         least=Length(rounded_up(1 / limit, 3)),
-        radius=Length(rounded_down(1 / float(np.abs(rod.curvature).max()), 3)),
+        radius=Length(rounded_down(1 / largest, 3)),
     )
 
 
@@ -361,7 +371,7 @@ class Limits:
             title = "the curvature limit" if curvature == self.curvature else STRAIN.title
             yield PlaceLimit(
                 "curvature",
-                ActiveLimit("curvature", curvature, title=title, unit="number", sentence=_radius_sentence),
+                ActiveLimit("curvature", curvature, title=title, unit="number", sentence=_bend_sentence),
                 partial(_room_to_bend, curvature),
                 lambda limits, by: limits.tightened(curvature=1 + by),
             )

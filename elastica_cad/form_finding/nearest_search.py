@@ -433,7 +433,9 @@ def _laid_leaves(
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
     position = np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T])
-    places = Places(length, s / rod.length * length, position, bend, keep.both_ends)
+    places = Places(
+        length, s / rod.length * length, position, bend, np.interp(s, rod.s, rod.curvature), keep.both_ends
+    )
     found = [
         (active, -float(room(places)[0].min()), stricter)
         for _, active, room, stricter in limits.at_places(strain=False)

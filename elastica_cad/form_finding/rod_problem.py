@@ -313,7 +313,8 @@ def _constraints(task: NearestTask) -> list[Constraint]:
         constraints.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
     constraints += [
         AtNodes(
-            active=active, room=room, size=target.size, origin=_pair(target.origin), kept=keep.both_ends,
+            active=active, room=room, size=target.size, rest=task.rest, origin=_pair(target.origin),
+            kept=keep.both_ends,
             penalty=100.0 if active.unit == "length" else 1.0,
         )
         for _, active, room, _ in limits.at_places(strain=task.section is None)

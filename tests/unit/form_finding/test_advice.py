@@ -144,27 +144,33 @@ def test_nothing_is_advised_where_nothing_binds():
 class MoreLimits(Limits):
     """Limits with one that no list knows: a least radius between two places."""
 
-    radius: tuple[float, float, float] | None = None
+    least_radius: tuple[float, float, float] | None = None
 
     def at_places(self, *, strain):
         yield from super().at_places(strain=strain)
-        if self.radius is not None:
-            active = ActiveLimit("radius of a part", self.radius[0], title="the least radius", unit="number")
-            yield PlaceLimit("radius", active, self._room, MoreLimits.stricter)
+        if self.least_radius is not None:
+            active = ActiveLimit(
+                "radius of a part", self.least_radius[0], title="the least radius", unit="number"
+            )
+            yield PlaceLimit("least_radius", active, self._room, MoreLimits.stricter)
 
     def _room(self, places):
-        radius, start, end = self.radius
+        radius, start, end = self.least_radius
         radii = np.where((places.s >= start) & (places.s <= end), radius, 0.0)
-        return 1 - radii * abs(places.bend), np.zeros((radii.size, 2)), -radii * np.sign(places.bend)
+        return (
+            1 - radii * abs(places.curvature),
+            np.zeros((radii.size, 2)),
+            -radii * np.sign(places.curvature),
+        )
 
     def stricter(self, by):
-        radius, start, end = self.radius
-        return replace(self, radius=(radius * (1 + by), start, end))
+        radius, start, end = self.least_radius
+        return replace(self, least_radius=(radius * (1 + by), start, end))
 
 
 def test_a_new_limit_binds_and_names_itself_in_advice():
     middle = (0.4 * ARCH.length, 0.6 * ARCH.length)
-    near = nearest_rod(ARCH, MoreLimits(4, radius=(150.0, *middle)))
+    near = nearest_rod(ARCH, MoreLimits(4, least_radius=(150.0, *middle)))
     share = near.rod.s / near.rod.length
     bent = np.abs(near.rod.curvature[(share > 0.401) & (share < 0.599)])
     assert near.met
@@ -180,11 +186,19 @@ def test_glued_plies_meet_a_new_limit():
     plies = LeavesLaw(Sheet.named("birch-plywood-0.8"), 6, 20)
     free = nearest_rod(ARCH, Limits(), section=plies)
     least = 1.1 / np.abs(free.rod.curvature).max()
-    near = nearest_rod(ARCH, MoreLimits(radius=(least, 0.0, ARCH.length)), section=plies)
+    near = nearest_rod(ARCH, MoreLimits(least_radius=(least, 0.0, ARCH.length)), section=plies)
     names = [binding.name for binding in near.binding]
     assert near.met or names == ["radius of a part"]
     assert near.deviation > free.deviation
     assert np.abs(near.rod.curvature).max() < 0.99 * np.abs(free.rod.curvature).max()
+
+
+def test_a_limit_of_a_blank_is_one_of_the_change_of_curvature():
+    arch = PlaneCurve.arc((0, 0), 100, np.pi, 1.0)
+    near = nearest_rod(arch, Limits(curvature=0.01), natural_curvature=0.02)
+    (binding,) = (binding for binding in near.binding if binding.name == "curvature")
+    unmet = replace(near, binding=(replace(binding, limit=0.005, broken=0.1),), status=Status.NOT_MET)
+    assert unmet.advice[0] == "Bending changes the curvature by 0.01 1/mm, above the limit of 0.005 1/mm."
 
 
 def test_records_travel_with_what_was_requested():
