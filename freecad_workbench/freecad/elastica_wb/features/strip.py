@@ -397,19 +397,12 @@ def _show_results(obj: Any, strip: Strip, near: NearestRod | None, smoothed: flo
         Verdict=sentences([fails, verdict, note("There are remarks.") if notes else ""], " "),
         Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
-        Ratio=rod.ratio,
         Margin=0.0 if stability is None else stability.margin,
         ConjugatePoint=0.0
         if stability is None or stability.conjugate_point is None
         else stability.conjugate_point,
-        LargestStrain=100 * strip.max_strain,
-        StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if near is None else near.deviation) + smoothed,
-        SidewaysMargin=sideways.margin if sideways.decided else 0.0,
-        Sideways=str(sideways),
-        Length=rod.length,
-        NarrowestWidth=strip.width.extremes[0],
-        Mass=strip.mass,
+        **{entry.name: entry.of(strip) for entry in PROPERTIES if entry.of is not None},
     )
 
 

@@ -4,7 +4,7 @@
 """Declarations of the properties of features, which files of earlier versions also get."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -24,7 +24,8 @@ OUTPUT, TRANSIENT = 8, 2
 class Property:
     """A property of a feature.
 
-    `default` is a value or the list of choices. `example` is appended to the help.
+    `default` is a value or the list of choices. `example` is appended to the help. `of` returns the value of a
+    result from what a feature made.
     """
 
     kind: str
@@ -36,6 +37,7 @@ class Property:
     hidden: bool = False
     transient: bool = False
     example: str = ""
+    of: Callable[[Any], object] | None = None
 
     @property
     def type_id(self) -> str:
@@ -49,7 +51,7 @@ class Property:
         return f"{text} {self.example}" if self.example else text
 
 
-def result(kind: str, name: str, help: str, **fields: bool) -> Property:
+def result(kind: str, name: str, help: str, **fields: Any) -> Property:
     """Return the property of a result. `fields` are further fields of `Property`."""
     return Property(kind, name, "Result", help, result=True, **fields)
 
