@@ -419,10 +419,17 @@ class StripSpec(EqualByValue):
             "Limits that the strip must meet; the curve changes as little as possible to meet them.",
             group="limits",
             common=True,
+            replaces=("samples",),
         ),
     ] = None
     keep: Annotated[
-        Keep | None, Option("Properties of the curve that stay when it changes.", group="limits", common=True)
+        Keep | None,
+        Option(
+            "Properties of the curve that stay when it changes.",
+            group="limits",
+            common=True,
+            replaces=("samples",),
+        ),
     ] = None
     gravity: Annotated[
         GravityOption,

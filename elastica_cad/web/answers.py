@@ -61,7 +61,9 @@ from elastica_cad.web.saved_design import (
     curve_table,
     drawable,
     file_mark,
+    idle_beside,
     open_design,
+    without_idle,
     without_models,
 )
 
@@ -174,7 +176,7 @@ def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
 
 
 def _design(tables: Mapping[str, Any]) -> Design:
-    return design_of(with_present_keys(tables), FilePath("design"), _no_file)
+    return design_of(without_idle(with_present_keys(tables)), FilePath("design"), _no_file)
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
@@ -196,6 +198,15 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
+    """Return the strip, and the keys that have no effect on it."""
+    answered = _bent_strip(request)
+    with suppress(ElasticaError, LookupError, TypeError):
+        design = request["design"]
+        answered["idle"] = idle_beside(design, design["strips"][request.get("strip", 0)])
+    return answered
+
+
+def _bent_strip(request: Mapping[str, Any]) -> Record:
     """Return the strip. With `hold`, a dragged control point stops at its last possible position."""
     try:
         spec, scaled = _scaled_request(request)
@@ -832,7 +843,7 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
             return _open_saved(request, saved) | refused(InputError(CHANGED, name=saved.name))
         before = saved.read_text(encoding="utf-8-sig") if mark else ""
     try:
-        return {"text": compose_design(request["design"], before), "mark": mark}
+        return {"text": compose_design(without_idle(request["design"]), before), "mark": mark}
     except (TypeError, ValueError) as problem:
         raise InputError(
             "The design cannot be written because values have the wrong type. Correct them."

@@ -11,7 +11,9 @@ import numpy as np
 
 from elastica_cad.design.design_file import design_of, parse_design
 from elastica_cad.design.pair_table import pair_of
-from elastica_cad.design.records import CurveReader
+from elastica_cad.design.records import CurveReader, idle_keys
+from elastica_cad.design.strip_table import StripKeys
+from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import is_tables
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
@@ -49,6 +51,33 @@ def start_designs() -> dict[str, Tables]:
 def without_models(tables: Mapping[str, Any]) -> Tables:
     """Return the tables of a design without those that only models need."""
     return {key: value for key, value in tables.items() if key not in OF_MODELS}
+
+
+def idle_beside(design: Mapping[str, Any], strip: Any) -> list[str]:
+    """Return the keys of a strip, and of the top of its design, that have no effect on it beside other keys."""
+    return list(idle_keys(StripKeys, Table(strip, "strips", {}, Table(design, "", {}))))
+
+
+def without_idle(design: Mapping[str, Any]) -> Tables:
+    """Return the tables of a design without the keys that have no effect beside others.
+
+    The page keeps the values of such keys, and files with them are refused.
+
+    Examples
+    --------
+    >>> without_idle({"max_width": 30, "strips": [{"section": {"kind": "rod"}, "min_width": 4}]})
+    {'strips': [{'section': {'kind': 'rod'}}]}
+    """
+    strips = design.get("strips")
+    if not strips or not isinstance(strips, list):
+        return {**design}
+    idle = [idle_beside(design, strip) for strip in strips]
+    top = {key: value for key, value in design.items() if not all(key in keys for keys in idle)}
+    acting = [
+        {key: value for key, value in strip.items() if key not in keys}
+        for strip, keys in zip(strips, idle, strict=True)
+    ]
+    return top | {"strips": acting}
 
 
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:

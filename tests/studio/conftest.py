@@ -47,6 +47,12 @@ def link(design):
     return letters.decode().rstrip("=")
 
 
+def linked(address):
+    """The design that the page's address holds."""
+    letters = address.partition("#")[2]
+    return json.loads(zlib.decompress(base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4)), -15))
+
+
 def without_command(drawing):
     """The bytes of a drawing but for the command that made it, which a page has none of."""
     return re.sub(rb"\A999\n.*\n|<desc>.*</desc>\n", b"", drawing)

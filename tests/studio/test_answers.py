@@ -59,6 +59,35 @@ def test_a_dragged_strip_is_checked_when_it_rests(monkeypatch):
     assert dragged == at_rest | {"Stability": "…", "Accuracy": "…"}
 
 
+SECTION = {"kind": "thickness", "limits": [0.4, 3], "width": 20}
+
+
+@pytest.mark.parametrize(
+    ("keys", "idle"),
+    [
+        ({"section": SECTION, "min_width": 3, "compensate": True}, {"max_width", "min_width", "compensate"}),
+        ({"limits": {"ratio": 5}, "samples": 120}, {"samples"}),
+        ({"keep": {"ends": True}, "samples": 120}, {"samples"}),
+    ],
+)
+def test_keys_without_effect_are_answered_as_if_they_were_not_there(keys, idle):
+    given = {"sheet": "pom-1"} | keys
+    acting = {key: value for key, value in design(**given).items() if key not in idle}
+    told, without = (answer_to("strip", design=tables) for tables in (design(**given), acting))
+    assert set(told["idle"]) == idle
+    assert told == without
+    assert "refused" not in told
+    (strip,) = design()["strips"]
+    in_the_strip = {"schema": 1, "strips": [strip | given | {"max_width": 40}]}
+    assert answer_to("strip", design=in_the_strip)["rows"] == told["rows"]
+    assert answer_to("file", design=design(**given), kind="dxf") == answer_to(
+        "file", design=acting, kind="dxf"
+    )
+    assert answer_to("save", design=design(**given), copy=True) == answer_to("save", design=acting, copy=True)
+    other = design(**given, strips=[strip, strip | {"label": "A2", "section": SECTION}])
+    assert answer_to("strip", design=other, strip=1).get("refused") is None
+
+
 def test_rows_are_in_the_language_of_the_page():
     rows = json.loads(reply(json.dumps({"do": "strip", "design": design(), "language": "de"}).encode())[1])[
         "rows"

@@ -16,7 +16,7 @@ import pytest
 import elastica_cad as ec
 from tests.house.stored_files import STORED
 from tests.studio.browser import TIMED, chromium
-from tests.studio.conftest import ARCH, design, link, running, wave, without_command
+from tests.studio.conftest import ARCH, design, link, linked, running, wave, without_command
 
 CURVE = [(0.12, 0.75), (0.2, 0.6), (0.3, 0.25), (0.5, 0.15), (0.7, 0.25), (0.8, 0.6), (0.88, 0.75)]
 """Places on the drawing, in shares of its size."""
@@ -110,6 +110,89 @@ def test_all_that_a_page_can_do(server, tmp_path):
         for _ in range(3):
             studio.click("Undo")
         assert len(studio.all("g.points circle")) == 9
+
+
+def grey(studio, field):
+    """Whether a field is grey, and its value."""
+    (one,) = studio.all(f"#field-{field}")
+    return one.get_property("disabled"), one.get_attribute("value")
+
+
+UNCHOSEN = [
+    ("style", "1", {"width": "50", "columns": "3"}),
+    ("ends", "0", {"length": "25", "corner_radius": "2"}),
+    ("limits", "0", {"ratio": "4", "margin": "2"}),
+    ("keep", "0", {"symmetry": "mirror"}),
+    ("loads", "0", {"alpha": "2"}),
+    ("shop", "0", {"least_width": "3"}),
+    ("tolerance", "0", {"kerf": "0.1"}),
+    ("section", "0", {"limits": "0.4; 2", "width": "20"}),
+]
+"""Fields, a kind of their value, and values of that kind."""
+
+
+def test_values_of_a_kind_not_chosen_are_grey_and_come_back(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        start = design(gravity=True)
+        studio.open(f"{server.address}#{link(start)}")
+        studio.until(lambda: studio.verdict() == "It can be made")
+        size = studio.text(".numbers dd").partition(" g")[0]
+        studio.all(".rest summary")[0].click()
+        for field, kind, values in UNCHOSEN:
+            studio.choose(f"#field-{field}", kind)
+            for name, value in values.items():
+                (one,) = studio.all(f"#field-{field}-{name}")
+                put = studio.choose if one.tag_name == "select" else studio.type
+                put(f"#field-{field}-{name}", value)
+                assert grey(studio, f"{field}-{name}") == (False, value)
+            studio.choose(f"#field-{field}", "0" if field == "style" else "")
+            assert {name: grey(studio, f"{field}-{name}") for name in values} == {
+                name: (True, value) for name, value in values.items()
+            }
+        plain = start | {"style": {"kind": "plain"}}
+        studio.until(lambda: linked(studio.browser.current_url) == plain)
+        studio.until(lambda: studio.text(".numbers dd").startswith(size))
+        assert studio.verdict() == "It can be made"
+
+        studio.browser.refresh()
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.all(".rest summary")[0].click()
+        for field, kind, values in UNCHOSEN:
+            studio.choose(f"#field-{field}", kind)
+            assert {name: grey(studio, f"{field}-{name}") for name in values} == {
+                name: (False, value) for name, value in values.items()
+            }
+
+
+def test_what_a_section_or_limits_replace_is_grey_and_comes_back(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.start("arch")
+        studio.all(".rest summary")[0].click()
+        studio.type("#field-samples", "120")
+        size = studio.until(lambda: studio.text(".numbers dd")).partition(" g")[0]
+        studio.choose("#field-section", "0")
+        studio.until(lambda: grey(studio, "max_width")[0])
+        assert grey(studio, "max_width") == (True, "40")
+        assert grey(studio, "min_width") == grey(studio, "compensate") == (True, "")
+        studio.type("#field-section-limits", "0.4; 2")
+        studio.type("#field-section-width", "20")
+        studio.until(lambda: "20 mm wide" in studio.text(".numbers dd"))
+        design = tomllib.loads(studio.download("design", "arch.toml").read_text())
+        assert "max_width" not in design
+        studio.choose("#field-section", "")
+        studio.until(lambda: studio.text(".numbers dd").startswith(size))
+        assert grey(studio, "max_width") == (False, "40")
+
+        studio.tool("nearest")
+        studio.until(lambda: grey(studio, "samples") == (True, "120"))
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.type("#field-limits-ratio", "5")
+        studio.tool("nearest")
+        studio.until(lambda: grey(studio, "samples") == (False, "120"))
+        assert grey(studio, "limits-ratio") == (True, "5")
+        studio.tool("nearest")
+        assert grey(studio, "limits-ratio") == (False, "5")
 
 
 def test_a_change_after_a_refusal_is_shown_applied_and_undone(server, tmp_path):

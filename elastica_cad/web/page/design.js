@@ -21,6 +21,7 @@ export class History {
     this.past = [];
     this.future = [];
     this.now = JSON.stringify(design);
+    this.aside = {}; // by strip and key: the values of the kinds that are not chosen, which wait until they are chosen again
     this.listeners = [];
   }
 
@@ -41,10 +42,16 @@ export class History {
   change(edit, { step = true } = {}) {
     const design = this.design;
     edit(design);
-    this.replace(design, { step });
+    this.set(design, step);
   }
 
-  replace(design, { step = true } = {}) {
+  // Another design, to which the values of kinds that are not chosen do not belong.
+  replace(design) {
+    this.aside = {};
+    this.set(design);
+  }
+
+  set(design, step = true) {
     const text = JSON.stringify(design);
     if (text === this.now) return;
     if (step) {
@@ -87,8 +94,8 @@ export class History {
   }
 
   keep() {
-    const { past, future, now } = this;
-    if (this.key) try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now })); } catch { /* no room */ }
+    const { past, future, now, aside } = this;
+    if (this.key) try { sessionStorage.setItem(this.key, JSON.stringify({ past, future, now, aside })); } catch { /* no room */ }
   }
 }
 

@@ -43,9 +43,10 @@ const titleOf = (table) => LABELS[table.word ?? table.table] ?? table.word ?? ta
 
 export class Form {
   // Groups are titles with their fields; others are behind one step. get(path) and set(path, value) reach into the design; undefined is what is not given.
-  constructor(host, groups, others, { t, boxed, get, set, sheets, begin }) {
-    Object.assign(this, { t, boxed, get, set, sheets, begin, controls: [], named: new Map() });
-    const made = (fields) => fields.map((field) => this.control(field, [field.name])), by = new Map();
+  // aside(path) holds the values of the kinds that are not chosen, by kind; isIdle(field) is true for a field without effect beside the others.
+  constructor(host, groups, others, { t, boxed, get, set, aside, isIdle, sheets, begin }) {
+    Object.assign(this, { t, boxed, get, set, aside, isIdle, sheets, begin, controls: [], named: new Map() });
+    const made = (fields) => fields.map((field) => this.greyed(field, this.control(field, [field.name]))), by = new Map();
     for (const field of others) by.set(field.group, [...(by.get(field.group) ?? []), field]);
     host.replaceChildren(...groups.map(([title, fields]) => html("fieldset", { class: title.toLowerCase() }, html("legend", {}, t(title)), ...made(fields))),
       ...(by.size ? [html("details", { class: "rest" }, html("summary", {}, t("More settings")),
@@ -61,6 +62,12 @@ export class Form {
   }
 
   show() { for (const control of [...this.controls]) control(); }
+
+  // What has no effect is grey, and keeps its value.
+  greyed(field, host) {
+    this.controls.push(() => host.querySelectorAll(":is(input, select, button):not(.aside)").forEach((one) => { one.disabled = this.isIdle(field); }));
+    return host;
+  }
 
   control(field, path) {
     const tables = valuesOf(field).filter((value) => value.fields);
@@ -117,7 +124,7 @@ export class Form {
   // The help is also printed where names say little, among the limits and the other settings, and everywhere on a phone.
   row(field, input, id) {
     const { t } = this, help = t(HELPS[field.name] ?? field.help);
-    this.named.set(t(field.name.replaceAll("_", " ")), input);
+    if (!input.disabled) this.named.set(t(field.name.replaceAll("_", " ")), input);
     (input.id ? input : input.firstChild).title = help; // read as its description
     return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit),
       field.help ? html("p", { class: "help", "aria-hidden": "true" }, help) : null);
@@ -168,24 +175,36 @@ export class Form {
     const titled = tables.length > 1 || flag;
     const select = this.select([["", t(ABSENT[field.name] ?? "none")], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? titleOf(one) : "as below")]),
       ...(others.length ? [["value", t(listed(others[0]).length ? "as below" : "value")]] : [])], { id });
-    const inner = html("div", { class: "inner" });
+    const inner = html("div", { class: "inner" }), unchosen = html("div", { class: "inner" });
     const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"
       : `${Math.max(tables.findIndex((one) => (one.word ? one.word === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);
     const isBegun = !others[0] || others[0].kind === "number" || (others[0].kind === "list" && !others[0].size); // else only a file has such a value
     select.addEventListener("change", () => {
-      const one = tables[select.value];
-      this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.word ? { kind: one.word } : {})));
+      const one = tables[select.value], now = this.get(path), aside = this.aside(path);
+      if (now !== undefined) aside[kindOf(now)] = now;
+      this.set(path, aside[select.value] ?? { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.word ? { kind: one.word } : {})));
     });
-    let kind = null, made = [];
+    // The values of the kinds that are not chosen, of a name that several kinds have the chosen one.
+    const greyed = (chosen, aside) => {
+      const entries = new Map(tables.flatMap(({ fields }, k) => fields.filter(({ name }) => aside[k]?.[name] !== undefined).map((one) => [one.name, [one, aside[k][one.name]]])));
+      if ("value" in aside) entries.set("value", [{ ...field, name: "value" }, aside.value]);
+      for (const { name } of chosen === "value" ? [{ name: "value" }] : tables[chosen]?.fields ?? []) entries.delete(name);
+      return [...entries].map(([name, [one, value]]) => this.row(one, html("input", { id: idOf([...path, name]), class: "aside", disabled: true, value: this.shown(value, one.unit) }), idOf([...path, name])));
+    };
+    let kind = null, made = [], waited = null;
     this.controls.push(() => {
+      const aside = this.aside(path);
       select.value = kindOf(this.get(path));
-      if (!isBegun) select.lastChild.hidden = select.value !== "value";
+      const waiting = JSON.stringify([select.value, aside]);
+      if (waiting !== waited) unchosen.replaceChildren(...greyed(select.value, aside));
+      waited = waiting;
+      if (!isBegun) select.lastChild.hidden = select.value !== "value" && !("value" in aside);
       if (kind === select.value) return;
       kind = select.value;
       made = this.renew(inner, made, () => (kind === "value" ? [this.control({ ...field, ...(others.length > 1 ? { kind: "either", of: others } : others[0]), name: "value" }, path)]
         : (tables[kind]?.fields ?? []).map((one) => this.control(one, [...path, one.name]))));
     });
-    return html("div", { class: "table" }, this.row({ ...field, unit: "" }, select, id), inner);
+    return html("div", { class: "table" }, this.row({ ...field, unit: "" }, select, id), inner, unchosen);
   }
 }
 

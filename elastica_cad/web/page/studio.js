@@ -54,7 +54,7 @@ function localStored(key, value) {
 
 class Studio {
   constructor(root, channel, hello, history, { address, onchange }) {
-    Object.assign(this, { root, hello, history, address, onchange, mark: hello.mark, strip: 0, shown: 0, answer: null, frames: null });
+    Object.assign(this, { root, hello, history, address, onchange, mark: hello.mark, strip: 0, shown: 0, answer: null, frames: null, idle: [] });
     this.channel = { ask: (question) => channel.ask({ ...question, language: this.language }) };
     history.listeners.push(() => this.changed());
     channel.onstate = (alive, hello) => this.alive(alive, hello);
@@ -216,7 +216,7 @@ class Studio {
       else if (field.many) field.when = () => this.isModel();
     const shown = groups.flatMap(([, of]) => of);
     this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
-      t: this.t, boxed: this.boxed, sheets: this.sheetsOf, begin: (table) => this.begin(table),
+      t: this.t, boxed: this.boxed, sheets: this.sheetsOf, begin: (table) => this.begin(table), aside: (path) => this.aside(path), isIdle: ({ name }) => this.idle.includes(name),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
@@ -224,6 +224,9 @@ class Studio {
       },
     });
   }
+
+  // The values of the kinds of a setting that are not chosen, by kind.
+  aside(path) { return this.history.aside[`${this.formOf ? "pair" : this.strip} ${path.join(" ")}`] ??= {}; }
 
   // A click on the drawing sets the next point of the curve, or moves the view.
   draws(on) {
@@ -502,6 +505,10 @@ class Studio {
     const { t } = this;
     if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip]?.position ?? answer.states[1 - this.strip]?.drawn });
     this.answer = answer;
+    if (answer && `${answer.idle ?? []}` !== `${this.idle}`) {
+      this.idle = answer.idle ?? [];
+      this.form.show();
+    }
     this.drawing.show({ answer, ghost: answer?.other ?? null });
     if (answer && this.refit) this.drawing.fit(); // the tabs are known now
     if (answer) this.refit = false;
@@ -691,10 +698,13 @@ class Studio {
 
   // The strip takes the nearest possible curve; the control points stay as they are drawn.
   nearest() {
+    const aside = this.aside(["limits"]);
     this.history.change((design) => {
       const table = tableOf(design, this.strip, "limits");
-      if ("limits" in table) delete table.limits;
-      else design.strips[this.strip].limits = { ...this.hello.nearest };
+      if ("limits" in table) {
+        aside[0] = table.limits;
+        delete table.limits;
+      } else design.strips[this.strip].limits = aside[0] ?? { ...this.hello.nearest };
     });
   }
 
