@@ -1,6 +1,6 @@
 """`elastica bend`: the shape of a strip with moved ends."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -173,15 +173,16 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             )
         (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
         finished = None if record is None else FinishedStrip.read(record, requested.curve)
-    has_material = chosen["sheet"] is not None or finished is not None
-    if not has_material:
-        refuse_idle(dict.fromkeys(("gravity", "thickness", "max_width"), ("sheet",)))
+    if finished is None:
+        needs = dict.fromkeys(("gravity", "thickness", "max_width"), ("sheet",))
+        refuse_idle(needs | {"sheet": ("max_width", "gravity", "settings")})
     has_weight = finished is not None and finished.spec.gravity
     if not has_weight:
         refuse_idle({"down": ("gravity", "point_mass")})
     settings = parsed_settings(chosen["settings"], BentKeys)
-    if settings and (curve is None or not has_material):
+    if settings and finished is None and (curve is None or chosen["sheet"] is None):
         raise InputError("--set needs a strip. Name its report, or a CURVE and --sheet NAME.")
+    _refuse_uncompensated(settings, finished)
     strip = (
         _initial_strip(requested, chosen, settings)
         if finished is None
@@ -189,6 +190,10 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     )
     rod = _initial_rod(requested, chosen) if strip is None else strip.rod
     before = rod if strip is None else strip.rod_to_bend
+    if chosen["release"] and not rod.between:
+        raise InputError(
+            "--release has no effect, because the strip has no rails, pins or ties. Leave it out."
+        )
     present = Supports() if finished is None else rod.supports
     stays = chosen["start"] is None and chosen["end"] is None
     if curve is None and chosen["tie"] and stays:
@@ -234,6 +239,17 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     )
 
 
+def _refuse_uncompensated(settings: Mapping[str, Any], finished: FinishedStrip | None) -> None:
+    """Raise InputError for tabs and slots that change neither the shape nor the widths of the strip."""
+    if settings.get("compensate", finished is not None and finished.spec.compensate):
+        return
+    for key in settings.keys() & ({"slots"} if finished is None else {"slots", "ends"}):
+        raise InputError(
+            "{key} has no effect without {other}. Set {other}, or leave out {key}.",
+            key=key, other="compensate",
+        )  # fmt: skip
+
+
 def _refuse_curve_options(idle: set[str]) -> None:
     for name in sorted(idle):
         raise InputError(
@@ -248,7 +264,9 @@ def _with_changes(finished: FinishedStrip, chosen: Chosen, settings: dict[str, A
     if chosen["gravity"] or chosen["down"] is not None:
         values["gravity"] = list(chosen["down"] or (0.0, -1.0))
     table = with_settings(values, settings)
-    _refuse_curve_options(set(table) & set(SOLVED) - {"ignore_limits"})
+    _refuse_curve_options(
+        set(table) & {*SOLVED, "length", "samples", "between", "supports"} - {"ignore_limits"}
+    )
     sheet = requested_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
     if "sheet" not in table and "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])

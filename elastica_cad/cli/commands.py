@@ -213,9 +213,11 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     if name == "name" and "--label" in options:
         return f"{typed} is called --label"
     from elastica_cad.cli.settings import CommandKeys
+    from elastica_cad.design.model_tables import DesignKeys
     from elastica_cad.design.records import is_settable, meant_paths, paths_of
     from elastica_cad.design.tables import OTHER_WORDS
 
+    of_designs = [path for path in paths_of(DesignKeys) if path.rpartition(".")[2] == name]
     for record in _records_of(context):
         keys = paths_of(record)
         if paths := meant_paths(name, keys):
@@ -228,13 +230,18 @@ def _instead_of(problem: click.NoSuchOption) -> str:
                 else f"{path} in the design file"
                 for path in paths
             )
+            explained = f"`elastica help {key}` explains it"
             if name in OTHER_WORDS or paths[0].rpartition(".")[2] == name:
-                return f"use {instead} instead of {typed}: `elastica help {key}` explains it"
-            return f"`{command}` has no option {typed}. Did you mean {instead}? `elastica help {key}` explains it."
+                return f"use {instead} instead of {typed}: {explained}"
+            if not of_designs:
+                return f"`{command}` has no option {typed}. Did you mean {instead}? {explained}."
     near = near_names(word, words)
     strip_has = typed if any(typed in param.opts for param in _imported("strip").params) else ""
     if not strip_has and (new := OTHER_WORDS.get(name)) in paths_of(CommandKeys):
         strip_has = f"--set {new}"
+    if of_designs and not strip_has:
+        keys_of_designs = f"{Either(of_designs[:5])}. `elastica help {of_designs[0]}` explains it."
+        return f"`{command}` has no option {typed}, which is a key of design files: {keys_of_designs}"
     has = f"; `elastica strip` has {strip_has}" if strip_has else ""
     advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists all options."
     return f"`{command}` has no option {typed}{has}. {advice}"

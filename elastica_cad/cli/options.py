@@ -137,12 +137,13 @@ def refuse_idle(
     effect. All are given by the names of their parameters.
     """
     typed = typed_options()
+    known = {option.name: option.opts[0] for option in click.get_current_context().command.params}
     for name, option in typed.items():
         others = needs.get(name, ())
         if others and typed.keys().isdisjoint(others):
             raise InputError(
                 "{option} has no effect without {others}. Add {others}, or leave out {option}.",
-                option=option, others=" or ".join(map(option_name, others)),
+                option=option, others=" or ".join(known[other] for other in others),
             )  # fmt: skip
         if idle := [typed[other] for other in replaces.get(name, ()) if other in typed]:
             raise InputError(

@@ -89,6 +89,11 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
                 "--set {text} has no value. Write KEY=VALUE, such as limits.ratio=3.", text=quoted(text)
             )
         path = current_path(path)
+        if path not in paths_of(record):
+            from elastica_cad.design.model_tables import DesignKeys
+
+            if not paths_of(DesignKeys).keys().isdisjoint((path, f"strips.{path}")):
+                raise InputError("The key {path} has no effect here. Leave it out.", path=quoted(path))
         require_path_of(path, record)
         put(table, path, _in_mm(_toml_or_text(value), path, record))
     return table

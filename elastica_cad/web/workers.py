@@ -66,7 +66,7 @@ class Workers:
     def forget(self, page: int) -> None:
         """Drop the waiting requests of a closed page."""
         for key in [key for key in self._waiting if key[0] == page]:
-            self._waiting[key] = ({}, b"", _nobody)
+            del self._waiting[key]
 
     async def _work(self) -> None:
         process = None
@@ -74,9 +74,9 @@ class Workers:
             while True:
                 process = process or await _start_worker(self._saved)
                 await self._arrived.acquire()
-                question, line, send = self._waiting.pop(next(iter(self._waiting)))
-                if not line:
+                if not self._waiting:  # the page of a request was closed
                     continue
+                question, line, send = self._waiting.pop(next(iter(self._waiting)))
                 seconds = LONGEST_S.get(str(question.get("do")), USUAL_S)
                 try:
                     kind, content = await asyncio.wait_for(_response(process, line), seconds)
@@ -96,10 +96,6 @@ class Workers:
         finally:
             if process is not None:
                 await _end(process)
-
-
-async def _nobody(_: bytes, __: bytes) -> None:
-    """Discard an answer, because its page was closed."""
 
 
 async def _start_worker(saved: Path | None) -> asyncio.subprocess.Process:

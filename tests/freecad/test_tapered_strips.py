@@ -71,12 +71,18 @@ def test_properties_of_a_kind_not_chosen_are_grey_and_without_effect(document, d
         "KeepLine",
         "Law",
         "Style",
+        "GravityLength",
+        "NaturalCurvature",
     }
 
     def grey():
         return {name for name in names if "ReadOnly" in feature.getEditorMode(name)}
 
-    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine"}
+    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine", "GravityLength"}
+    change(feature, Gravity=True, Blank="stations = [0, 400], curvatures = [0, 0]")
+    assert grey() == {"OuterWidth", "Columns", "Backing", "RatioLimit", "KeepLine", "NaturalCurvature"}
+    names -= {"GravityLength", "NaturalCurvature"}
+    change(feature, Gravity=False, Blank="")
     change(feature, Sheet="pom-1", Style="Perforated", Follow="Nearest", LimitMargin=False)
     assert grey() == {"MaxWidth", "Backing"}
     change(feature, Style="Plain", Follow="Exactly", Compensate=True, Law='kind = "rod", limits = [0.5, 3]')

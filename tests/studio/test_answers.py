@@ -461,7 +461,7 @@ def test_a_dragged_point_stops_at_the_border(between):
             at(far, hold=hold | {"from": answers[-1]["point"], "turn": answers[-1].get("turn", 0)})
         )
     assert 2 < len(answers) < 30
-    assert answers[-1] == {"point": answers[-2]["point"]}
+    assert answers[-1] == {"point": answers[-2]["point"], "idle": []}
     ((x, y),) = answers[-1]["point"]
     assert y > far[1] + 1
     assert "refused" in at([x, y - 1.1])

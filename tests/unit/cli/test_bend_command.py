@@ -53,6 +53,14 @@ def test_a_straight_strip_buckles_to_the_side_requested(tmp_path):
         (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest has no effect beside --straight"),
         (("--straight", 100, "--gravity"), "--gravity has no effect without --sheet"),
         (
+            ("--straight", 100, "--to", 80, 0, "--sheet", "pom-1"),
+            "--sheet has no effect without --max-width or --gravity or --set",
+        ),
+        (
+            ("--straight", 100, "--to", 80, 0, "--release"),
+            "--release has no effect, because the strip has no rails",
+        ),
+        (
             ("--straight", 900, "--to", 800, 0, "--sheet", "carbon-rod-4", "--max-width", 4),
             "is a rod, so no flat",
         ),

@@ -438,6 +438,22 @@ def test_what_is_missing_is_listed_with_what_to_give(tmp_path, words, told):
             "pair arch.csv --sheet pom-1 --max-width 20",
             "no option --max-width; `elastica strip` has --max-width. `elastica pair --help` lists all options.\n",
         ),
+        (
+            "strip arch.csv --clearance 1",
+            "key of design files: interlock.clearance, base.clearance, rings.clearance, frame.clearance, or "
+            "fixtures.clearance. `elastica help interlock.clearance` explains it.\n",
+        ),
+        (
+            "bend arch.csv --creep 1",
+            "no option --creep, which is a key of design files: creep, strips.creep, or",
+        ),
+        *(
+            (
+                f"bend --straight 9 --to 8 0 --sheet pom-1 --set {key}=1",
+                f"key '{key}' has no effect here. Leave it out.\n",
+            )
+            for key in ("creep", "tolerance.kerf", "label")
+        ),
         *(
             (f"model design.toml --{option} 1", f"use --set {key}=VALUE instead of --{option}: ")
             for option, key in {

@@ -305,7 +305,7 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
             "tolerance is 1e-12",
         ),
         (("strip", drawn, *good, "--keep-length"), "Add --nearest"),
-        (("strip", drawn, *good, "--nearest", "--set", "samples=99"), "samples has no effect beside limits"),
+        (("strip", drawn, *good, "--nearest", "--set", "samples=99"), "samples can only be set"),
     ]
     for arguments, words in cases:
         result = run(*arguments, code=2)

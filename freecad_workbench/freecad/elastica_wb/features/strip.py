@@ -101,7 +101,10 @@ class StripFeature(Feature):
         """
         super().onChanged(obj, name)
         # while the properties are added, those that follow are still missing
-        if name in ("Style", "Law", "Follow") and PROPERTIES[-1].name in obj.PropertiesList:
+        if (
+            name in ("Style", "Law", "Follow", "Gravity", "Blank")
+            and PROPERTIES[-1].name in obj.PropertiesList
+        ):
             show_idle(obj)
         if (
             name in ("Between", "Loads")

@@ -416,7 +416,7 @@ def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
 
 
 def show_idle(obj: Any) -> None:
-    """Make the properties read-only that have no effect with the present Style, Law and Follow."""
+    """Make the properties read-only that have no effect beside the present values of others, such as Style."""
     nearest, with_section = obj.Follow == "Nearest", bool(obj.Law.strip())
     idle = {name_of(path) for path in FIELDS if not _has_effect(obj, path, nearest=nearest)}
     if not nearest:
@@ -427,6 +427,10 @@ def show_idle(obj: Any) -> None:
         idle.add("MaterialWidth")
     if obj.Style != "Laminated":
         idle.add("Backing")
+    if not obj.Gravity:
+        idle |= {"GravityDirection", "GravityLength"}
+    if obj.Blank.strip():
+        idle.add("NaturalCurvature")
     for entry in PROPERTIES:
         if not (entry.result or entry.hidden):
             obj.setEditorMode(entry.name, int(entry.name in idle))
