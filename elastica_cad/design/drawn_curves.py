@@ -39,13 +39,6 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     >>> leaning.bounds.round(6).tolist()[0]
     [-50.0, 0.0]
     """
-    for name in places:
-        if name not in CORNERS:
-            raise InputError(
-                "A bounding box has no corner {name!r}. Use one of {corners}.",
-                name=name,
-                corners=", ".join(CORNERS),
-            )
     (left, low), (right, high) = box_around(np.array([curve.bounds for curve in curves]))
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
