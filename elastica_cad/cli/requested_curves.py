@@ -165,9 +165,9 @@ def requested_curves(
     `corners`, curves that meet at a corner are not joined. `how` names, in messages, the options that select
     a single curve.
     """
-    drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
+    drawing, chosen = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
-    selected = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
+    selected = chosen if every else (drawing.one(number, layer, how),)
     in_files = _names_by_number(selected)
     in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
     pieces = [piece for whole in selected for piece in (whole.split_at_corners() if split else (whole,))]
@@ -199,8 +199,8 @@ def drawn_curves(
     how: str = CHOICE,
     *,
     corners: bool = True,
-) -> DrawnFile:
-    """Read a file, print notes about omitted items, and return all its curves."""
+) -> tuple[DrawnFile, Sequence[DrawnCurve]]:
+    """Read a file, print notes about omitted items, and return all its curves and the selected ones."""
     drawing = read_drawing(path, unit=unit, corners=corners)
     for text in drawing.notes:
         warn(f"{path.name}: {text}")
@@ -211,7 +211,7 @@ def drawn_curves(
     if report is not None:
         voice().read = report.as_dict()
         say_rows(Row("Read", str(report)))
-    return drawing
+    return drawing, chosen
 
 
 def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:

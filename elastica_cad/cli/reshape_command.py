@@ -76,8 +76,7 @@ def reshape(
     such map changes.
     """
     refuse_idle({}, {"handles": CORNERS})
-    drawing = drawn_curves(curve, unit, number, layer)
-    chosen = drawing.chosen(number, layer)
+    drawing, chosen = drawn_curves(curve, unit, number, layer)
     for drawn_curve in chosen if len(chosen) > 1 else ():
         if drawn_curve.problem:
             text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
