@@ -61,8 +61,6 @@ MOST_SHEETS = 3
 
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
-NARROWEST_MM = 1.0
-"""Width of the narrowest place in this example below which no strip can be cut."""
 
 
 @click.command()
@@ -315,7 +313,7 @@ def _widths_row(ratio: float) -> Row:
         f"the strip varies in width: its widest place is {ratio:.3g} times as wide as its narrowest, "
         f"e.g. {example}"
     )
-    if WIDE_MM / ratio >= NARROWEST_MM:
+    if WIDE_MM / ratio >= 1.0:  # mm; no narrower strip can be cut
         return Row("Widths", text)
     advice = "Draw another curve, or take the nearest curve (--nearest of `elastica strip`)"
     return warning_row(f"{text}, which is too narrow to cut. {advice}", "Widths")

@@ -22,9 +22,6 @@ from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
-GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
-"""Assumed modulus, MPa, and strain limit of an unknown sheet, from which the length of its coupon is computed."""
-
 LEAST_DROOP_MM = 10.0
 """Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""
 
@@ -137,12 +134,13 @@ def _sheet_of_coupon(chosen: Chosen) -> Sheet:
                 "The material is missing. Name the most similar one with --sheet NAME, or set --thickness MM "
                 "and --density KG/M3."
             )
+        # modulus and strain limit are assumed, for the length of the coupon
         return Sheet(
             chosen["name"] or "my-sheet",
             thickness=thickness,
             density=density,
-            youngs_modulus=GUESSED_MPA,
-            max_strain=GUESSED_STRAIN,
+            youngs_modulus=4000.0,
+            max_strain=0.004,
         )
     sheet = Sheet.named(chosen["sheet"])
     if thickness is not None:  # keep the measured thickness out of the name

@@ -18,8 +18,6 @@ from elastica_cad.formats.write_files import File, text_file, write_files
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.report_rows import Row
 
-KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
-
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
 )  # fmt: skip
@@ -27,7 +25,7 @@ AROUND, UP = 48, 25
 
 
 @click.command()
-@click.argument("kind", type=click.Choice(KINDS))
+@click.argument("kind", type=click.Choice(["arch", "lamp", "pavilion", "revolution", "sections", "schema"]))
 @output_options
 def new(kind: str, output: Path, force: bool) -> None:
     """Write a commented design file as a start.

@@ -29,8 +29,6 @@ from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import Point, Severity
 from elastica_cad.report_rows import Row, warning_row
 
-KINDS = ("dxf", "svg", "json")
-
 
 @click.command()
 @curve_argument()
@@ -87,7 +85,7 @@ def reshape(
     )
     changed = [drawn_curve.transformed(matrix) for drawn_curve in originals]
     name = f"{file_word(curve.stem)}-reshaped"
-    files = [File(f"{name}.{kind}", partial(_write_curves, changed)) for kind in KINDS]
+    files = [File(f"{name}.{kind}", partial(_write_curves, changed)) for kind in ("dxf", "svg", "json")]
     written = write_files(files, output, force=force)
     reports = []
     for count, pair in enumerate(zip(originals, changed, strict=True), start=1):

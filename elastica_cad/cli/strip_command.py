@@ -56,14 +56,6 @@ from elastica_cad.strip.summary import not_computed_row, size_row, strip_rows
 MOST_NAMES = 3
 """Largest number of cutting files whose names are printed, if the command makes several strips."""
 
-BETTER_SHARE = 0.8
-"""Expected deviation of a strip with compensated widths, as a fraction of the expected deviation without
-compensation, below which --compensate is suggested."""
-
-SUGGESTED_DEVIATION = 3e-4
-"""Computed deviation of the strip from its design, as a fraction of its length, above which compensated widths
-are tried."""
-
 
 def _files(chosen: Chosen, table: Mapping[str, Any]) -> StripFiles:
     reader, below = Reader(), Table(table, "", {})
@@ -262,17 +254,17 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     if result.spec.compensate or result.spec.section is not None:
         return
     with suppress(NotConvergedError):
-        if not not_computed_row(strip) and strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
+        if not not_computed_row(strip) and strip.held_deviation > 3e-4 * strip.rod.length:
             if reason := not_tried(strip.rod.curve):
                 yield Row("Change", reason)
                 return
             better = compensate_within(strip, result.spec.shop)
             # compensation reduces the computed deviation, but it can increase the expected deviation, which
-            # includes errors of the sheet and of the cut
+            # includes errors of the sheet and of the cut; a fifth less is worth the option
             if (
                 better.correction is not None
                 and better.held_deviation < strip.held_deviation / 2
-                and (expected := better.held().expected) < BETTER_SHARE * strip.held().expected
+                and (expected := better.held().expected) < 0.8 * strip.held().expected
             ):
                 yield Row(
                     "Change",

@@ -21,14 +21,8 @@ from elastica_cad.refusals import Refusal, ended, note, sentences
 
 Value: TypeAlias = "float | FloatArray"
 
-MOST_LETTERS = 2000
-"""Largest number of characters in a formula. A longer formula can be split with `let`."""
-
 LARGEST_RESULT = 1e300
 """Largest result of a formula. The sum of a few such results is still finite."""
-
-MOST_NESTED = 60
-"""Largest depth of nested brackets, signs and operators, below the limit of Python's parser."""
 
 CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": MM_PER_INCH}
 """Constants in formulae: 30*degrees is an angle in radians, and 1.5*inch a length in mm."""
@@ -87,11 +81,11 @@ class Formula:
 
     @property
     def _shown(self) -> str:
-        return self.text[:LONGEST_FORMULA]
+        return self.text[:200]
 
     @cached_property
     def _parsed(self) -> "_Parsed":
-        if len(self.text) > MOST_LETTERS:
+        if len(self.text) > 2000:
             raise InputError(
                 "{place}: a formula of {count} characters is too long. Name parts of the formula in a table "
                 "'let'.",
@@ -164,7 +158,7 @@ def _parsed(text: str) -> _Parsed:
 
 
 def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> None:
-    if depth > MOST_NESTED:
+    if depth > 60:  # below the limit of Python's parser
         raise _refusal(
             node, formula, "the formula is nested too deeply; name parts of the formula in a table 'let'"
         )
@@ -249,14 +243,8 @@ MOST_LISTED = 5
 Further errors are only counted, because one mistake often causes many.
 """
 
-LONGEST_LIST = 800
-"""Length, in characters, after which a list of errors ends."""
-
 LONGEST_KEY = 60
 """Number of characters of an unknown key, name or text that a message shows."""
-
-LONGEST_FORMULA = 200
-"""Number of characters of a formula that a message shows."""
 
 FORMER_KEYS = {"law": "section"}
 """Present names of keys of strips, by the former names that files, reports and `--set` still accept."""
@@ -350,7 +338,7 @@ class Slips:
         """Sentences for the first errors and the number of further errors, or "" if there are no errors."""
         texts = list(self._texts.values()) or [""]
         ends = accumulate(map(len, texts[:MOST_LISTED]))
-        listed = texts[: max(1, sum(end <= LONGEST_LIST for end in ends))]
+        listed = texts[: max(1, sum(end <= 800 for end in ends))]
         if (left := len(texts) - len(listed)) == 1:
             listed.append(texts[-1])
         elif left:

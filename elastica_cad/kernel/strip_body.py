@@ -38,9 +38,6 @@ T = TypeVar("T")
 LEAST_LEAN_DEGREES = 90 / degrees(1)
 """Inclination of a slot, degrees, below which a number with decimals was probably given in radians."""
 
-LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""Packages that a warning skips, so that it points to a line of the user's script."""
-
 
 class StripWarning(UserWarning):
     """Warning about a strip that can be made but may be useless, such as one that intersects another."""
@@ -95,7 +92,8 @@ def clamped_wire(
 def warn(text: str) -> None:
     """Issue a warning at the line of the user's script."""
     depth, caller = 2, sys._getframe(1)
-    while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in LIBRARIES:
+    skipped = ("elastica_cad", "build123d", "cadquery")
+    while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in skipped:
         depth, caller = depth + 1, caller.f_back
     warnings.warn(printable(text), StripWarning, stacklevel=depth)
 
