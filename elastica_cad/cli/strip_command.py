@@ -260,7 +260,7 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
                 return
             better = compensate_within(strip, result.spec.shop)
             # compensation reduces the computed deviation, but it can increase the expected deviation, which
-            # includes errors of the sheet and of the cut; a fifth less is worth the option
+            # includes errors of the sheet and of the cut; a fifth less is worth a suggestion
             if (
                 better.correction is not None
                 and better.held_deviation < strip.held_deviation / 2
