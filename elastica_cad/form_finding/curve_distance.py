@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from elastica_cad._cached_property import cached_property
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.form_finding.constraints import thin_rows
 from elastica_cad.form_finding.limits import Symmetry
@@ -72,14 +72,11 @@ class TargetCurve:
         s = tries[np.arange(len(points)), dot(off, off).argmin(axis=1)]
         for _ in range(4):
             position, direction = self.at(s)
-            s = (s + dot(points - position, direction) / self._stretch(s, points, position)).clip(0, 1)
+            off, i = points - position, np.rint(s * (len(self.position) - 1)).astype(int)
+            # limit the step, because Newton's method diverges near the centre of curvature
+            spread = np.maximum(1 - self.curvature[i] * cross(self._directions[i], off), 0.3)
+            s = (s + dot(off, direction) / spread).clip(0, 1)
         return np.asarray(s)
-
-    def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        i = np.rint(s * (len(self.position) - 1)).astype(int)
-        direction = self._directions[i]
-        off = points - position
-        return np.asarray(np.maximum(1 - self.curvature[i] * cross(direction, off), 0.3))
 
     @cached_property
     def _spline(self) -> "CubicHermiteSpline":
@@ -209,9 +206,10 @@ class LargestDistance:
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a local model of the largest weighted distance."""
-        _, normal = offsets(self.target, rod)
-        signed, farthest = self._peaks(rod)
-        p = rod.z.size
+        off, normal = offsets(self.target, rod)
+        signed = self.factors * dot(off, normal)
+        size, p = np.abs(signed), rod.z.size
+        farthest = thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
         # signed distances of the nodes after the change to equilibrium; negative to the right of the target
@@ -221,12 +219,6 @@ class LargestDistance:
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
-
-    def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        off, normal = offsets(self.target, rod)
-        signed = self.factors * dot(off, normal)
-        size = np.abs(signed)
-        return signed, thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
 
 
 def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:

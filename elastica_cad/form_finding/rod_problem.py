@@ -173,8 +173,10 @@ def pose_problem(task: NearestTask) -> RodProblem:
     """Return the nonlinear program for a task."""
     grid = _grid(task)
     lower, upper = _box(task, grid)
+    scale, u = np.ones(grid.unknowns.count), grid.unknowns
+    scale[u.moment], scale[u.force] = _moment_scale(task), 5 * _moment_scale(task)
     return RodProblem(
-        lower, upper, _scale(task, grid), grid=grid, distance=task.distance,
+        lower, upper, scale, grid=grid, distance=task.distance,
         constraints=tuple(_constraints(task)),
     )  # fmt: skip
 
@@ -193,14 +195,6 @@ def _grid(task: NearestTask) -> StripGrid:
 def _moment_scale(task: NearestTask) -> float:
     bend = float(np.sqrt((task.target.curvature**2).mean()))
     return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
-
-
-def _scale(task: NearestTask, grid: StripGrid) -> FloatArray:
-    u = grid.unknowns
-    scale = np.ones(u.count)
-    scale[u.moment] = _moment_scale(task)
-    scale[u.force] = 5 * _moment_scale(task)
-    return scale
 
 
 def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:

@@ -382,8 +382,11 @@ def stability(rod: Rod) -> Stability:
     if started_from == "end":
         place = None if place is None else rod.length - place
         s, value = rod.length - s[::-1], value[::-1]
+    turning = turning_nodes(discrete.supports)
+    nodal = np.pad(midpoints(margin.mode), 1)
+    nodal[turning] = margin.mode[turning]
     return Stability(
-        stable=negative == 0 and not borderline, margin=margin.value, mode=_nodal_mode(discrete),
+        stable=negative == 0 and not borderline, margin=margin.value, mode=nodal / nodal[np.abs(nodal).argmax()],
         negative=negative, conjugate_point=place, started_from=started_from, determinant_s=s,
         determinant=value, borderline=borderline, safe=_safe_margin(discrete),
     )  # fmt: skip
@@ -395,10 +398,3 @@ def _safe_margin(rod: DiscreteRod) -> float:
     chord = rod.position[-1] - rod.position[0]
     straight = replace(rod, angles=np.full(rod.angles.size, angle_of(chord)), force=np.zeros_like(rod.force))
     return min(SAFE_MARGIN, UNLOADED_SHARE * straight.margin.value)
-
-
-def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    mode, turning = rod.margin.mode, turning_nodes(rod.supports)
-    nodal = np.pad(midpoints(mode), 1)
-    nodal[turning] = mode[turning]
-    return np.asarray(nodal / nodal[np.abs(nodal).argmax()])
