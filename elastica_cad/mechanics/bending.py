@@ -15,7 +15,6 @@ from elastica_cad._values import (
     require_flag,
     require_record,
     several,
-    with_article,
 )
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import midpoints, norm
@@ -68,7 +67,7 @@ from elastica_cad.mechanics.newton_continuation import (
     relax,
     stretch,
 )
-from elastica_cad.mechanics.rod import Rod, resample
+from elastica_cad.mechanics.rod import Rod, require_rod, resample
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
 from elastica_cad.refusals import Degrees, FieldName, Length, Point, Refusal, note
 
@@ -166,10 +165,7 @@ def bend(
     >>> round(float(arch.position[:, 1].max()), 1)
     31.4
     """
-    if not isinstance(rod, Rod):
-        raise InputError(
-            f"bend was called with {with_article(type(rod))}: give a Rod from optimal_rod or Rod.straight"
-        )
+    require_rod(rod, "bend", "Rod.straight")
     rod = rod.following()
     start = rod.position[0] if start is None else start
     end = rod.position[-1] if end is None else end

@@ -3,13 +3,13 @@
 from dataclasses import dataclass, replace
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, with_article
+from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import norm
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.rod import CurlingLaw, Rod
+from elastica_cad.mechanics.rod import CurlingLaw, Rod, require_rod
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.mechanics.tolerances import feels_modulus
 from elastica_cad.refusals import Length, note, sentences
@@ -152,10 +152,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     >>> found.sag > 1, round(found.force_share, 3)
     (True, 0.556)
     """
-    if not isinstance(rod, Rod):
-        raise InputError(
-            f"creep was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
-        )
+    require_rod(rod, "creep")
     phi = require_creep(factor)
     require_free_between(rod, "A creep study")
     first = later = rod

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -121,39 +120,23 @@ def examine(
     rails, pins, ties and forces on a strip without weight. Between a free end and the station nearest to this end,
     the strip carries no moment and must be straight.
     """
-    judge = partial(
-        _examine_curve,
-        supports=supports,
-        natural_curvature=natural_curvature,
-        tolerance=tolerance,
-        heavy=heavy,
-        stations=stations,
-    )
+
+    def judge(fit: PlaneCurve) -> EquilibriumCheck:
+        tails = find_free_tails(fit, supports, natural_curvature, stations)
+        if tails:
+            straight, moved, reasons = straightened(fit, tails, tolerance * fit.length)
+            check = examine_curvature(straight, supports, tails=[tail.end for tail in tails])
+            check = replace(check, moved=moved)
+            return replace(check, realizable=False, reasons=reasons) if reasons else check
+        check = examine_curvature(fit, supports, natural_curvature)
+        check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
+        if heavy or check.any_stiffness or not check.zeros:
+            return check
+        return _check_line(check, supports, natural_curvature, tolerance)
+
     check = judge(curve)
     undecided = _compare_fits(check, curve, judge)
     return check if undecided is None else replace(check, undecided=undecided)
-
-
-def _examine_curve(
-    curve: PlaneCurve,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    tolerance: float,
-    *,
-    heavy: bool,
-    stations: Sequence[float],
-) -> EquilibriumCheck:
-    tails = find_free_tails(curve, supports, natural_curvature, stations)
-    if tails:
-        straight, moved, reasons = straightened(curve, tails, tolerance * curve.length)
-        check = examine_curvature(straight, supports, tails=[tail.end for tail in tails])
-        check = replace(check, moved=moved)
-        return replace(check, realizable=False, reasons=reasons) if reasons else check
-    check = examine_curvature(curve, supports, natural_curvature)
-    check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
-    if heavy or check.any_stiffness or not check.zeros:
-        return check
-    return _check_line(check, supports, natural_curvature, tolerance)
 
 
 # an end is unbent if its curvature is below this fraction of the largest curvature

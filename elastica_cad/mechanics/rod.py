@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
+from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive, with_article
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
 from elastica_cad.geometry.plane_points import angle_of, left_of, midpoints, norm, unit_vectors
@@ -816,6 +816,14 @@ class Rod:
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
         return replace(self, stiffness=K, profile=profile, residual=residual)
+
+
+def require_rod(rod: object, caller: str, source: str = "bend") -> None:
+    """Refuse objects that are not a `Rod`. `caller` and `source` are names of functions for the message."""
+    if not isinstance(rod, Rod):
+        raise InputError(
+            f"{caller} was called with {with_article(type(rod))}: give a Rod from optimal_rod or {source}"
+        )
 
 
 def resample(rod: Rod, samples: int) -> Rod:

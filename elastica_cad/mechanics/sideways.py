@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_number, with_article
+from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import cross, dot, left_of, midpoints, norm, unit_vectors
 from elastica_cad.geometry.profile import Profile
@@ -21,7 +21,7 @@ from elastica_cad.mechanics.discrete_rod import (
 )
 from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod import Rod, require_rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
 from elastica_cad.refusals import note
 
@@ -361,10 +361,7 @@ def sideways_stability(
     >>> sideways_stability(arch, 20.0, 0.8).word
     'ample'
     """
-    if not isinstance(rod, Rod):
-        raise InputError(
-            f"sideways_stability was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
-        )
+    require_rod(rod, "sideways_stability")
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
         np.interp(s, rod.s, rod.flat_stiffness),

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
-from elastica_cad._values import numbers, require_record, with_article
+from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import angle_of, at_sign_changes, left_of, midpoints
 from elastica_cad.mechanics.discrete_rod import (
@@ -18,7 +18,7 @@ from elastica_cad.mechanics.discrete_rod import (
     solve_bordered,
 )
 from elastica_cad.mechanics.loads import Supports, turning_nodes
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod import Rod, require_rod
 from elastica_cad.refusals import note
 
 
@@ -352,10 +352,7 @@ def stability(rod: Rod) -> Stability:
     >>> stability(arch).stable
     True
     """
-    if not isinstance(rod, Rod):
-        raise InputError(
-            f"stability was called with {with_article(type(rod))}: give a Rod from optimal_rod or bend"
-        )
+    require_rod(rod, "stability")
     if rod.residual > 0.05:
         raise InputError(
             f"the rod is not in equilibrium (residual {rod.residual:.2g}): pass the result of `bend`"
