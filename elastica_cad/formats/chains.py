@@ -32,7 +32,7 @@ from elastica_cad.geometry.plane_points import (
     norm,
     sharp_points,
 )
-from elastica_cad.geometry.splines import SplineFunction, knot_runs, over_knots
+from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
@@ -601,7 +601,7 @@ def _require_distance(distance: float, allowed: float) -> None:
 def _polyline(points: FloatArray) -> PlaneCurve:
     knots = np.repeat(lengths_along(points), 2)
     control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
-    return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
+    return PlaneCurve(np.pad(knots, 1, mode="edge"), control, 2)
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float, noise: float) -> list[PlaneCurve]:
@@ -675,7 +675,7 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:
         inner_knots, rows = _clamped(edge, degree)
-        length = lengths_along(edge.at(edge.stations()))[-1]
+        length = float(np.linalg.norm(np.diff(edge.at(edge.stations()), axis=0), axis=1).sum())
         inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
         if len(homogeneous):
             last = homogeneous[-1]
@@ -706,4 +706,6 @@ def _clamped(
     knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
     if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):
         return knots, edge.homogeneous
-    return knots, over_knots(SplineFunction(edge.knots, edge.homogeneous, edge.degree), knots, degree)
+    sites = interpolation_sites(knots, degree)
+    target = edge.spans.basis(sites) @ edge.homogeneous
+    return knots, np.asarray(np.linalg.solve(bezier_spans(knots, degree).basis(sites), target), dtype=float)

@@ -86,8 +86,7 @@ class LayerStyle:
                 color=self.color,
                 name=self.name,
             )
-        object.__setattr__(self, "name", name)
-        object.__setattr__(self, "color", self.color.lower())
+        vars(self).update(name=name, color=self.color.lower())
 
     @property
     def rgb(self) -> tuple[int, int, int]:

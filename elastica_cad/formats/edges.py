@@ -91,8 +91,7 @@ class Edge:
                 "all knots of a spline are {knots:g}, so the spline has no length: draw the spline again",
                 knots=knots[count],
             )
-        object.__setattr__(self, "knots", knots)
-        object.__setattr__(self, "points", points)
+        vars(self).update(knots=knots, points=points)
         if self.weights is not None:
             weights = np.array(self.weights, dtype=float)
             if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):

@@ -90,7 +90,7 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
     while pieces.shape[1] < 4:
         pieces = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
     rows = np.concatenate([pieces[0, :1], *pieces[:, 1:]])
-    knots = np.concatenate([edges[:1], edges.repeat(3), edges[-1:]])
+    knots = np.pad(edges.repeat(3), 1, mode="edge")
     return PlaneCurve(knots, project(rows), 3, rows[:, 2] if curve.is_rational else None)
 
 

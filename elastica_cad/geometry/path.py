@@ -176,10 +176,10 @@ class Path:
     closed: bool = False
 
     def __init__(self, segments: Sequence[Segment], closed: bool = False) -> None:
-        object.__setattr__(
-            self, "segments", several("the segments of a path", segments, Segment, "Line, Arc and Spline")
+        vars(self).update(
+            segments=several("the segments of a path", segments, Segment, "Line, Arc and Spline"),
+            closed=require_flag(closed, "closed"),
         )
-        object.__setattr__(self, "closed", require_flag(closed, "closed"))
         if not self.segments:
             raise InputError("the path has no segment: give at least one segment")
         for segment, after in self._joints:

@@ -128,7 +128,7 @@ class Profile:
         through = spline_through(s, values, min(3, s.size - 1))
         knots, coefficients = through.knots, through.coefficients
         while knots.size < 8:
-            knots = np.concatenate([knots[:1], knots, knots[-1:]])
+            knots = np.pad(knots, 1, mode="edge")
             coefficients = raise_degree(coefficients)
         return cls(knots, coefficients)
 

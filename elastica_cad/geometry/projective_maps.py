@@ -129,7 +129,7 @@ def map_spline(
     bezier, edges = pieces()
     parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
     ends = np.array([*(start for start, _ in parts), edges[-1]])
-    t = np.concatenate([ends[:1], ends.repeat(degree), ends[-1:]])
+    t = np.pad(ends.repeat(degree), 1, mode="edge")
     # neighbours share an end point, so omit the first control point of all pieces but the first
     points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
     return t, project(points), np.abs(points[:, 2])

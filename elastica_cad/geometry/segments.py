@@ -61,8 +61,7 @@ class Line:
     end: FloatArray
 
     def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
-        object.__setattr__(self, "start", point(start, "line start"))
-        object.__setattr__(self, "end", point(end, "line end"))
+        vars(self).update(start=point(start, "line start"), end=point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
             raise InputError(f"a line at {place(self.start)} has no length: leave it out")
 
@@ -137,9 +136,12 @@ class Arc:
     end_angle: float
 
     def __init__(self, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> None:
-        object.__setattr__(self, "center", point(center, "arc center"))
-        for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
-            object.__setattr__(self, name, require_number(value, f"arc {name}"))
+        vars(self).update(
+            center=point(center, "arc center"),
+            radius=require_number(radius, "arc radius"),
+            start_angle=require_number(start_angle, "arc start_angle"),
+            end_angle=require_number(end_angle, "arc end_angle"),
+        )
         if self.radius <= 0:
             raise InputError(
                 "arc radius is {radius:g} at {center}: give a number above 0",

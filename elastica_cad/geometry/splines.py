@@ -303,8 +303,8 @@ class SplineFunction:
         size = self.degree + 1
         steps = (self.knots[size:] - self.knots[:-size]) / size
         sums = (steps * self.coefficients.T).T.cumsum(axis=0)
-        knots = np.concatenate([self.knots[:1], self.knots, self.knots[-1:]])
-        return SplineFunction(knots, np.concatenate([np.zeros_like(sums[:1]), sums]), size)
+        rows = np.concatenate([np.zeros_like(sums[:1]), sums])
+        return SplineFunction(np.pad(self.knots, 1, mode="edge"), rows, size)
 
     @property
     def pieces(self) -> FloatArray:
@@ -417,8 +417,7 @@ def elevate_degree(
     pieces = spans.bezier(homogeneous(control_points, weights))
     raised = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
     rows = np.concatenate([raised[0], *(piece[1:] for piece in raised[1:])])
-    edges = spans.edges
-    new_knots = np.concatenate([edges[:1], edges.repeat(degree + 1), edges[-1:]])
+    new_knots = np.pad(spans.edges.repeat(degree + 1), 1, mode="edge")
     return new_knots, project(rows), None if weights is None else rows[:, 2]
 
 
@@ -746,7 +745,7 @@ class _Problem:
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         # least squares alone would be inaccurate in the first and last knot span
-        weighted = basis.T / np.sqrt(from_ends.clip(1e-3, 1.0))
+        weighted = basis.T * (1 / np.sqrt(from_ends.clip(1e-3, 1.0)))
         normal = weighted @ basis + weight * self.penalty
         ends = self.data[[0, -1]]
         right = weighted @ self.data - normal[:, [0, -1]] @ ends

@@ -94,9 +94,11 @@ class Drawing:
     texts: tuple[Text, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "paths", several("paths", self.paths, LayeredPath, "LayeredPath"))
-        object.__setattr__(self, "texts", several("texts", self.texts, Text, "Text"))
-        object.__setattr__(self, "name", require_name(self.name, "the drawing's name"))
+        vars(self).update(
+            paths=several("paths", self.paths, LayeredPath, "LayeredPath"),
+            texts=several("texts", self.texts, Text, "Text"),
+            name=require_name(self.name, "the drawing's name"),
+        )
         for text in self.texts:
             _check_layer(text.layer)
 

@@ -486,8 +486,7 @@ class Strip:
         for slot in slots:
             slot.require_rad()
         missing = [notch for cut in element_cuts(self.rod) for notch in cut.missing_from(slots)]
-        object.__setattr__(self, "slots", (*slots, *missing))
-        object.__setattr__(self, "creep", require_creep(self.creep))
+        vars(self).update(slots=(*slots, *missing), creep=require_creep(self.creep))
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
             if self.layout.backing is not None or self.layout.size is not None:
@@ -1065,10 +1064,8 @@ class Placed:
         color: tuple[float, ...] | None = None,
     ) -> None:
         frame = Frame(origin, x_axis, y_axis)
-        object.__setattr__(self, "strip", strip)
-        object.__setattr__(self, "color", color)
-        for name in ("origin", "x_axis", "y_axis"):
-            object.__setattr__(self, name, getattr(frame, name))
+        vars(self).update(strip=strip, color=color)
+        vars(self).update(origin=frame.origin, x_axis=frame.x_axis, y_axis=frame.y_axis)
 
     @property
     def frame(self) -> Frame:

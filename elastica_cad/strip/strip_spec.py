@@ -587,18 +587,16 @@ class StripSpec(EqualByValue):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         if self.seam_position is not None:
             _check_seam(self.seam_position, self.curve)
-        settled = {
-            "sheet": sheet,
-            "label": require_name(self.label, "the label"),
-            "loads": self.loads
+        vars(self).update(
+            sheet=sheet,
+            label=require_name(self.label, "the label"),
+            loads=self.loads
             if isinstance(self.loads, Weight)
             else several("loads", self.loads, PointMass | PointForce, "PointMass or PointForce"),
-            "between": require_elements(self.between),
-            "ends": ends,
-            "slots": slots,
-        }
-        for name, value in settled.items():
-            object.__setattr__(self, name, value)
+            between=require_elements(self.between),
+            ends=ends,
+            slots=slots,
+        )
         _check_conflicts(self.rod_spec)
         if self.between or self.rod_spec.point_forces:
             self._require_alone()
