@@ -12,7 +12,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.bent_boundary import (
@@ -260,11 +259,8 @@ def _curve(curve: SpaceCurve | PlacedSegment) -> bytes:
     if isinstance(segment, Arc):
         center = Frame(frame.point(segment.center), frame.x_axis, frame.y_axis)
         return bytes([_CIRCLE]) + _axes(center) + _reals([segment.radius])
-    return _placed(segment.curve, frame.point(segment.curve.control_points))
-
-
-def _placed(curve: PlaneCurve, points: FloatArray) -> bytes:
-    return _spline(curve.knots, curve.degree, points, curve.weights)
+    spline = segment.curve
+    return _spline(spline.knots, spline.degree, frame.point(spline.control_points), spline.weights)
 
 
 def _surface(surface: Surface) -> bytes:
@@ -287,7 +283,8 @@ def _trace(trace: StraightTrace | Segment, turn: FloatArray) -> bytes:
         return pack("<B4d", _LINE, *turn @ trace.start, *turn @ trace.direction)
     if isinstance(trace, Arc):
         return bytes([_CIRCLE]) + _reals(turn @ trace.center, *turn.T, [trace.radius])
-    return _placed(trace.curve, trace.curve.control_points @ turn.T)
+    curve = trace.curve
+    return _spline(curve.knots, curve.degree, curve.control_points @ turn.T, curve.weights)
 
 
 def _trace_ends(trace: StraightTrace | Segment, limits: FloatArray) -> FloatArray:

@@ -30,6 +30,7 @@ from elastica_cad.geometry.plane_points import (
     lengths_along,
     near_pairs,
     norm,
+    project,
     sharp_points,
 )
 from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
@@ -413,7 +414,7 @@ def _part_between(run: Run, first: _Place, last: _Place) -> Run:
         if low < high:
             knots, points = _clamped(run[k], run[k].degree, low, high)
             weights = None if run[k].weights is None else points[:, -1]
-            parts.append(Edge(knots, points[:, :-1] / points[:, -1:], run[k].degree, weights, run[k].source))
+            parts.append(Edge(knots, project(points), run[k].degree, weights, run[k].source))
     return tuple(parts)
 
 
@@ -686,7 +687,7 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
         knots = np.concatenate([knots, knots[-1] + inner_knots])
         homogeneous = np.concatenate([homogeneous, rows])
     knots = np.append(knots, knots[-1])
-    points, weights = homogeneous[:, :-1] / homogeneous[:, -1:], homogeneous[:, -1]
+    points, weights = project(homogeneous), homogeneous[:, -1]
     if np.linalg.norm(points[-1] - points[0]) <= tolerance:
         points[-1] = points[0]
     return Edge(knots, points, degree, weights)

@@ -21,6 +21,7 @@ from elastica_cad.formats.drawing_style import (
 from elastica_cad.formats.dxf_drawing import encode_dxf
 from elastica_cad.formats.write_files import check_target, write_atomically
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import project
 from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.strip.drawing import LAYERS, MARK, Drawing, HoldingTabs, add_holding_tabs, compensate_kerf
 
@@ -77,7 +78,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
     letter = _LETTERS[segment.curve.degree]
     _, control = segment.curve.bezier_table
-    pieces = (control[:, 1:, :2] / control[:, 1:, 2:]).tolist()
+    pieces = project(control[:, 1:]).tolist()
     return "".join(letter + " ".join(map(place, piece)) for piece in pieces)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import homogeneous, lengths_along, project
 from elastica_cad.geometry.splines import Spans, bezier_spans, is_clamped, knot_runs, unit_circle_arc
 
 
@@ -136,16 +136,14 @@ class Edge:
     @cached_property
     def homogeneous(self) -> FloatArray:
         """Homogeneous control points (m, d + 1): coordinates times weight, then the weight."""
-        weights = np.ones(len(self.points)) if self.weights is None else self.weights
-        return np.column_stack([self.points * weights[:, None], weights])
+        return homogeneous(self.points, self.weights)
 
     def at(self, t: ArrayLike) -> FloatArray:
         """Return the points (n, d), mm, at parameters (n,) of the edge's knots."""
         # without the whole matrix of basis functions, which is large for a long polyline
         local, index = self.spans.local_basis(np.atleast_1d(np.asarray(t, dtype=float)))
         near = self.homogeneous[self.spans.first[index][:, None] + np.arange(self.degree + 1)]
-        values = np.einsum("nj,njd->nd", local, near)
-        return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
+        return project(np.einsum("nj,njd->nd", local, near))
 
     @property
     def start(self) -> FloatArray:

@@ -69,14 +69,14 @@ def rotated(points: FloatArray, angle: float) -> FloatArray:
 
 
 def homogeneous(points: FloatArray, weights: FloatArray | None) -> FloatArray:
-    """Return the rows (m, 3), x w, y w, w, of points (m, 2) with weights (m,). Without weights, w is 1."""
+    """Return the rows (m, d + 1), x w, y w, w, of points (m, d) with weights (m,). Without weights, w is 1."""
     w = np.ones(len(points)) if weights is None else weights
     return np.column_stack([points * w[:, None], w])
 
 
 def project(rows: FloatArray) -> FloatArray:
-    """Return the points (..., 2) with homogeneous coordinates (..., 3): x w, y w, w."""
-    return rows[..., :2] / rows[..., 2:]
+    """Return the points (..., d) with homogeneous coordinates (..., d + 1): x w, y w, w."""
+    return rows[..., :-1] / rows[..., -1:]
 
 
 def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:

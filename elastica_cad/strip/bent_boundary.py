@@ -309,7 +309,7 @@ class BentMap:
         if t.size < LEAST_SPANS - 1:
             t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
         inner = t.repeat(np.minimum(degree - continuity, degree))
-        return np.concatenate([np.full(degree + 1, first), inner, np.full(degree + 1, last)]), degree
+        return np.pad([first, *inner, last], degree, mode="edge"), degree
 
 
 def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:

@@ -74,11 +74,7 @@ def in_smooth_pieces(path: Path, pieces: int = SIDE_PIECES) -> Path:
     curves = [side.curve for side in sides]
     soft, sharp = (sum(kinks(c.knots, c.degree, k).size for c in curves) for k in (SMOOTH, 1))
     each = ceil(pieces / len(sides)) if soft - sharp >= pieces else 0
-    rows = [
-        segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
-        for segment in path.segments
-    ]
-    ramp = RAMP_FRACTION * float(np.ptp(np.concatenate(rows)[:, 0]))
+    ramp = RAMP_FRACTION * float(np.ptp(path.bounds[:, 0]))
     divided = [_in_pieces(segment, ramp, each) for segment in path.segments]
     if sum(map(len, divided)) == len(path.segments) and not each:
         return path
@@ -264,7 +260,6 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
     """
     cutter = _Cutter(list(map(float, stations)))
     cutter.add(outline, backward=outline.area < 0)
-    cutter.rim = cutter.count
     for hole in holes:
         cutter.add(hole, backward=hole.area > 0)
     return cutter.result()
@@ -278,8 +273,6 @@ class _Cutter:
     chains: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
-    rim: int = 0
-    """Number of pieces of the outline. Pieces of the outline have smaller indices than pieces of holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
@@ -393,8 +386,6 @@ class _Cutter:
         return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 
     def _grouped(self, loops: list[list[SegmentPart]]) -> list[list[list[SegmentPart]]]:
-        if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
-            return [loops]
         polygons = [_polygon(loop) for loop in loops]
         areas = [cross(polygon, np.roll(polygon, -1, axis=0)).sum() for polygon in polygons]
         outer = [k for k, area in enumerate(areas) if area > 0]

@@ -275,7 +275,7 @@ class _Stretch:
         if (a, b) == (self.knots[0], self.knots[-1]):
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
-        knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
+        knots = np.pad([a, *inner, b], 3, mode="edge")
         return _Stretch(knots, over_knots(SplineFunction(self.knots, self.values, 3), knots, 3))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
