@@ -489,15 +489,13 @@ class NurbsCurve:
     provenance: Provenance | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "degree", whole_degree(self.degree))
-        points = finite("control_points", self.control_points)
+        degree, points = whole_degree(self.degree), finite("control_points", self.control_points)
         if points.ndim != 2 or points.shape[1] != 2:
             raise InputError(
                 f"control_points have the shape {points.shape}: give rows of x and y, shape (m, 2)"
             )
-        object.__setattr__(self, "control_points", points)
-        object.__setattr__(self, "knots", finite("knots", self.knots))
-        check_knots(self.knots, len(points), self.degree)
+        vars(self).update(degree=degree, control_points=points, knots=finite("knots", self.knots))
+        check_knots(self.knots, len(points), degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
             if weights.shape != (len(points),):

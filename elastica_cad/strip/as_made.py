@@ -18,6 +18,7 @@ from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent, resample
 from elastica_cad.mechanics.sections import PlainSection, crack_energy
 from elastica_cad.mechanics.sheets import even_shear_ratio
 from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.strip.element_cuts import CUT, CUT_GRAIN
 from elastica_cad.strip.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
@@ -122,13 +123,6 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     return np.concatenate([halves[:1], (halves[1:-1:2] + halves[2::2]) / 2, halves[-1:]])
 
-
-CUT, CUT_GRAIN = 1.15, 0.7
-"""Constants of the unstressed corners beside a slot, which act like an added length of the strip.
-
-In a sheet without grain, the added length is `CUT` times `crack_energy` times depth^2 / width. In a sheet with
-grain, it is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its isotropic value.
-Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Constants of the unstressed corners beside a step of the width (`STEP`) or a tab (`TAB`, `TAB_REACH`).

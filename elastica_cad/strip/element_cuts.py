@@ -22,6 +22,13 @@ from elastica_cad.strip.outline import Ends
 from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
+CUT, CUT_GRAIN = 1.15, 0.7
+"""Constants of the unstressed corners beside a slot, which act like an added length of the strip.
+
+In a sheet without grain, the added length is `CUT` times `crack_energy` times depth^2 / width. In a sheet with
+grain, it is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its isotropic value.
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
 WIDENING_ITERATIONS = 4
 """Number of iterations for the widening at a cut, which depends on the widened width."""
 
@@ -39,8 +46,6 @@ FIT_TOLERANCE = 1e-6
 
 
 def _grain_factor(sheet: Sheet) -> float:
-    from elastica_cad.strip.as_made import CUT_GRAIN
-
     return float((even_shear_ratio(min(sheet.poisson_ratio, 0.5)) / sheet.shear_ratio) ** (CUT_GRAIN / 2))
 
 
@@ -87,8 +92,6 @@ class ElementCut:
         Plate elements agree within 3 %. Notches are computed as slots. For notches up to 0.3 times as wide as
         the strip, the added length is at most 19 % larger than with plate elements.
         """
-        from elastica_cad.strip.as_made import CUT
-
         nu, grain = min(sheet.poisson_ratio, 0.5), _grain_factor(sheet)
         chords = self.hole * np.sqrt(1 - (2 * FRACTIONS - 1) ** 2)
         net = self.hole * float((chords / (width - chords)).mean())

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, pairwise, product
 from operator import attrgetter, itemgetter
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 
@@ -238,10 +238,8 @@ REACHES = (1.0, 4.0, 16.0)
 """Extensions of a slot's sides, as multiples of its width, tried in order until the sides meet the edge."""
 
 
-@dataclass(frozen=True, order=True)
-class _Place:
-    segment: int
-    u: float
+_Place: TypeAlias = tuple[int, float]
+"""Index of a segment in a chain, and a parameter on it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -324,7 +322,7 @@ class _Edge:
                 at=Length(slot.at),
             )
         (first, a), (second, b) = sorted(crossings, key=itemgetter(1))
-        points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
+        points = np.concatenate([c.points for c in chords[a[0] : b[0] + 1]])
         return _Opening(slot, first, second, tuple(_between([c.segment for c in chords], a, b)), points)
 
     def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
@@ -335,19 +333,19 @@ class _Edge:
             for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
-                    if all(
-                        norm(cut[p.segment].segment.at(p.u) - point) > SAME_POINT_MM for _, p in crossings
-                    ):
-                        crossings.append((_Place(i, u), _Place(k, v)))
+                    known = (cut[j].segment.at(w) for _, (j, w) in crossings)
+                    if all(norm(other - point) > SAME_POINT_MM for other in known):
+                        crossings.append(((i, u), (k, v)))
         return crossings
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
-    if start.segment == end.segment and start.u <= end.u:
-        return _piece(chain[start.segment], start.u, end.u)
-    following = range(start.segment + 1, end.segment + (len(chain) if end.segment <= start.segment else 0))
-    middle = [chain[i % len(chain)] for i in following]
-    return [*_piece(chain[start.segment], start.u, 1.0), *middle, *_piece(chain[end.segment], 0.0, end.u)]
+    (i, u), (j, v) = start, end
+    if i == j and u <= v:
+        return _piece(chain[i], u, v)
+    following = range(i + 1, j + (len(chain) if j <= i else 0))
+    middle = [chain[k % len(chain)] for k in following]
+    return [*_piece(chain[i], u, 1.0), *middle, *_piece(chain[j], 0.0, v)]
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
