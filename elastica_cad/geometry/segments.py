@@ -431,12 +431,12 @@ def _halve_chords(
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
-    inner = low[:, None] + (high - low)[:, None] * _PROBES
-    points = at(np.append(which, number.repeat(_PROBES.size)), np.append(u, inner))
-    points, probes = points[: u.size], points[u.size :].reshape(*inner.shape, 2)
+    points = at(which, u)
     begins, ends = points[spans], points[spans + 1]
     rounds = [(which, u, points)]
     while len(rounds) <= MOST_ROUNDS:
+        inner = low[:, None] + (high - low)[:, None] * _PROBES
+        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
         bad = _chord_errors(begins, ends, probes) > 0.95 * tolerance
         if not bad.any():
             break
@@ -444,8 +444,6 @@ def _halve_chords(
         rounds.append((number, middle, points))
         number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
         begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
-        inner = low[:, None] + (high - low)[:, None] * _PROBES
-        probes = at(number.repeat(_PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
     which, u, points = map(np.concatenate, zip(*rounds, strict=True))
     order = np.lexsort((u, which))
     return which[order], u[order], points[order]

@@ -635,25 +635,23 @@ def fit_spline(
         except np.linalg.LinAlgError:
             return _through(data, degree)
         error = problem.distance(control, t)
-        alike = problem.likeness(control, t)
-        if error.max() <= tolerance:
+        worst, alike = error.max(), problem.likeness(control, t)
+        if worst <= tolerance:
             ample = len(data) >= _POINTS_EACH * len(control)
             aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
-        if error.max() <= aim:
-            break
-        if smoothing and error.max() > 0.95 * before:
+        if worst <= aim or (smoothing and worst > 0.95 * before):
             break
         added = _new_knots(problem.spans.edges, t, error, aim)
         crowded = len(control) + added.size > len(data) / 2 + degree
         many = len(data) >= _ENOUGH_FOR_NOISE
         noisy = many and alike < 0.2 and np.median(error) > tolerance / 3
         if not added.size or crowded or noisy:
-            if error.max() <= tolerance:
+            if worst <= tolerance:
                 break
             if many and (alike < 0.2 or len(data) > _MOST_INTERPOLATED):
                 raise NotConvergedError(_scatter(data, error, tolerance))
             return _through(data, degree)
-        before = error.max()
+        before = worst
         inner = np.concatenate([inner, added])
     if smoothing is None and alike <= 0.5:
         mean = float(np.sqrt((problem.distance(control, t) ** 2).mean()))
