@@ -20,12 +20,12 @@ export function html(name, attributes = {}, ...children) {
   return made;
 }
 
-// What was typed: a number, a length with its unit, two numbers with a semicolon, a cross or a comma and a space between, a list or table as JSON writes it, or a text (a formula too).
+// What was typed: a number, a length with its unit, several numbers with a semicolon, a cross or a comma and a space between, a list or table as JSON writes it, or a text (a formula too).
 export function read(text, unit) {
   const typed = text.trim();
   if (!typed) return undefined;
-  const place = typed.match(/^(-?[\d.,]*\d)(?:\s*;\s*|\s*[x×*]\s*|,\s+)(-?[\d.,]*\d)(?:\s*mm)?$/i);
-  if (place) return place.slice(1).map((value) => Number(value.replace(",", ".")));
+  const several = typed.replace(/\s*mm$/i, "").split(/\s*[;x×*]\s*|,\s+/i);
+  if (several.length > 1 && several.every((one) => /^-?[\d.,]*\d$/.test(one))) return several.map((value) => Number(value.replace(",", ".")));
   const number = typed.match(/^(-?[\d.,]+(?:e-?\d+)?)\s*(mm|cm|m|in|inch|")?$/i);
   const value = number && Number(number[1].replace(",", "."));
   if (number && Number.isFinite(value)) return unit === "mm" && number[2] ? value * PER[number[2].toLowerCase()] : value;
