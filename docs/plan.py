@@ -218,19 +218,36 @@ def packages() -> str:
     return page(widest + 4, y + top + 6 * 18, parts)
 
 
+def title(file: Path) -> str:
+    """The first paragraph of a module, or the first comment of a script of the page."""
+    text = file.read_text(encoding="utf-8")
+    if file.suffix == ".js":
+        return text.partition("\n")[0].removeprefix("// ")
+    paragraph = (ast.get_docstring(ast.parse(text)) or "").partition("\n\n")[0]
+    return " ".join(paragraph.split()).replace("|", "\\|")
+
+
 def reading_order() -> str:
-    """The modules of every package, in the order of their imports, with the first line of each."""
+    """The modules of every package, in the order of their imports, with the first paragraph of each."""
     files = modules()
-    lines = []
+    core, workbench = ROOTS.values()
+    tables = {"top of elastica_cad": [file for file in sorted(core.glob("*.py")) if file.stem[:2] != "__"]}
     for floor, _ in reversed(FLOORS):
         inside = ranks(parts_of(floor))
-        if not inside:
-            continue
-        lines += [f"\n### {floor.partition('.')[2]}\n\n| module | what it holds |", "| --- | --- |"]
-        for name in sorted(inside, key=lambda name: (inside[name], name)):
-            text = ast.get_docstring(ast.parse(files[f"{floor}.{name}"].read_text(encoding="utf-8")))
-            title = (text or "").split("\n", maxsplit=1)[0].replace("|", "\\|")
-            lines.append(f"| `{name}` | {title} |")
+        names = sorted(inside, key=lambda name: (inside[name], name))
+        tables[floor.partition(".")[2]] = [files[f"{floor}.{name}"] for name in names]
+    tables["web/page"] = sorted((core / "web" / "page").glob("*.js"))
+    for folder in sorted({file.parent for file in workbench.rglob("*.py")}):
+        inside = [file for file in sorted(folder.glob("*.py")) if file.stem != "__init__"]
+        tables[f"elastica_wb/{folder.relative_to(workbench)}".removesuffix("/.")] = inside
+    lines = []
+    for name, found in tables.items():
+        if found:
+            lines += [f"\n### {name}\n\n| module | what it holds |", "| --- | --- |"]
+            lines += [
+                f"| `{file.parent.name if file.stem == '__init__' else file.stem}` | {title(file)} |"
+                for file in found
+            ]
     return "\n".join(lines) + "\n"
 
 

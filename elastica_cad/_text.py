@@ -1,4 +1,6 @@
-"""Text for people: names, names of files, escaping of text from files, and quoting of commands for a shell."""
+"""Text for people: names, names of files, escaping of text from files, quoting of commands for a shell, and the
+command that files state.
+"""
 
 import os
 import re

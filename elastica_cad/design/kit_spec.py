@@ -1,4 +1,4 @@
-"""Request for the parts of a kit that are not strips: sheets, cutting files, holders, further pieces."""
+"""Request for the files and parts of a kit: the tables `cut`, `nest`, `extras` and those of holders in a design."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field

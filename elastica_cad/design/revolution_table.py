@@ -1,4 +1,6 @@
-"""The table of a design file for a surface of revolution: its meridian, strips and rings."""
+"""The table of a design file for a surface of revolution: its meridian, strips and rings, and tested changes if
+these cannot be made.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

@@ -1,4 +1,6 @@
-"""Solution of a request for a rod: the rod that takes the curve, or the nearest rod within limits."""
+"""Solution of a request for a rod: the rod that takes the curve, or the nearest rod within limits. A load that no
+width carries is refused with the width or thickness that would carry it.
+"""
 
 from dataclasses import replace
 from typing import Any

@@ -1,4 +1,4 @@
-"""Straight first and last pieces of a drawn curve, which become the tabs of the strip."""
+"""Straight first and last pieces of a drawn curve. `strip_spec` makes tabs with holes of them."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Search for a small move of a single control point that makes an impossible curve possible."""
+"""Moves of a single control point: the small move that makes a curve possible, and the farthest possible drag."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress

@@ -1,4 +1,4 @@
-"""Nesting: pieces arranged on sheets of a given size."""
+"""Nesting: pieces arranged on sheets of a given size, and lengths sawn from rods."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence

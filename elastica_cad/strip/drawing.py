@@ -1,4 +1,4 @@
-"""Drawings of paths and engraved texts on named layers, kerf compensation and bridges."""
+"""Drawings of paths and engraved texts on named layers, kerf compensation, bridges, and separate parts for services."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-// The studio: one design, the drawing of it, and everything that the server says about it.
+// The studio: one design, its drawing, everything that the server says about it, and points that stop where the strip becomes impossible.
 import { EMPTY, emptied, HOLDERS, History, movePoint, packed, same, tableOf } from "./design.js";
 import { Drawing, element } from "./drawing.js";
 import { showFlat } from "./flat.js";

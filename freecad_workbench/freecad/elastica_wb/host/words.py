@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Wording of messages in the language of the user, with the property names, unit of length and decimal point
-of FreeCAD.
+"""Wording of messages in the language of the user, with the property names, unit of length and decimal point of
+FreeCAD. Equal messages on several objects are joined.
 
 A message is a record with an English template and values. A catalogue has translations of templates.
 """
