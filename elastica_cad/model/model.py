@@ -1,4 +1,4 @@
-"""Models: strips in space, operations that copy them, the simplest holder for all tabs, and the pieces to be cut."""
+"""Models: strips in space, their copies, the simplest holder for all tabs, and the pieces to be cut."""
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Drawings of paths and engraved texts on named layers, kerf compensation, bridges, and separate parts for services."""
+"""Drawings of paths and engraved texts on named layers: kerf compensation, bridges, and a file for each part."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

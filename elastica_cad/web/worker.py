@@ -1,8 +1,7 @@
 """Worker process that answers requests of the page one after another, in the language of the page.
 
-Each request is a line of JSON.
-An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. If a computation needs
-too much memory, the answer is an error.
+Each request is a line of JSON. An answer consists of its kind (`text` or `file`), its size in bytes, and its
+contents. If a computation needs too much memory, the answer is an error.
 """
 
 import json

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Live feedback: the overlay of an open sketch follows every move of the mouse. *Keep it possible* moves poles back."""
+"""Live feedback on an open sketch at every move of the mouse. *Keep it possible* moves poles back."""
 
 import time
 from contextlib import suppress
