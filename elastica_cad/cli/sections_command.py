@@ -221,7 +221,7 @@ def _require_one_family(chosen: Chosen) -> None:
 
 
 def _spec(chosen: Chosen, surface: Surface) -> SectionSpec:
-    splits: list[Split] = [PlaneSplit(numbers[3:], numbers[:3]) for numbers in chosen["splits"]]
+    splits: list[Split] = [PlaneSplit(normal=numbers[3:], point=numbers[:3]) for numbers in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:
         splits.append(CornerSplit(float(np.radians(chosen["split_corners"]))))

@@ -296,6 +296,7 @@ def top_table(data: Mapping[str, Any], path: Path, slips: Slips) -> Table:
 def name_of_files(top: Table, path: Path) -> str:
     """Return the name of a model and of its files: the key `name`, or the name of the design file."""
     name = top.text("name", path.stem)
+    # the limits of the key do not apply to the name of the file
     if top.has("name"):
         (entry,) = (entry for entry in fields_of(DesignKeys) if entry.name == "name")
         require_bounds(entry, name, top.place("name"))

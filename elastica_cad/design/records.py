@@ -99,7 +99,11 @@ WRITTEN: dict[Record, Kind] = {
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind of a value as written in a file: for a family of records, any record of the family."""
+    """Return the kind of a value as written in a file.
+
+    It differs for a record that is not written as a table (`WRITTEN`), such as a sheet, which is written as its
+    name. For a family of records (`BY_KIND`), it is any record of the family.
+    """
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))

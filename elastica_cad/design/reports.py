@@ -208,6 +208,7 @@ def _without_loads(strip: Strip) -> PlainData | None:
 
 def _stability_report(strip: Strip, stability: Stability) -> PlainData:
     word, meaning = str(stability.word), stability.meaning
+    # in spite of an ample margin, a strip can snap if a clamp is turned by a usual error
     if word == "ample" and (warning := instability_in_plane(strip, stability)):
         word, meaning = "low", warning
     return {

@@ -249,6 +249,7 @@ def _violation_sentence(near: NearestRod, binding: ActiveLimit) -> str:
     if binding.sentence is not None:
         return binding.sentence(binding.limit, near.rod)
     missed = note(binding.name)
+    # `broken` is a fraction of the drawn length for lengths, and in rad for angles
     if binding.unit == "length":
         by = Length(binding.broken * near.target.length)
         return note("The strip violates a limit by {by}: {missed}.", missed=missed, by=by)

@@ -242,7 +242,8 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # a closed curve needs at least one support before its end
+        # a closed curve needs at least one support before its end, far enough that the rest does not count as
+        # empty (`short`)
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))

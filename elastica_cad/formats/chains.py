@@ -458,10 +458,10 @@ def curve_from_run(
 ) -> PlaneCurve:
     """Make one curve from consecutive edges in the plane.
 
-    If all edges are straight, a curve is fitted to their vertices. Otherwise arcs and splines are converted
-    exactly, and raised to a common degree. Gaps up to `tolerance` mm are closed by moving whole edges, so that
-    tangents do not turn. Corners that rounding of the coordinates explains are removed. `PlaneCurve.breaks`
-    returns the continuity at the joints.
+    If all edges are straight, a curve is fitted to their vertices. Otherwise a curve is fitted to each polyline,
+    and arcs and splines are converted exactly and raised to a common degree. Gaps up to `tolerance` mm are
+    closed by moving whole edges, so that tangents do not turn. Corners that rounding of the coordinates explains
+    are removed. `PlaneCurve.breaks` returns the continuity at the joints.
 
     Parameters
     ----------
@@ -472,6 +472,7 @@ def curve_from_run(
     """
     sources = [edge.source for edge in run if edge.source is not None]
     check_size(np.concatenate([edge.points for edge in run]), in_file=bool(sources))
+    # four vertices count as one piece: see `MOST_PIECES`
     check_count(
         sum(edge.spans.widths.size if edge.degree > 1 else len(edge.points) // 4 for edge in run),
         MOST_PIECES,
@@ -488,7 +489,7 @@ def curve_from_run(
     if all(edge.degree == 1 for edge in run):
         vertices = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
         return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
-    dust = 1e-9 * size_of(run)
+    dust = 1e-9 * size_of(run)  # shorter edges are rounding errors
     pieces = [_fitted_if_polyline(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
     whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)

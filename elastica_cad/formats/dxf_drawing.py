@@ -131,6 +131,7 @@ def _through_ezdxf(
         (left, low), (right, high) = bounds.tolist()
         space.reset_extents((left, low, 0.0), (right, high, 0.0))
         document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
+        # height of the view, with a margin, in a window about twice as wide as high
         height = 1.1 * max(high - low, (right - left) / 2)
         document.set_modelspace_vport(height, ((left + right) / 2, (low + high) / 2))
         # ezdxf stores the classes of a version in a set, so their order differs between runs

@@ -35,7 +35,8 @@ def in_plane(run: Sequence[Edge], frame: Frame) -> Run:
 def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
     """Return the plane of a run of edges in space.
 
-    Its origin is the point of the plane nearest to the origin of space.
+    Its origin is the point of the plane nearest to the origin of space. The edges may leave the plane by
+    `tolerance` mm, or by the noise of a drawing (`NOISE_MM`, `NOISE_SHARE`) if this is more.
 
     In a plane within a degree of horizontal, x and y are the axes of the drawing. In all other planes, x is along
     the horizontal line of the plane, towards positive x (or y). The y axis is along the steepest line, upwards.

@@ -193,6 +193,7 @@ class CollinearInflections:
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
         """Return the distances, mm, of inflections from the line through the two inflections farthest apart."""
+        # positions (k, 2), and their derivatives (k, 2, 2 m) by the control points
         position, jacobian = _inflections(curve, self.t)
         apart = norm(position[:, None] - position[None])
         i, j = np.unravel_index(int(apart.argmax()), apart.shape)

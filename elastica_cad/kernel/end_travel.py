@@ -69,7 +69,11 @@ class SkinMesh:
 
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
-    """Return the surface mesh of each sheet of a strip. The base of a laminate is first."""
+    """Return the surface mesh of each sheet of the flat strip. The base of a laminate is first.
+
+    Each sheet is meshed while bent to a circular arc, so that the mesh has many corners along the strip, and the
+    mesh is then unrolled.
+    """
     radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
     half = centred_thickness(strip) / 2

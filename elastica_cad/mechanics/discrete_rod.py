@@ -150,6 +150,10 @@ class Terms(NamedTuple):
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
+    """Return the rows that border a matrix (`basis`, and below it the rows of `terms`), and their corner.
+
+    The corner is 0 for the rows of `basis`, which are constraints, and D for those of `terms`.
+    """
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))

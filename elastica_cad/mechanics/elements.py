@@ -303,6 +303,7 @@ def with_placed_masses(weight: Weight, drawn: PlaneCurve, curve: PlaneCurve) -> 
 
 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
+    """Return the arc length, mm, of a place: points move to the curve, and rounded lengths to the end."""
     if isinstance(at, tuple):
         s = _nearest_arc_length(curve, np.array(at))
         off = float(norm(curve.at(s).position[0] - at))
@@ -314,16 +315,16 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
                 most=Length(NEAR_SHARE * curve.length), percent=100 * NEAR_SHARE,
             )  # fmt: skip
         return s
-    near = ROUNDED_END_SHARE * curve.length
-    if not -near <= at <= curve.length + near:
+    rounding = ROUNDED_END_SHARE * curve.length
+    if not -rounding <= at <= curve.length + rounding:
         raise InputError(
             "The {element} {at:.6g} from the start is not on the curve. Give a place from 0 to "
             "{length:.6g} along the curve.",
             element=noun_of(element), at=Length(at), length=Length(curve.length),
         )  # fmt: skip
-    if at <= near:
+    if at <= rounding:
         return 0.0
-    return at if at < curve.length - near else curve.length
+    return at if at < curve.length - rounding else curve.length
 
 
 def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:

@@ -460,8 +460,9 @@ def _bounded(
 def find_violations(family: StiffnessFamily) -> FloatArray:
     """Return the arc lengths (k,), mm, of the samples that prevent a stiffness that is positive everywhere.
 
-    With a single free parameter, these are the samples at which the stiffness has its less frequent sign. With
-    more parameters, these samples limit how large the least stiffness can be.
+    With no free parameter, these are the samples at which the stiffness is not positive. With a single parameter
+    and no offset, the stiffness has its less frequent sign there. Otherwise they limit how large the least
+    stiffness can be, and the result is empty if the linear program has no solution.
     """
     from scipy.optimize import linprog
 
@@ -475,6 +476,8 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     if d == 1 and family.is_homogeneous:
         sign = rows[:, 0] > 0
         return np.asarray(s[sign != (sign.mean() >= 0.5)])
+    # maximise the least stiffness, scaled at each sample, over parameters y from -1 to 1; samples with a
+    # multiplier other than 0 limit it
     scaled = rows / size[:, None]
     sides, side_offset = family.side_conditions
     matrix = np.column_stack([-np.concatenate([scaled, sides]), np.repeat([1.0, 0.0], [len(s), len(sides)])])

@@ -376,10 +376,12 @@ def _with_section(request: RodRequest, section: Section) -> BalancedStiffness:
         return _within_limits(
             replace(balance, bending_stiffness=_fitting_scale(bent, balance.stiffness)), bent
         )
+    # the section determines the weight per length, so only the masses remain
     request = replace(request, weight=Weight(masses=request.masses))
     bent = section.bent(0.0)
-    full = float(bent.bending_stiffness(bent.deciding_limit) / bent.weight_per_length(bent.deciding_limit))
-    heavy = replace(gravity, length=full ** (1 / 3))
+    # first guess of the elasto-gravity length: its cube is E I over the weight per length
+    cube = float(bent.bending_stiffness(bent.deciding_limit) / bent.weight_per_length(bent.deciding_limit))
+    heavy = replace(gravity, length=cube ** (1 / 3))
     cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
         load = WeightedPanels(request, cut.panels, heavy, request.weight)

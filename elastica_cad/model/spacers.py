@@ -372,10 +372,11 @@ def _enclosed(loop: FloatArray, places: FloatArray) -> BoolArray:
 
 
 def _margins(places: FloatArray, points: FloatArray, half: FloatArray) -> FloatArray:
-    """Return the distance (n,), mm, from a rectangle at each place to the nearest point.
+    """Return the distance (n,), mm, from a rectangle at each place (x, y and angle) to the nearest point.
 
-    `half` (2,) are half the sides of the rectangle. The distance is negative if a point is inside the
-    rectangle, and at most `MOST_MARGIN_MM`.
+    `half` (2,) are half the sides of the rectangle. The distance is the larger of those along the two sides, so
+    the true distance from a corner is larger. It is negative if a point is inside the rectangle, and at most
+    `MOST_MARGIN_MM`.
     """
     margin = np.full(len(places), MOST_MARGIN_MM)
     i, k = near_pairs(places[:, :2], points, float(norm(half + MOST_MARGIN_MM)))

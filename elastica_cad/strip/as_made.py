@@ -347,11 +347,16 @@ def _lengths_added_by_tabs(
 
 
 def _lengths_added_by_steps(layout: Layout, corner: float) -> Iterator[tuple[float, float]]:
+    """Yield (position, added length), mm, for each step of the width. `corner` is `STEP` times `crack_energy`.
+
+    Steps in a strip with holes, a backing or a varying thickness are neglected.
+    """
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return
     for start, end in layout.width.steps:
         before, after = layout.width([start, end]).tolist()
         narrow, wide = sorted((before, after))
+        # the middle of the unstressed corners of the wide part, which are about as long as they are wide
         at = start - (wide - narrow) / 4 if before > after else end + (wide - narrow) / 4
         yield at, corner * idle_length(wide, narrow, layout.sheet.thickness)
 

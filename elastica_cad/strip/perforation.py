@@ -400,7 +400,8 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # the zones at half diamonds are longest, because their tips are sharpest
+        # the zones at half diamonds are longest, because their tips are sharpest: between a straight and an
+        # inclined side, a rounding of radius r reaches r / tan(angle / 2) from the tip, about 2 r / slope
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> Iterator[str]:

@@ -204,6 +204,7 @@ class _Side:
 
 
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
+    """Return the right and left side of a slot, seen from its inner end. `width` is the width of the strip."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
     degree = min(3, len(points) - 1)

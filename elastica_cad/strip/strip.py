@@ -741,12 +741,13 @@ class Strip:
         return () if self.unloaded is None else self._loadings[1][2]
 
     def _bends_of(self, rod: Rod) -> Bends:
+        """Return the change of curvature along a shape of this strip; in glued plies it jumps at ply ends."""
         if self.layout.stack is None:
             return bends_along(rod)
         from elastica_cad.form_finding.leaf_ends import leaf_bends
 
-        s, bend = leaf_bends(rod, self.layout.stack)
-        return Bends(bend, s)
+        s, amount = leaf_bends(rod, self.layout.stack)
+        return Bends(amount, s)
 
     @property
     def unloaded(self) -> Rod | None:

@@ -382,7 +382,8 @@ def correct_layout(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
         tolerance=CORRECTION_TOLERANCE * drawn.extremes[1],
     )  # fmt: skip
-    # `with_stiffness` divides K by its minimum, so the stiffness for K = 1 is multiplied by the same number
+    # `with_stiffness` divides K by its minimum, so E I for K = 1 is multiplied by the same number. The last line
+    # reverses this: the layout returned has the E I of the place where K of `rod` times the correction is 1
     least, changed = float(corrected(rod.s).min()), rod.with_stiffness(corrected)
     if rod.bending_stiffness is not None:
         changed = replace(changed, bending_stiffness=least * rod.bending_stiffness)

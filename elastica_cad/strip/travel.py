@@ -227,7 +227,8 @@ class Travel:
         """First value of `path_length` at which the strip snaps, or None."""
         at = self._first_failure(lambda rod: has_snapped(rod) or not stability(rod).stable)
         if at == 0 and self.is_still and not any({"loads", "between"} & set(step) for step in self.path):
-            # without other loads, rails, pins or ties, only weight and curling bend the strip away from its design
+            # the path changes no ends, loads, rails, pins or ties, so the strip failed while its weight and
+            # curling bent it away from its design: return the percentage of them at which it snapped
             return snap_percent(self._at_rest) or 0.0
         return at
 
