@@ -112,7 +112,7 @@ def kit_contents(
     model = _with_each(model, lambda strip: joined_within(strip, _shop_of(strip, spec, requests)))
     deviations = _deviations(model, entries)
     messages = [
-        *_departure_notes(model, entries, deviations), *_instability_notes(model),
+        *_departure_notes(model, requests, deviations), *_instability_notes(model),
         *_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_tip_notes("rings", model.plates),
     ]  # fmt: skip
     holders = list[Holder]()
@@ -258,9 +258,8 @@ def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips
 
 
 def _departure_notes(
-    model: Model, entries: Sequence[StripEntry], deviations: Mapping[str, float]
+    model: Model, requests: Mapping[str, StripSpec], deviations: Mapping[str, float]
 ) -> list[str]:
-    specs = {entry.label: entry.spec for entry in entries}
     far = dict[Sheet, list[EqualStrips]]()
     for part in far_parts(model, deviations):
         far.setdefault(part.strip.sheet, []).append(part)
@@ -269,7 +268,7 @@ def _departure_notes(
         from elastica_cad.strip.suggestions import thinner_for_all
 
         worst = max(parts, key=lambda part: deviations[part.name])
-        thinner = thinner_for_all([specs[part.strip.label] for part in parts])
+        thinner = thinner_for_all([requests[part.strip.label] for part in parts])
         messages.append(
             note(
                 "The limits change the curves of {names}: {worst} by up to {far}, {percent:.2g} % of its length. "

@@ -103,15 +103,11 @@ class Body:
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
         widest = self.ruled.width.extremes[1]
-        along, ends = (
-            _evenly_spaced(first, last, EDGE_PITCH_MM),
-            _evenly_spaced(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest),
+        (along, ends), face = (
+            (_evenly_spaced(first, last, pitch), _evenly_spaced(-1.0, 1.0, 2 * pitch / widest))
+            for pitch in (EDGE_PITCH_MM, FACE_PITCH_MM)
         )
-        rows, inner = (
-            _evenly_spaced(first, last, FACE_PITCH_MM),
-            _evenly_spaced(-1.0, 1.0, 2 * FACE_PITCH_MM / widest),
-        )
-        grids = (along, [-1.0, 1.0]), ([first, last], ends), (rows, inner)
+        grids = (along, [-1.0, 1.0]), ([first, last], ends), face
         s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
         return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0), *self.ruled.in_plane(s)
 

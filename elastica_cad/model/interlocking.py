@@ -320,12 +320,11 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
-        names = [self.names[i] for i in members]
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING_RAD:
             s = float(points.first[int(points.angle.argmin()), 0])
-            raise InputError(self._touch(names, s))
+            raise InputError(self._touch(members, s))
         slots, middle = [], np.zeros(3)
         for which, last in enumerate(self._cut_ends(members, crossing)):
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
@@ -342,7 +341,7 @@ class _Cutter:
                     "a clearance of {clearance:g} is more than the width of {names} at {rows:.6g} from its "
                     "start: reduce the clearance",
                     clearance=Length(self.clearance),
-                    names=names[which],
+                    names=self.names[members[which]],
                     rows=Length(rows[0, 0]),
                 )
             side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
@@ -364,12 +363,11 @@ class _Cutter:
             costs.append(sum(abs(x - end) for x, end in zip(ways[-1], ends, strict=True)))
         if not np.isfinite(min(costs)):
             s = crossing.at(np.array([0.5])).first[0, 0]
-            names = [self.names[i] for i in members]
             raise InputError(
                 "{names} and {names_2} cross {s:.6g} from the start of {names}, but one of these strips ends too "
                 "close to the crossing for a slot. Shorten, move or turn one of the strips",
-                names=names[0],
-                names_2=names[1],
+                names=self.names[members[0]],
+                names_2=self.names[members[1]],
                 s=Length(s),
             )
         if abs(costs[0] - costs[1]) > OTHER_SIDE_FRACTION:
@@ -397,14 +395,13 @@ class _Cutter:
             room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
             touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
         if touch.any():
-            names = [self.names[i] for i in members]
-            raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
+            raise InputError(self._touch(members, float(a.stations[int(touch.argmax())])))
 
-    def _touch(self, names: list[str], s: float) -> str:
+    def _touch(self, members: tuple[int, int], s: float) -> str:
         return note(
             "{a} and {b} do not cross {s} from the start of {a}, but touch along a line: move the strips "
             "apart, or turn one of them",
-            a=names[0], b=names[1], s=Length(s),
+            a=self.names[members[0]], b=self.names[members[1]], s=Length(s),
         )  # fmt: skip
 
 
@@ -445,15 +442,16 @@ def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
     both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
-    text = note(
-        "assemble in the order {order}: push each strip onto the strips before it", order=", ".join(names)
-    )
-    if both:
-        last = note(
-            "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
+    texts = [
+        note(
+            "assemble in the order {order}: push each strip onto the strips before it", order=", ".join(names)
         )
-        return sentences([text, last])
-    return text
+    ]
+    if both:
+        texts.append(note(
+            "thread {strips} into place, because their slots enter from both edges", strips=", ".join(both)
+        ))  # fmt: skip
+    return sentences(texts)
 
 
 def _refuse_meeting_slots(strip: Strip, name: str) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm, unit
+from elastica_cad.geometry.plane_points import box_about, clipped, left_of, norm, unit, unit_vectors
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
@@ -384,8 +384,7 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
     extent = float(np.ptp(rod.position, axis=0).max())
     # the longest tooth is 16 % of the size of the curve
     scale = 0.16 * extent / largest if largest > 0 else 0.0
-    normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
-    return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
+    return rod.position - scale * rod.curvature[:, None] * left_of(unit_vectors(rod.angle))
 
 
 def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:

@@ -101,20 +101,13 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
     origins, names = [], []
     for row in range(counts[1]):
         for column in range(counts[0]):
+            # the columns are A to Z, then AA, AB, and so on
+            first = chr(ord("A") + column // 26 - 1) if column >= 26 else ""
             corner = start + (column, row) * step
             if ((lows < corner + size) & (highs > corner)).all(axis=1).any():
                 origins.append(corner)
-                names.append(f"{_letters(column)}{row + 1}")
+                names.append(f"{first}{chr(ord('A') + column % 26)}{row + 1}")
     return Tiling(page, np.array(origins), tuple(names), (float(size[0]), float(size[1])))
-
-
-def _letters(index: int) -> str:
-    text = ""
-    while True:
-        text = chr(ord("A") + index % 26) + text
-        index = index // 26 - 1
-        if index < 0:
-            return text
 
 
 def save_template(
