@@ -257,11 +257,8 @@ class _Heights:
     b: RuledStrip
     n: FloatArray
 
-    def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return heights (n,) of a curve above the origin of strip a, and derivatives (n,) by arc length."""
-        return self.above(strip, strip.in_plane(s))
-
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
+        """Return heights (n,) of a curve above the origin of strip a, and derivatives (n,) by arc length."""
         across, base = self._height_coefficients[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
@@ -278,12 +275,8 @@ class _Heights:
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
-        v, u = self._ruling_matrix @ gap.T
+        v, u = np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n) @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
-
-    @cached_property
-    def _ruling_matrix(self) -> FloatArray:
-        return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 
 @dataclass(frozen=True, eq=False)
@@ -369,15 +362,18 @@ def _branches_of_constant_height(
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
     s = strip.stations
-    height, slope = heights.along(strip, s)
+    height, slope = heights.above(strip, strip.in_plane(s))
     # a level curve has one height, except for rounding
     if np.abs(slope).max() < 1e-12:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
     zeros = _bracketed_zeros(
-        lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
+        lambda x: heights.above(strip, strip.in_plane(x))[1],
+        s[turns],
+        s[turns + 1],
+        values=(slope[turns], slope[turns + 1]),
     )
-    top = heights.along(strip, zeros)[0]
+    top, _ = heights.above(strip, strip.in_plane(zeros))
     s, height = np.insert(s, turns + 1, zeros), np.insert(height, turns + 1, top)
     stops = [0, *(turns + 1 + np.arange(turns.size)).tolist(), s.size - 1]
     return [(s[i : j + 1], height[i : j + 1]) for i, j in pairwise(stops)]

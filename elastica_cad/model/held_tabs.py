@@ -57,8 +57,11 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
     If two plates hold a tab, their slots form a single seat.
     """
-    seats: dict[Key, TabSeat] = {}
-    for tab, seat in _seated(holders):
+    holders, seats = require_holders(holders), dict[Key, TabSeat]()
+    seated = [(holder.tab, holder.seat) for holder in holders if isinstance(holder, EndFixture)]
+    for plate in plates_with_play(holders):
+        seated += [(tab, _seat_between_walls(walls, tab, plate)) for _, tab, walls in slot_walls(plate)]
+    for tab, seat in seated:
         before = seats.get(tab.key)
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
@@ -67,16 +70,6 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
         else:
             seats[tab.key] = seat
     return seats
-
-
-def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
-    holders = require_holders(holders)
-    for holder in holders:
-        if isinstance(holder, EndFixture):
-            yield holder.tab, holder.seat
-    for plate in plates_with_play(holders):
-        for _, tab, walls in slot_walls(plate):
-            yield tab, _seat_between_walls(walls, tab, plate)
 
 
 def require_holders(holders: object) -> tuple[object, ...]:

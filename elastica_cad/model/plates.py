@@ -224,10 +224,6 @@ class BasePlate:
     def _hole_points(self) -> list[FloatArray]:
         return [loop.points(FLAT_MM) for loop in self._opening_and_holes]
 
-    @cached_property
-    def _slot_points(self) -> list[FloatArray]:
-        return [dense_points(slot.corners) for slot in self.slots]
-
     def checked(self, options: PlateOptions) -> Self:
         """Return the plate with warnings about its faults."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
@@ -327,7 +323,12 @@ class BasePlate:
     def drawing(self) -> Drawing:
         """Cutting pattern seen from above, with the name of the tab at every slot."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
-        labels = [self._slot_label(slot) for slot in self.slots]
+        slots = [dense_points(slot.corners) for slot in self.slots]
+        holes = [dense_points(hole) for hole in self._hole_points]
+        labels = [
+            self._slot_label(slot, np.concatenate([*slots[:k], *slots[k + 1 :], *holes, np.zeros((0, 2))]))
+            for k, slot in enumerate(self.slots)
+        ]
         name = self._name_inside_slots() or self._name_anywhere([label.box for label in labels])
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), (*labels, *name))
 
@@ -390,10 +391,10 @@ class BasePlate:
                         return (Text((start[0], start[1]), name, height, float(turn)),)
         return ()
 
-    def _slot_label(self, slot: TabSlot) -> Text:
+    def _slot_label(self, slot: TabSlot, cuts: FloatArray) -> Text:
         """Return the engraved name of the tab, above the slot or, if a cut is too near above, below the slot.
 
-        If cuts are too near on both sides, the name is smaller.
+        If cuts are too near on both sides, the name is smaller. `cuts` (n, 2) are points on all other cuts.
         """
         a, b, *_ = slot.corners
         along = unit(b - a)
@@ -401,11 +402,7 @@ class BasePlate:
             along = -along
         middle, axes = slot.corners.mean(axis=0), np.array([along, left_of(along)])
         name = engravable(slot.name)
-        others = [
-            points for other, points in zip(self.slots, self._slot_points, strict=True) if other is not slot
-        ]
-        cuts = np.concatenate([*others, *map(dense_points, self._hole_points), np.zeros((0, 2))]) - middle
-        x, y = axes @ cuts.T
+        x, y = axes @ (cuts - middle).T
         for scale in (1.0, 0.8, 0.6):
             height = scale * min(LABEL_MM, 0.2 * slot.size[0])
             half, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height

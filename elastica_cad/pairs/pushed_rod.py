@@ -19,11 +19,6 @@ EDGES = 480
 The relative error (1 / EDGES)^2 is as large as the error of a drawing.
 """
 
-STIFF, STIFFEST = 400.0, 1000.0
-"""Default ratio of length to thickness, and largest ratio in computations.
-
-A thinner rod hardly stretches, and its axial forces would have large rounding errors."""
-
 CALM = 1e-8
 """Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
 
@@ -31,9 +26,6 @@ FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
 """First and least damping, as fractions of the largest nodal stiffness, and factor between successive values.
 
 Damping is added if the energy is not convex, or if a step would increase the energy."""
-
-NOISE = 4e-15
-"""Rounding error of a force, as a multiple of the stiffness of an edge * length of the rod / shortest edge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -243,7 +235,8 @@ class _Chain:
         s = np.append(
             np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
         )
-        edge, h = np.diff(s), max(thickness or rod.length / STIFF, rod.length / STIFFEST)
+        # a thinner rod hardly stretches, and its axial forces would have large rounding errors
+        edge, h = np.diff(s), max(thickness or rod.length / 400, rod.length / 1000)
         ends = unit_vectors(rod.angle[[0, -1]])
         start = at_stations((rod.position - rod.position[0]).T, rod.s, s).T
         return cls(
@@ -346,7 +339,8 @@ class _Chain:
         """
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
-        noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
+        # rounding error of a force
+        noise = 4e-15 * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
         for _ in range(2000):
             band, slope = self._band(x), self.gradient(x)[1:-1]
             if held:

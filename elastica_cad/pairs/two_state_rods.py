@@ -35,9 +35,6 @@ TANGENTS = 12
 WIDEST_TANGENTS = 1e4
 """The first tangents are at stiffnesses up to this factor below and above a typical stiffness."""
 
-SETTLED = 1e-6
-"""Relative change of the least stiffness below which no more tangents are added."""
-
 SMOOTH = 4
 """A cubic spline of the stiffness has no kinks if the curve has this number of continuous derivatives."""
 
@@ -389,7 +386,8 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         if result.status != 0 or not result.x[-1] > 0:
             _refuse(paired.check, limits, None)
         least, numbers = float(result.x[-1]), result.x[:-1]
-        if abs(before / least - 1) < SETTLED:
+        # the least stiffness has converged
+        if abs(before / least - 1) < 1e-6:
             break
         before = least
         table.append(tangents(np.maximum(stiff @ numbers, least)))
@@ -406,7 +404,11 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     K = stiffness.at(*place)
     least = float(K.min())
     if least <= 0:
-        raise NotRealizable(replace(check, realizable=False, reasons=(DROWNS,)))
+        text = (
+            "The stiffness would be 0 between two places where the curvatures are equal. Move these places "
+            "apart."
+        )
+        raise NotRealizable(replace(check, realizable=False, reasons=(text,)))
     K = K / least
     nodal = [moment.at(*place) / least for moment in moments]
     rest = nodes.curvature - nodal[0] / K
@@ -427,11 +429,6 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
         for at, moment, b, curve in zip((nodes, other), nodal, force, (check.first, check.second), strict=True)
     ]  # fmt: skip
     return TwoStateRod(states[0], states[1], check)
-
-
-DROWNS = (
-    "The stiffness would be 0 between two places where the curvatures are equal. Move these places apart."
-)
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:

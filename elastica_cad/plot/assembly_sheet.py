@@ -69,17 +69,12 @@ A4 = np.array([595.0, 842.0])  # width and height of a page, points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # margin, heights of title and line, points
 TEXT_POINTS = 8.5
 LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter, points
-# least scale of a picture on a page with text, as a fraction of its scale on a page without text
-SHARED = 0.55
-FEWEST = 3  # least number of lines of a table at the foot of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its letters, points
 LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and at the top and bottom, points
 LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # places of a label, as fractions of the line from tab to holder
 GAP_LETTERS = 2
 # directions to the viewer, and to the right and upwards in the picture
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
-# distance by which plates and blocks are moved away from the strips, as a fraction of the model's size
-APART = 0.3
 BEHIND = 1.4  # ratio of the distances by which the second and the first plate of a pair are moved away
 BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
@@ -183,15 +178,16 @@ def _pages(
 ) -> Iterator[Any]:
     pairs = tuple(pairs_of_plates(_plates(holders)))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
-    tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
-    tables += [Table("", (), [(hint,) for hint in hints])] if hints else []
+    tables = [*_tables(model, holders, pairs, steps, cut_list), Table("", (), [(hint,) for hint in hints])]
+    tables = [_translated(table, words) for table in tables if table.rows]
     # choose the orientation with the larger picture, with the text below the picture if there is space
     layouts = []
     for paper in (A4, A4[::-1]):
         space = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
-        blocks = [_block(_translated(table, words), int(space[0] / LETTER_POINTS)) for table in tables]
+        blocks = [_block(table, int(space[0] / LETTER_POINTS)) for table in tables]
         picture = space - [0.0, LEADING * sum(len(head) + len(body) + 1 for head, body in blocks)]
-        shared = bool(picture[1] > 0 and view.scale(picture) >= SHARED * view.scale(space))
+        # a picture on a page with text may be smaller
+        shared = bool(picture[1] > 0 and view.scale(picture) >= 0.55 * view.scale(space))
         layouts.append((shared, view.scale(picture if shared else space), paper, blocks))
     shared, scale, paper, blocks = max(layouts, key=lambda layout: layout[:2])
     lines = int((paper[1] - 2 * MARGIN - TITLE_POINTS) / LEADING)
@@ -543,7 +539,8 @@ def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> It
         start = 0
         while start < len(body):
             free = most - len(page) - len(head)
-            if free < min(FEWEST, len(body) - start):
+            # at the foot of a page, a table has at least three lines
+            if free < min(3, len(body) - start):
                 yield page
                 page = []
                 continue
@@ -611,7 +608,8 @@ class View:
             assembled_strips.append((member.strip, painted[-1][0] - out))
         names, targets = dict[str, Label](), dict[object, FloatArray]()
         for holder in single_holders(holders):
-            shift = _shift_away(holder, APART * extent * (BEHIND if id(holder) in second_plates else 1.0))
+            # plates and blocks are moved away from the strips
+            shift = _shift_away(holder, 0.3 * extent * (BEHIND if id(holder) in second_plates else 1.0))
             if isinstance(holder, EndFixture):
                 shift = shift + outs.get(holder.tab.key, 0.0)
                 for patches, _ in holder_patches([holder], 0.02 * extent):

@@ -19,13 +19,6 @@ from elastica_cad.plot.strip_pictures import (
 )
 from elastica_cad.refusals import number_text
 
-POINTS = 601
-
-GOOD, OUTLIER = "#2e7d4f", "#c62828"
-
-LETTERS = 96
-"""Largest number of characters in a line above the picture."""
-
 
 def check(check: EquilibriumCheck) -> Figure:
     """Draw the curve of a check with its curvature comb, inflections, inflection line and faults.
@@ -45,7 +38,7 @@ def check(check: EquilibriumCheck) -> Figure:
     """
     require_record(check, EquilibriumCheck, "what is drawn", "what check_equilibrium answers")
     curve = check.curve
-    nodes = curve.sample(POINTS)
+    nodes = curve.sample(601)
     tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
     size = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
@@ -53,12 +46,12 @@ def check(check: EquilibriumCheck) -> Figure:
         " ".join((*check.points_message, *check.reasons))
         if check.reasons and check.undecided is None
         else str(check),
-        LETTERS,
+        96,
     )
     figure, (axes,) = new_page([numbered_panel(size)], title)
     paint_comb(axes, nodes.position, tips)
     axes.plot(
-        *nodes.position.T, color=GOOD if check.realizable and not check.undecided else INK, linewidth=2.2
+        *nodes.position.T, color="#2e7d4f" if check.realizable and not check.undecided else INK, linewidth=2.2
     )
     measured, dots = measured_points(curve), ""
     if measured is not None:
@@ -66,7 +59,7 @@ def check(check: EquilibriumCheck) -> Figure:
         axes.plot(*measured.points.T, ".", color=INK, markersize=5, label="_measured points")
         for outlier in measured.outlier:
             ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
-            axes.plot(*outlier.values["place"], "o", color=OUTLIER, label="_stands out", **ring)
+            axes.plot(*outlier.values["place"], "o", color="#c62828", label="_stands out", **ring)
     for label, color, marker, places in _marks(check):
         if not places:
             continue

@@ -48,9 +48,6 @@ from elastica_cad.strip.strip import Placed, Strip
 APART_MM = 1e-7
 """Stations closer together than this, mm, are merged."""
 
-FEWEST, ROUND = 4, 96
-"""Least number of sides that replace an arc or spline, and least number if this curve is a whole loop."""
-
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
     """Divide the area inside an odd number of loops into trapezoids with sides parallel to y.
@@ -117,7 +114,8 @@ def _polygon_of(loop: Path, step: float) -> FloatArray:
     for segment in loop.segments:
         parts = 1
         if not isinstance(segment, Line):
-            fewest = ROUND if len(loop.segments) == 1 else FEWEST
+            # at least 4 sides replace an arc or spline, or 96 if this curve is a whole loop
+            fewest = 96 if len(loop.segments) == 1 else 4
             parts = max(fewest, ceil(dist(segment.start, segment.end) / step))
         rows.append(segment.at(np.linspace(0.0, 1.0, parts, endpoint=False)))
     return np.concatenate(rows)
@@ -173,9 +171,6 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 NAME_SPACE = 0.045
 """Space for the name of a flat part as a fraction of the longest part."""
-
-STATIONS, CORNERS = 81, 40
-"""Number of stations along a strip at which patches end, and number of corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Direction to the light: above, to the left and in front."""
@@ -394,11 +389,11 @@ def rule_strip(
     rod = strip.rod
     (first, low), (last, high) = strip.outline.bounds
     x = np.unique([first, *rod.s, last])
-    stations = [np.linspace(0.0, rod.length, STATIONS)]
+    stations = [np.linspace(0.0, rod.length, 81)]
     for face in faces:
         height = (placed.frame.point(_bent(rod, x)) - face.origin) @ face.z_axis
         stations.append(at_sign_changes(height, x))
-    flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
+    flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / 40)
     across = np.diff(flat[..., 1:], axis=-1)
     # width of the dark line along edges
     rim = np.minimum(min(0.035 * (high - low), rim_most), across / 4)

@@ -22,10 +22,6 @@ from elastica_cad.plot.canvas import (
 )
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
-# largest distance between splines and drawn polylines, as a fraction of the length
-CHORD = 1e-4
-
-ARROW = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
@@ -33,7 +29,8 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
 
     The requested curves `drawn_as` are drawn dashed.
     """
-    chord = CHORD * part.pair.length
+    # largest distance between splines and drawn polylines
+    chord = 1e-4 * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]
     outlines = [
         part.outline.points(chord),
@@ -73,7 +70,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
         at, displacement = part.pushed
-        start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(norm(displacement))
+        start, size = lines[0].at(np.array([at]))[0][0], 0.3 * float(norm(displacement))
     else:
         start, size = travel.position[travel.force.argmax(), -1], part.pad.length
     tip = start + size * unit_vectors(np.radians(part.force_direction))
