@@ -17,7 +17,7 @@ from elastica_cad.model.held_tabs import (
     tab_seats as tab_seats,
 )
 from elastica_cad.model.interlocking import interlock as interlock, Joint as Joint, slot_width as slot_width
-from elastica_cad.model.leaf_stack import LeafStack as LeafStack
+from elastica_cad.model.batten import LeafStack as LeafStack
 from elastica_cad.model.model import Model as Model
 from elastica_cad.model.cut_rows import cut_list as cut_list, CutList as CutList, CutListRow as CutListRow
 from elastica_cad.model.nesting import nest_pieces as nest_pieces, NestedSheet as NestedSheet

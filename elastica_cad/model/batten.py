@@ -1,4 +1,4 @@
-"""Battens of tapered stock, with tables and drawings for the workshop."""
+"""Battens of tapered stock, with tables and drawings for the workshop, and workshop documents of glued plies."""
 
 from dataclasses import dataclass, replace
 from textwrap import wrap
@@ -22,16 +22,59 @@ from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.loads import Gravity, Supports, Weight
 from elastica_cad.mechanics.rod import Rod, camber_of, csv_text
-from elastica_cad.model.leaf_stack import LeafStack
+from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.report_rows import DECIMALS
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import ends_message
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import DOWN, StripSpec
 from elastica_cad.strip.tapered_solids import side_view
+
+
+@dataclass(frozen=True, eq=False)
+class LeafStack:
+    """Workshop documents of a strip of glued plies.
+
+    Attributes
+    ----------
+    strip : Strip
+        Strip with a `LeavesLaw`.
+    """
+
+    strip: Strip
+
+    def __post_init__(self) -> None:
+        require_record(self.strip, Strip, "what is of leaves", "a Strip")
+        if self.strip.layout.stack is None:
+            raise InputError("the strip has no plies: make it with section=LeavesLaw(sheet, leaves, width)")
+
+    @property
+    def cut_list(self) -> CutList:
+        """Cut list with one row for each ply, the full-length ply first."""
+        stack, label = self.strip.layout.stack, self.strip.label or "stack"
+        assert stack is not None
+        layers = zip(self.strip.drawings(), self.strip.layers, stack.names, strict=True)
+        leaves = [Piece(f"{label} {name}", drawing, layer.sheet) for drawing, layer, name in layers]
+        return cut_list(leaves, dict.fromkeys((leaf.name for leaf in leaves), ""))
+
+    @property
+    def drawing(self) -> Drawing:
+        """Pattern of the plies at full size, one below another, at their positions along the stack.
+
+        Marks across each ply show the ends of the next plies.
+        """
+        # the plies are at least 5 mm apart
+        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + 5.0
+        moved = [
+            path.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
+            for i, path in enumerate(self.strip.drawings())
+        ]
+        return Drawing.merged(self.strip.label or "stack", moved)
+
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
