@@ -165,31 +165,23 @@ def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )
     sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
-    notes: list[str] = []
-    border = edges[count == 1]
-    if len(border):
-        notes.append(note(
-            "the mesh is open along {edges} (near {places}), so sections end there",
-            edges=_edges(border), places=_places(points, border),
-        ))  # fmt: skip
-    crowded = edges[count > 2]
-    if len(crowded):
-        notes.append(note(
-            "more than two faces meet at {edges} (near {places}): sections are split there",
-            edges=_edges(crowded), places=_places(points, crowded),
-        ))  # fmt: skip
-    turned = edges[(count == 2) & (sense != 0)]
-    if len(turned):
-        notes.append(note(
+    defects = (
+        ("the mesh is open along {edges} (near {places}), so sections end there", edges[count == 1]),
+        ("more than two faces meet at {edges} (near {places}): sections are split there", edges[count > 2]),
+        (
             "adjacent faces have opposite orientations along {edges} (near {places}): this does not change "
             "the sections",
-            edges=_edges(turned), places=_places(points, turned),
-        ))  # fmt: skip
-    return notes
-
-
-def _edges(edges: IntArray) -> str:
-    return "1 edge" if len(edges) == 1 else f"{len(edges)} edges"
+            edges[(count == 2) & (sense != 0)],
+        ),
+    )
+    return [
+        note(
+            template, edges="1 edge" if len(found) == 1 else f"{len(found)} edges",
+            places=_places(points, found),
+        )
+        for template, found in defects
+        if len(found)
+    ]  # fmt: skip
 
 
 def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:

@@ -661,7 +661,7 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
     """Return the present shape of a rod as the first state on the way to an equilibrium of `system`."""
     present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
-    if system.elements is not None:
+    if system.actions:
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
     extra = (rod.discrete.force - present.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])

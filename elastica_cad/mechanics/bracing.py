@@ -87,8 +87,8 @@ class _Edges:
 
         The columns are the m angles and strains, and the translation of the whole rod.
         """
-        start, end = self.supports.ends
-        from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
+        held = self.supports.held
+        from_end = held[3:5] & ~held[:2]
         return np.concatenate([self.moves_with(self.covered(s) - from_end[:, None]), np.eye(2)], axis=1)
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:

@@ -13,7 +13,7 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.plane_points import cross, dot, unit_vectors
+from elastica_cad.geometry.plane_points import cross, dot, midpoints, unit_vectors
 from elastica_cad.mechanics.bracing import Bracing, bracing_of
 from elastica_cad.mechanics.elements import ElementForce
 from elastica_cad.mechanics.loads import Supports, turning_nodes, whole_number
@@ -420,6 +420,14 @@ def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
     load[1:-1].cumsum(axis=0, out=force[1:])
     force[1:] += first
     return force
+
+
+def nodal_forces(edges: FloatArray, load: FloatArray) -> FloatArray:
+    """Return the forces lambda at the nodes (n+1, 2), from those of the edges (n, 2) and the nodal loads (n+1, 2).
+
+    The force at an inner node is the mean of its two edges. At an end it is the force of the support.
+    """
+    return np.concatenate([edges[:1] - load[0], midpoints(edges), edges[-1:] + load[-1]])
 
 
 def bending_moments(

@@ -7,7 +7,7 @@ At a point p_j = gamma(s_j) of the strip gamma(s), a force f_j changes the slope
 The manual's page "Forces between the ends" has the derivation.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -199,7 +199,7 @@ AT_JOINT_SHARE = 2e-3
 The tolerance allows for positions that are rounded to a millimetre.
 """
 
-_NEWTON_STEPS = 20
+_NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,7 +237,7 @@ class PlacedElement:
         if isinstance(element, Tie | PointForce):
             s *= curve.length / drawn.length
         elif curve is not drawn:
-            s = np.array([_nearest_arc_length(curve, drawn.at(s).position[0])])
+            s = np.array([_foot(curve, drawn.at(s).position[0])])
         for joint in joints:
             s = np.where(np.abs(s - joint) <= AT_JOINT_SHARE * curve.length, joint, s)
         if isinstance(element, PointForce):
@@ -305,7 +305,7 @@ def with_placed_masses(weight: Weight, drawn: PlaneCurve, curve: PlaneCurve) -> 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
     """Return the arc length, mm, of a place: points move to the curve, and rounded lengths to the end."""
     if isinstance(at, tuple):
-        s = _nearest_arc_length(curve, np.array(at))
+        s = _foot(curve, np.array(at))
         off = float(norm(curve.at(s).position[0] - at))
         if off > NEAR_SHARE * curve.length:
             raise InputError(
@@ -327,16 +327,32 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
     return at if at < curve.length - rounding else curve.length
 
 
-def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
-    nodes = curve.survey
-    s = float(nodes.s[norm(nodes.position - point).argmin()])
-    for _ in range(_NEWTON_STEPS):
+def _foot(curve: PlaneCurve, point: FloatArray) -> float:
+    def at(s: float) -> tuple[FloatArray, ...]:
         here = curve.at(s)
-        off, tangent = point - here.position[0], unit_vectors(here.angle[0])
+        tangent = unit_vectors(here.angle[0])
+        return here.position[0], tangent, here.curvature[0] * left_of(tangent)
+
+    nodes = curve.survey
+    return nearest_arc_length(point, float(nodes.s[norm(nodes.position - point).argmin()]), curve.length, at)
+
+
+def nearest_arc_length(
+    point: FloatArray, start: float, length: float, at: Callable[[float], tuple[FloatArray, ...]]
+) -> float:
+    """Return the arc length, mm, at which a curve of `length` mm is nearest to a point (2,).
+
+    The method is Newton's, from the arc length `start`. `at` returns the position (2,) at an arc length, and its
+    first and second derivative by the arc length.
+    """
+    s = start
+    for _ in range(_NEWTON_STEPS):
+        position, slope, bend = at(s)
+        off = point - position
         # limit the step, because Newton's method diverges near the centre of curvature
-        spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
-        before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
-        if abs(s - before) <= 1e-12 * curve.length:
+        spread = max(float(slope @ slope - off @ bend), 0.3)
+        before, s = s, float((s + off @ slope / spread).clip(0.0, length))
+        if abs(s - before) <= 1e-13 * length:
             break
     return s
 

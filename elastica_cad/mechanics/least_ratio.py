@@ -18,6 +18,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import point
 from elastica_cad.mechanics.bracing import SLACK_SHARE, slack_elements
 from elastica_cad.mechanics.cross_sections import LeavesLaw, Section, require_section
+from elastica_cad.mechanics.discrete_rod import edge_forces, nodal_forces
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
@@ -441,10 +442,8 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a straight vertical strip hangs straight with any stiffness: set its `bending_stiffness`"
         )
-    # negative internal force: sum of the loads before each node, and half of the load at this node
     load = rod.nodal_load
-    force = load.cumsum(axis=0) - load / 2
-    force[0], force[-1] = 0.0, load.sum(axis=0)
+    force = nodal_forces(edge_forces(load[0], load), load)
     lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, unit, unit_vectors
@@ -30,6 +31,7 @@ from elastica_cad.mechanics.elements import (
     Tie,
     edge_weights,
     floats,
+    nearest_arc_length,
 )
 from elastica_cad.mechanics.loads import Supports
 
@@ -93,10 +95,10 @@ class MountedElements:
     load: FloatArray
     edge_length: float
 
-    @property
+    @cached_property
     def free_axes(self) -> IntArray:
-        """Coordinates (0: x, 1: y) that no end holds."""
-        return np.flatnonzero(self.supports.free_axes)
+        """Coordinates (0: x, 1: y) that no end holds, so that rails, pins and ties determine the position."""
+        return np.flatnonzero(self.supports.free_axes if self.actions else ())
 
     def first(self, tangents: FloatArray) -> FloatArray:
         """Return the initial values (k,) of the unknowns for a rod with edge tangents (n, 2)."""
@@ -130,12 +132,14 @@ class MountedElements:
         `tangents` (n, 2) are the edge vectors divided by `edge_length`.
         """
         n, k, h = len(tangents), numbers.size, self.edge_length
-        across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
         residual, places = np.zeros(k), np.zeros(k, dtype=bool)
+        if not self.actions:
+            return ElementEquations(rows, pulls, corner, residual, places)
+        across = h * left_of(tangents).T
         free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
-        start = self.anchor + self.shift(numbers) - self._from_end * h * tangents.sum(axis=0)
+        start = self.anchor + self.shift(numbers) - self.from_end * h * tangents.sum(axis=0)
         shape = ShapeOfRod(tangents, h, start)
         for action, at in zip(self.actions, self._places, strict=True):
             pair, more = slice(at, at + 2), at + 2
@@ -196,20 +200,19 @@ class MountedElements:
         shift[free] = numbers[numbers.size - len(free) :]
         return shift
 
-    @property
+    @cached_property
     def _places(self) -> IntArray:
         """Index of the first unknown of each rail, pin and tie; a pin has two unknowns, the others have three."""
         sizes = [2 if isinstance(action.element, Pin) else 3 for action in self.actions]
-        return np.cumsum([0, *sizes[:-1]])
+        return np.cumsum([0, *sizes])[:-1]
 
-    @property
-    def _from_end(self) -> FloatArray:
+    @cached_property
+    def from_end(self) -> FloatArray:
         """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 if from its start."""
-        start = self.supports.ends[0]
-        return np.array([not start.x, not start.y], dtype=float)
+        return np.where(self.supports.held[:2], 0.0, 1.0)
 
     def _up_to(self, s: float, edges: int) -> FloatArray:
-        return edge_weights(s, self.edge_length, edges)[:, None] - self._from_end
+        return edge_weights(s, self.edge_length, edges)[:, None] - self.from_end
 
     def _between(self, action: ElementForce, edges: int) -> FloatArray:
         p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
@@ -249,15 +252,10 @@ class ShapeOfRod:
     def foot(self, point: FloatArray) -> float:
         """Return the arc length, mm, at which the rod is nearest to a point (2,)."""
         nodes = edge_positions(self.start, self.tangents, self.edge_length)
-        s = self.edge_length * float(norm(nodes - point).argmin())
-        for _ in range(30):
-            off, slope = point - self.at(s), self.at(s, 1)
-            # limit the step, because Newton's method diverges near the centre of curvature
-            spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
-            before, s = s, float((s + off @ slope / spread).clip(0.0, self.length))
-            if abs(s - before) <= 1e-13 * self.length:
-                break
-        return s
+        return nearest_arc_length(
+            point, self.edge_length * float(norm(nodes - point).argmin()), self.length,
+            lambda s: tuple(self.at(s, order) for order in range(3)),
+        )  # fmt: skip
 
 
 def require_held(

@@ -57,7 +57,7 @@ def newton_step(state: RodState, residual: Residual) -> Step:
 
 def _step_with_hessian(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
     rows, below = state.rows, -residual.miss
-    if state.system.elements is None:
+    if not state.system.actions:
         return Step(
             *solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below, corner=state.corner)
         )

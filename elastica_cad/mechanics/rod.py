@@ -26,6 +26,7 @@ from elastica_cad.mechanics.discrete_rod import (
     braced,
     edge_forces,
     edge_positions,
+    nodal_forces,
     node_weights,
 )
 from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, at_ends, lumped
@@ -723,7 +724,7 @@ class Rod:
     def discrete(self) -> DiscreteRod:
         """Discrete rod for stability, with angles and forces of the edges, and tangent stiffness at the nodes."""
         steps = np.diff(self.position, axis=0)
-        apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
+        apart = steps.any(axis=1)
         if not apart.all():
             at = float(self.s[apart.argmin()])
             raise InputError(
@@ -731,19 +732,13 @@ class Rod:
                 "these nodes"
             )
         angles = _edge_angles(self.position, self.angle)
-        force = np.zeros((angles.size, 2))
-        nodal = np.zeros_like(self.force)
-        if self.gravity is not None:
-            load = self.nodal_load
-            force = edge_forces(np.zeros(2), load)
-            nodal[1:-1] = midpoints(force)
-            nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
-        acting = self.acting
-        if acting:
-            between = lumped(acting, self.s.size, self.length)
-            force += edge_forces(between[0], between)
-            for action in acting:
-                nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
+        load, acting = self.nodal_load, self.acting
+        force = edge_forces(np.zeros(2), load)
+        nodal = nodal_forces(force, load)
+        between = lumped(acting, self.s.size, self.length)
+        force += edge_forces(between[0], between)
+        for action in acting:
+            nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
         # a rail, pin or tie at a node makes the force there ambiguous, so take the median difference of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)

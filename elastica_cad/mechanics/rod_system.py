@@ -15,6 +15,7 @@ from elastica_cad.mechanics.discrete_rod import (
     bending_moments,
     braced,
     edge_forces,
+    nodal_forces,
     node_weights,
 )
 from elastica_cad.mechanics.elements import ElementForce, at_ends, lumped
@@ -126,10 +127,9 @@ class RodSystem:
     @cached_property
     def given_force(self) -> FloatArray:
         """Force lambda of the edges (n, 2) without reactions, 1/mm2."""
-        start = self.supports.ends[0]
         # the last edge carries the weight of the last node and the dead force
         from_end, from_start = -self.force - self.load[1:].sum(axis=0), self.force + self.load[0]
-        first = np.where([start.x, start.y], from_end, from_start)
+        first = np.where(self.supports.held[:2], from_end, from_start)
         first[list(self.held)] = 0.0
         return edge_forces(first, self.load)
 
@@ -139,13 +139,10 @@ class RodSystem:
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     @cached_property
-    def elements(self) -> MountedElements | None:
+    def elements(self) -> MountedElements:
         """Rails, pins and ties, and their equations."""
-        if not self.actions:
-            return None
-        start = self.supports.ends[0]
         return MountedElements(
-            self.actions, self.supports, np.where([start.x, start.y], self.start, self.end),
+            self.actions, self.supports, np.where(self.supports.held[:2], self.start, self.end),
             self.load.sum(axis=0) + self.force, self.edge_length,
         )  # fmt: skip
 
@@ -157,7 +154,7 @@ class RodSystem:
         """
         if reactions is None:
             reactions = np.zeros(len(self.held))
-        if self.elements is not None and reactions.size == len(self.held):
+        if reactions.size == len(self.held):
             reactions = np.concatenate([reactions, self.elements.first(unit_vectors(angles))])
         return RodState(self, angles, reactions)
 
@@ -205,36 +202,32 @@ class RodState:
         K = system.stiffness
         if system.law is not None:
             K = K * self._lawful[1]
-        if system.elements is not None:
+        if system.actions:
             force += system.elements.force(self._numbers, self.angles.size)
         rod = DiscreteRod(
             K, self.angles, force, system.edge_length, system.supports, compression=system.compression
         )
-        return rod if system.elements is None else braced(rod, self.actions)
+        return braced(rod, self.actions) if system.actions else rod
 
     @property
     def _numbers(self) -> FloatArray:
         return self.reactions[len(self.system.held) :]
 
     @cached_property
-    def _equations(self) -> ElementEquations | None:
-        elements = self.system.elements
-        return None if elements is None else elements.equations(self.discrete.tangents, self._numbers)
+    def _equations(self) -> ElementEquations:
+        return self.system.elements.equations(self.discrete.tangents, self._numbers)
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:
         """Taut rails, pins and ties with their forces and arc lengths."""
-        elements = self.system.elements
-        return () if elements is None else elements.solved(self._numbers)
+        return self.system.elements.solved(self._numbers)
 
     @cached_property
     def rows(self) -> FloatArray:
         """Derivatives (p, n) of the errors `residual.miss` with respect to the edge angles."""
-        rows = self.discrete.constraint_rows
-        if self._equations is not None:
-            rows = np.concatenate([rows, self._equations.rows])
+        rows = np.concatenate([self.discrete.constraint_rows, self._equations.rows])
         if self._pulls is not None:
-            rows = rows - self._pulls * self.discrete.shortening * self.discrete.sideways_pull
+            rows -= self._pulls * self.discrete.shortening * self.discrete.sideways_pull
         return rows
 
     @cached_property
@@ -243,20 +236,15 @@ class RodState:
         rod, held = self.discrete, list(self.system.held)
         if rod.compression is None:
             return None
-        pulls = rod.directions.T[held]
-        if self._equations is None:
-            return pulls
-        return np.concatenate([pulls, self._equations.pulls / dot(rod.tangents, rod.directions)])
+        along = dot(rod.tangents, rod.directions)
+        return np.concatenate([rod.directions.T[held], self._equations.pulls / along])
 
     @cached_property
-    def corner(self) -> FloatArray | float:
+    def corner(self) -> FloatArray:
         """Derivatives (p, p) of the errors `residual.miss` with respect to the reactions."""
-        if self._equations is None and self._pulls is None:
-            return 0.0
         held, size = len(self.system.held), self.reactions.size
         corner = np.zeros((size, size))
-        if self._equations is not None:
-            corner[held:, held:] = self._equations.corner
+        corner[held:, held:] = self._equations.corner
         if self._pulls is not None:
             corner -= (self._pulls * self.discrete.shortening) @ self._pulls.T
         return corner
@@ -265,7 +253,7 @@ class RodState:
     def places(self) -> FloatArray:
         """Flags (p,): True for a position error in `residual.miss`, False for a force."""
         held = np.ones(len(self.system.held), dtype=bool)
-        return held if self._equations is None else np.concatenate([held, self._equations.places])
+        return np.concatenate([held, self._equations.places])
 
     def missed(self, miss: FloatArray) -> float:
         """Return the largest relative error in `miss` (p,).
@@ -273,10 +261,8 @@ class RodState:
         Position errors are relative to the length, and force errors to the size of the moments.
         """
         length = self.system.length
-        if self._equations is None:
-            return float(np.abs(miss).max(initial=0.0)) / length
         unit = np.where(self.places, length, max(self.scale, 1e-3 / length) / length)
-        return float(np.abs(miss / unit).max())
+        return float(np.abs(miss / unit).max(initial=0.0))
 
     @cached_property
     def moments(self) -> FloatArray:
@@ -310,9 +296,7 @@ class RodState:
         """Imbalance of moments, and errors of ends, rails, pins and ties."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
-        miss = np.array([reach[i] for i in system.held]) - system.chord
-        if self._equations is not None:
-            miss = np.concatenate([miss, self._equations.residual])
+        miss = np.concatenate([reach[list(system.held)] - system.chord, self._equations.residual])
         return Residual(rod.moment_imbalance(self.moments), miss)
 
     @cached_property
@@ -332,8 +316,7 @@ class RodState:
         work += float(system.moments[turning] @ self.angles[turning])
         # per length, the dead loads do the work -<lambda, T>, with their force lambda and the unit tangent T
         work -= system.edge_length * float((system.given_force * self.discrete.tangents).sum())
-        if system.elements is not None:
-            work += float(system.elements.load @ system.elements.shift(self._numbers))
+        work += float(system.elements.load @ system.elements.shift(self._numbers))
         return float(spring.sum()) - work
 
     @cached_property
@@ -368,21 +351,17 @@ class RodState:
     @property
     def position(self) -> FloatArray:
         """Positions of the nodes (n+1, 2), mm."""
-        system, position = self.system, self.discrete.position
-        start = system.supports.ends[0]
-        position = position + np.where([start.x, start.y], system.start, system.end - position[-1])
-        return position if system.elements is None else position + system.elements.shift(self._numbers)
+        elements, position = self.system.elements, self.discrete.position
+        from_end = elements.from_end * position[-1]
+        return np.asarray(position + elements.anchor - from_end + elements.shift(self._numbers))
 
     def record(self, point_forces: Sequence[ElementForce] = ()) -> dict[str, Any]:
         """Return attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
-        system, edge, n = self.system, self.discrete.force, self.system.edges
-        force = np.empty((n + 1, 2))
-        force[1:-1] = midpoints(edge)
+        system, n = self.system, self.system.edges
         # forces of rails, pins and ties less than two edges from an end act partly on the end node
-        element_load = lumped(self.actions, n + 1, system.length)
-        start, end = at_ends(system.length, (*self.actions, *point_forces))
-        force[0] = edge[0] - system.load[0] - element_load[0] + start
-        force[-1] = edge[-1] + system.load[-1] + element_load[-1] - end
+        load = system.load + lumped(self.actions, n + 1, system.length)
+        force = nodal_forces(self.discrete.force, load)
+        force[[0, -1]] += at_ends(system.length, (*self.actions, *point_forces)) * [[1.0], [-1.0]]
         change = self._hooke_moments / system.stiffness
         turning = turning_nodes(system.supports)
         if system.law is not None and turning:
