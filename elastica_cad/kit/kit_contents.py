@@ -162,9 +162,9 @@ def kit_contents(
         else numbers_note({piece.name: piece.number or piece.name for piece in pieces})
     )
     kerf = spec.cutting.kerf_note(piece.sheet for piece in pieces)
-    first = [*numbers, *([] if kerf is None else [kerf])]
+    messages = [*numbers, *([] if kerf is None else [kerf]), *messages]
     return KitContents(
-        model, spec, pieces, nests, tuple(holders), tuple(entries), held, (*first, *messages), deviations
+        model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages), deviations
     )
 
 
@@ -211,10 +211,9 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
-    pieces: list[Piece] = []
-    for piece in strips:
-        pieces += [replace(part, count=piece.count) for part in parts.get(piece.name, (piece,))]
-    return tuple(pieces)
+    return tuple(
+        replace(part, count=piece.count) for piece in strips for part in parts.get(piece.name, (piece,))
+    )
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:

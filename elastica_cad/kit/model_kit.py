@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
@@ -366,18 +367,19 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
     return (
-        File(f"{name}-cut.zip", partial(_pack, cut), "what is cut or printed"),
-        File(f"{name}-look.zip", partial(_pack, viewed), "what is looked at"),
+        File(f"{name}-cut.zip", lambda path: pack_files(path.parent, cut, path), "what is cut or printed"),
+        File(f"{name}-look.zip", lambda path: pack_files(path.parent, viewed, path), "what is looked at"),
     )
 
 
-def _pack(files: Sequence[str], path: Path) -> None:
-    with ZipFile(path, "w") as archive:
-        for name in files:
+def pack_files(folder: Path, names: Sequence[str], target: Path | BytesIO) -> None:
+    """Write files of a folder to a ZIP archive."""
+    with ZipFile(target, "w") as archive:
+        for name in names:
             entry = ZipInfo(name)
             # without this mode, only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
-            archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
+            archive.writestr(entry, (folder / name).read_bytes(), ZIP_DEFLATED)
 
 
 def _assemblies(name: str, stem: str, shapes: "Callable[[], list[NamedShape]]") -> tuple[File, File]:

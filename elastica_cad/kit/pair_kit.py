@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
@@ -11,11 +10,11 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._text import distinct, file_word
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
-from elastica_cad.files import step_trouble
+from elastica_cad.files import save, step_trouble
 from elastica_cad.form_finding.limits import FAR_SHARE
 from elastica_cad.formats.write_files import File, text_file, write_json
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
-from elastica_cad.pairs.flexure import STATES, Flexure, State
+from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 
@@ -51,7 +50,7 @@ class MadePair:
         if not step_trouble():
             stems = distinct([name, *(f"{name}-{file_word(str(label))}" for label in part.state_labels)])
             files += [
-                File(f"{stem}.step", partial(self._write_step, state))
+                File(f"{stem}.step", partial(save, part, state=state, name=name))
                 for stem, state in zip(stems, (None, *STATES), strict=True)
             ]
             holder = part.holder_solid
@@ -106,8 +105,3 @@ class MadePair:
             severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(remaining),
             thin=Length(thin), percent=100 * (remaining / thin) ** 3,
         )  # fmt: skip
-
-    def _write_step(self, state: State | None, path: Path) -> None:
-        from elastica_cad.kernel.step_files import write_flexure_step
-
-        write_flexure_step(self.part, path, state=state, name=self.name)

@@ -113,7 +113,7 @@ class StripResult:
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
             "pdf": (request.paper, partial(_write_drawing, printed, "pdf", request)),
-            "step": (request.step and not step_trouble(), self._write_step),
+            "step": (request.step and not step_trouble(), partial(save, strip, frame=self.spec.frame)),
             "stl": (request.stl, self._write_stl),
             "glb": (request.glb, self._write_glb),
         }
@@ -177,11 +177,6 @@ class StripResult:
         from elastica_cad.strip.solids import BentSolid
 
         save_solid(BentSolid.layers(self.strip)[0], path)
-
-    def _write_step(self, path: Path) -> None:
-        from elastica_cad.kernel.step_files import write_strip_step
-
-        write_strip_step(self.strip, path, frame=self.spec.frame)
 
     def _write_glb(self, path: Path) -> None:
         from elastica_cad.kernel.mesh_files import write_glb

@@ -7,7 +7,6 @@ from io import BytesIO
 from pathlib import Path as FilePath
 from tempfile import TemporaryDirectory
 from typing import Any
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
@@ -27,7 +26,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit_vectors
 from elastica_cad.kit.kit_contents import kit_contents
-from elastica_cad.kit.model_kit import model_kit
+from elastica_cad.kit.model_kit import model_kit, pack_files
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.elements import NOUNS, PlacedElement, PointForce, Rail
@@ -278,18 +277,17 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     cannot move, the answer has the positions `from`. If more directions are left, the answer has the next
     `turn`.
     """
-    hold, design, k = request["hold"], request["design"], request.get("strip", 0)
-    strip = design["strips"][k]
+    hold, design = request["hold"], request["design"]
+    strip = design["strips"][request.get("strip", 0)]
     curve, indices = strip["curve"], hold["point"]
 
     def record_with(place: FloatArray) -> Callable[[], Record] | None:
         places = place.round(PLACE_DIGITS).tolist()
         moved = dict(zip(indices, places, strict=True))
         spline = [moved.get(i, point) for i, point in enumerate(curve["spline"])]
-        strips = [*design["strips"]]
-        strips[k] = strip | {"curve": curve | {"spline": spline}}
+        moved_design = design | {"strips": [strip | {"curve": curve | {"spline": spline}}]}
         with suppress(ElasticaError):
-            spec, scaled = _scaled_request({**request, "design": design | {"strips": strips}})
+            spec, scaled = _scaled_request({**request, "design": moved_design, "strip": 0})
             if (solved := _solve_if_possible(spec, hold)) is not None:
                 return lambda: _strip_record(spec, scaled, *solved, live=True) | {"point": places}
         return None
@@ -345,8 +343,7 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
     strip = design["strips"][k]
     tables = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
     scaled = scaled_places(tables, after / before)
-    strips = [*design["strips"][:k], strip | scaled, *design["strips"][k + 1 :]]
-    return requested_spec(design | {"strips": strips}, k), scaled
+    return requested_spec(design | {"strips": [strip | scaled]}), scaled
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
@@ -476,14 +473,15 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _removals(request: Mapping[str, Any], changes: Iterable[Change]) -> Iterator[Record]:
-    design, k = request["design"], request.get("strip", 0)
+    design = request["design"]
     for change in changes:
         removed = REMOVED.get(change.field, ())
-        strips = [*design["strips"]]
-        strips[k] = {key: value for key, value in strips[k].items() if key not in removed}
-        rest = {key: value for key, value in design.items() if key not in removed}
+        rest, kept = (
+            {key: value for key, value in table.items() if key not in removed}
+            for table in (design, design["strips"][request.get("strip", 0)])
+        )
         try:
-            spec = requested_spec(rest | {"strips": strips}, k)
+            spec = requested_spec(rest | {"strips": [kept]})
         except ElasticaError:
             continue
         effect = note("then the strip needs another change")
@@ -526,8 +524,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 def _sheet_rows(request: Mapping[str, Any]) -> Record:
     """Try the named sheets, or all. The rod is computed again only if the rod depends on the sheet."""
-    spec, names, rod, rows = _spec(request), request.get("names"), None, []
-    solved = spec.rod_spec
+    spec, names, solved, rows = _spec(request), request.get("names"), None, []
     for sheet in cut_sheets():
         if names is not None and sheet.name not in names:
             continue
@@ -535,9 +532,9 @@ def _sheet_rows(request: Mapping[str, Any]) -> Record:
         rows.append(row)
         changed = spec.changed(sheet=sheet)
         try:
-            if rod is None or changed.rod_spec != solved:
+            if changed.rod_spec != solved:
+                rod = solve_rod(changed.rod_spec)
                 solved = changed.rod_spec
-                rod = solve_rod(solved)
             strip = changed.make(rod)
         except StrainError as problem:
             row["used"] = problem.refusal.values["percent"] / 100
@@ -694,10 +691,8 @@ def _pair(request: Mapping[str, Any]) -> Record:
     pair, limit, places = part.pair, part.sheet.max_strain, []
     for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
         k = np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int)
-        wide, used = np.full(k.size, part.sheet.thickness), np.full(k.size, strain / limit)
-        places.append({
-            "position": _rounded(rod.position[k], 3), "width": _rounded(wide, 3), "shares": _rounded(used, 3)
-        })  # fmt: skip
+        wide, used = (_rounded(np.full(k.size, value), 3) for value in (part.sheet.thickness, strain / limit))
+        places.append({"position": _rounded(rod.position[k], 3), "width": wide, "shares": used})
     rows = pair_rows(part, quick=True, live=bool(request.get("live")))
     together = Row(
         note("Hold"),
@@ -858,42 +853,32 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     labels = [strip.get("label") for strip in tables.get("strips", ()) if isinstance(strip, Mapping)]
     called = str(tables.get("name") or next(filter(None, labels[request.get("strip", 0) :]), "strip"))
     name = file_word(called)
-    if "pair" in request["design"]:
-        spec = _pair_spec(request)
-        cutting = cutting_of(request["design"])
-        written = MadePair(spec, spec.make(), name, cutting).kit.write(folder / name)
-        if kind == "kit":
-            return Download(f"{name}.zip", _zipped(folder))
-        path = folder / name / cutting.file_name(name, kind)
-        if path not in written:
-            raise InputError(
-                "A part with two states has no file {file} on this page. Choose another file.", file=kind
-            )
-        return Download(path.name, path.read_bytes())
-    design = _design(request["design"])
+    if "pair" in tables:
+        spec, cutting = _pair_spec(request), cutting_of(tables)
+        kit = MadePair(spec, spec.make(), name, cutting).kit
+    elif kind == "kit":
+        design = _design(tables)
+        cutting, language = design.kit.cutting, CATALOGUES.get(request.get("language", "en"), "en")
+        kit_spec = replace(design.kit, language=design.kit.language or language)
+        kit = model_kit(kit_contents(design.model(), kit_spec, entries=design.entries, effects=True))
+    else:
+        cutting, strip_spec = _design(tables).kit.cutting, _spec(request)
+        rod = solve_rod(strip_spec.rod_spec)
+        paper = "A4" if kind == "pdf" else None
+        files = StripFiles(cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
+        strip = replace(strip_spec.make(rod), unmarked=cutting.service)
+        kit = StripResult(strip_spec, rod, strip, name).kit(files)
+    written = kit.write(folder / name)
     if kind == "kit":
-        language = design.kit.language or CATALOGUES.get(request.get("language", "en"), "en")
-        kit_spec = replace(design.kit, language=language)
-        contents = kit_contents(design.model(), kit_spec, entries=design.entries, effects=True)
-        model_kit(contents).write(folder / name)
-        return Download(f"{name}.zip", _zipped(folder))
-    strip_spec = _spec(request)
-    rod = solve_rod(strip_spec.rod_spec)
-    paper = "A4" if kind == "pdf" else None
-    files = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
-    strip = replace(strip_spec.make(rod), unmarked=design.kit.cutting.service)
-    kit = StripResult(strip_spec, rod, strip, name).kit(files)
-    paths = zip(kit.files, kit.write(folder), strict=True)
-    (path,) = (path for file, path in paths if file.description == kind)
+        packed = BytesIO()
+        pack_files(folder, [path.relative_to(folder).as_posix() for path in sorted(written)], packed)
+        return Download(f"{name}.zip", packed.getvalue())
+    path = folder / name / cutting.file_name(name, kind)
+    if path not in written:
+        raise InputError(
+            "A part with two states has no file {file} on this page. Choose another file.", file=kind
+        )
     return Download(path.name, path.read_bytes())
-
-
-def _zipped(folder: FilePath) -> bytes:
-    packed = BytesIO()
-    with ZipFile(packed, "w", ZIP_DEFLATED) as archive:
-        for path in sorted(file for file in folder.rglob("*") if file.is_file()):
-            archive.writestr(ZipInfo(path.relative_to(folder).as_posix()), path.read_bytes(), ZIP_DEFLATED)
-    return packed.getvalue()
 
 
 def _rounded(values: Any, digits: int) -> list[Any]:
