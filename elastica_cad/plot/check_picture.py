@@ -6,7 +6,7 @@ from textwrap import fill
 import numpy as np
 
 from elastica_cad._values import require_record
-from elastica_cad.geometry.plane_points import box_about, clipped
+from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, measured_points
 from elastica_cad.plot.canvas import INK, Figure, new_page, show_box, write_beside
 from elastica_cad.plot.strip_pictures import (
@@ -16,6 +16,7 @@ from elastica_cad.plot.strip_pictures import (
     finish_axes,
     numbered_panel,
     paint_comb,
+    paint_inflection_line,
 )
 from elastica_cad.refusals import number_text
 
@@ -69,11 +70,7 @@ def check(check: EquilibriumCheck) -> Figure:
             write_beside(axes, number_text(s, ".4g"), point, (7, 6), color)
     reach = 0.06 * extent
     low, high = box.mean(axis=0) - size / 2, box.mean(axis=0) + size / 2
-    if check.line is not None:
-        point, direction = np.array(check.line.point), np.array(check.line.direction)
-        line = clipped(point, direction, low + reach, high - reach)
-        if line is not None:
-            axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+    paint_inflection_line(axes, check.line, low + reach, high - reach)
     show_box(axes, low, high)
     verdict = (
         "Undecided by these points" if check.undecided else

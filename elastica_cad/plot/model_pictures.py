@@ -16,7 +16,6 @@ from elastica_cad.geometry.plane_points import (
     at_sign_changes,
     box_about,
     midpoints,
-    norm,
     numbers_in_groups,
     unit_vectors,
 )
@@ -109,36 +108,35 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     return np.stack([x, *heights], axis=-1)
 
 
-def _polygon_of(loop: Path, step: float) -> FloatArray:
-    rows = []
+def _polygon_of(loop: Path, step: float, *, divide_lines: bool = False) -> FloatArray:
+    # at least 4 sides replace an arc or spline, or 96 if this curve is a whole loop
+    fewest, rows = 96 if len(loop.segments) == 1 else 4, []
     for segment in loop.segments:
-        parts = 1
-        if not isinstance(segment, Line):
-            # at least 4 sides replace an arc or spline, or 96 if this curve is a whole loop
-            fewest = 96 if len(loop.segments) == 1 else 4
-            parts = max(fewest, ceil(dist(segment.start, segment.end) / step))
+        parts = ceil(dist(segment.start, segment.end) / step)
+        if isinstance(segment, Line):
+            parts = parts if divide_lines else 1
+        else:
+            parts = max(fewest, parts)
         rows.append(segment.at(np.linspace(0.0, 1.0, parts, endpoint=False)))
     return np.concatenate(rows)
 
 
-def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield patches (n, 4, 3), at most `size` mm large, and unshaded colours (n, 3) for each body of the holders.
+def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, Color]]:
+    """Yield patches (n, 4, 3), at most `size` mm large, and the unshaded colour of each body of the holders.
 
     Slots are left out, because tabs fill them.
     """
     for holder in single_holders(holders):
         if isinstance(holder, EndFixture):
             for prism in holder.solid.added:
-                yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
+                yield _patches(prism, (prism.outline, *prism.holes), size), FIXTURE_COLOR
         else:
             solid, slots = holder.solid, 0 if isinstance(holder, Rib) else len(holder.slots)
             loops = (solid.outline, *solid.holes[slots:])
-            yield _patches(solid, loops, sheet_color(holder.sheet), size)
+            yield _patches(solid, loops, size), sheet_color(holder.sheet)
 
 
-def _patches(
-    solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
-) -> tuple[FloatArray, FloatArray]:
+def _patches(solid: FlatSolid, loops: Sequence[Path], size: float) -> FloatArray:
     low, high = loops[0].bounds
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -146,11 +144,9 @@ def _patches(
     faces = solid.frame, solid.frame.shifted(z=solid.thickness)
     parts = [face.point(corners) for face in faces]
     for loop in loops:
-        points = _fine_polygon(_polygon_of(loop, size), size)
-        under, over = (face.point(points) for face in faces)
+        under, over = (face.point(_polygon_of(loop, size, divide_lines=True)) for face in faces)
         parts.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
-    patches = np.concatenate(parts)
-    return patches, np.tile(np.asarray(color, dtype=float), (len(patches), 1))
+    return np.concatenate(parts)
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
@@ -159,14 +155,6 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for low, high in pairwise(heights.T):
         yield np.column_stack([slab[:, 0], low, high])
-
-
-def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
-    pieces = []
-    for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        count = max(1, int(np.ceil(norm(b - a) / size)))
-        pieces.append(a + (b - a) * (np.arange(count) / count)[:, None])
-    return np.concatenate(pieces)
 
 
 NAME_SPACE = 0.045
@@ -232,11 +220,8 @@ def model(
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)
     title = f"{fill(model.name, 90)}\n{counted(len(model.placed), 'strip')}"
-    shown = None
-    if flat > 0:
-        chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
-        parts = [model.parts[i] for i in chosen]
-        shown = parts, max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
+    chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
+    shown = [model.parts[i] for i in chosen]
     return _figure(patches, colors, title, extent, elevation, azimuth, shown, faces)
 
 
@@ -287,7 +272,7 @@ def _figure(
     extent: FloatArray,
     elevation: float,
     azimuth: float,
-    flat: tuple[Sequence[EqualStrips], float] | None = None,
+    flat: Sequence[EqualStrips] = (),
     faces: Sequence[Frame] = (),
 ) -> Figure:
     """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts below them at a common scale.
@@ -306,15 +291,16 @@ def _figure(
     ]
     order = np.lexsort([middle @ toward, *sides])
     size = np.maximum(np.ptp(plane.reshape(-1, 2), axis=0), 1e-9)
-    tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 9.0 if flat is None else 6.0))
+    tall = float(np.clip(WIDTH_INCHES * size[1] / size[0], 2.0, 6.0 if flat else 9.0))
     panels, headed = [Panel(tall)], f"{title}, {size_text(extent)} mm" if title else f"{size_text(extent)} mm"
-    if flat is not None:
-        parts, longest = flat
-        heights = (np.ptp(part.strip.outline.bounds, axis=0)[1] + NAME_SPACE * longest for part in parts)
-        panels.append(Panel(WIDTH_INCHES * float(sum(heights)) / (1.04 * longest)))
+    if flat:
+        lengths, widths = np.transpose([np.ptp(part.strip.outline.bounds, axis=0) for part in flat])
+        longest = float(lengths.max())
+        tall = float(widths.sum()) + NAME_SPACE * longest * len(flat)
+        panels.append(Panel(WIDTH_INCHES * tall / (1.04 * longest)))
     figure, (axes, *lower) = new_page(panels, headed)
-    if flat is not None:
-        _draw_flats(lower[0], *flat)
+    for below in lower:
+        _draw_flats(below, flat, longest)
     paint_patches(axes, plane[order], colors[order])
     axes.autoscale_view()
     hide_axes(axes)

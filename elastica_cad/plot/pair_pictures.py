@@ -59,8 +59,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     for line in travel.position[:: max(1, len(travel.position) // 6)]:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), part.state_labels, strict=True):
-        label = name.replace("$", r"\$")
-        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=label)
+        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
         paint(bent, part.pads_along(line))
         paint_holes(bent, line)
     for n, curve in enumerate(drawn_as):
@@ -88,8 +87,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     if travel.direction is None or travel.moment is None:
         label += f"; force at {part.force_direction:.0f}° to the x axis"
     else:
-        moment = travel.moment
-        label += f"; moment on this end from {moment.min():.2g} to {moment.max():.2g} N mm"
+        label += f"; moment on this end from {travel.moment.min():.2g} to {travel.moment.max():.2g} N mm"
         turns = np.unwrap(travel.direction, period=360)
         turns += 360 * np.round((part.force_direction - turns[travel.force.argmax()]) / 360)
         directions = push.twinx()

@@ -15,6 +15,7 @@ from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.mechanics.theorem1 import InflectionLine
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.plot.canvas import (
     INK,
@@ -164,7 +165,6 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
         # matplotlib fills all loops except those whose direction is opposite to the outline's
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
-        seen_through = layer is not strip.layers[0]
         # `add_patch` would slowly compute limits from every piece of every hole
         axes.add_artist(
             PathPatch(
@@ -172,7 +172,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
                 facecolor=sheet_color(layer.sheet),
                 edgecolor=INK,
                 linewidth=1.0,
-                alpha=0.6 if seen_through else None,
+                alpha=None if layer is strip.layers[0] else 0.6,
             )
         )
 
@@ -199,8 +199,7 @@ def _paint_bent(
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
     for points in wished:
-        dashed = {"color": FAINT, "linewidth": 1.4, "linestyle": (0, (4, 2))}
-        axes.plot(*points.T, label="drawn curve", **dashed)
+        axes.plot(*points.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
     if design is not None:
         wished += _paint_displacement(axes, rod, design)
     axes.plot(*position.T, color=INK, linewidth=2.2, label="strip")
@@ -216,13 +215,9 @@ def _paint_bent(
         align = inward if end.support.is_free else "center"
         write_beside(axes, angle_text, end.position, (beside, -6), ha=align, va="top")
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
-    at_rest, shown = None if design else _inflection_line(rod), [low, high]
-    if at_rest is not None:
-        reach = 0.04 * float(np.max(high - low))
-        line = clipped(*at_rest, low - reach, high + reach)
-        if line is not None:
-            axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
-            shown += [*line]
+    reach, shown = 0.04 * float(np.max(high - low)), [low, high]
+    if design is None and rod.thrust_line and not rod.acting:
+        shown += paint_inflection_line(axes, rod.thrust_line[0], low - reach, high + reach)
     for k, side in enumerate([] if design else thrust_sides(rod, low, high)):
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label="_side" if k else "thrust line")
     _mark_stations(axes, rod)
@@ -270,7 +265,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     line, whole = np.array([(left, above), (right, above)]), f"{length:.2f} mm in all, {free:.2f} mm free"
     draw_arrow(axes, line[0], line[1], FAINT, 0.8, "<->")
     write_beside(axes, whole, line.mean(axis=0), (0, 3), ha="center", va="bottom")
-    called, size = next(iter(strip.tapered.items()), ("width", strip.width))
+    called, size = next(iter(strip.tapered.items()), ("widths", strip.width))
     for x in _stations_of(size):
         half = float(strip.width(x)) / 2
         axes.plot([x, x], [-half, half], color=LINE, linewidth=0.9)
@@ -282,7 +277,6 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     margin = MARGIN_FRACTION * length
     show_box(axes, (left - margin, bottom - 5.0 * unit), (right + margin, top + 5.2 * unit))
     hide_axes(axes)
-    called = "widths" if called == "width" else called
     then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
     places = "; above, places of the cord and pin cuts from the left end" if cuts else ""
     title = f"Flat: {strip.breadth()}, {called} in mm below{places}{then}"
@@ -310,17 +304,15 @@ def _stations_of(size: Profile) -> list[float]:
     return sorted(stations)
 
 
-def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
-    """Return a point and the direction of the line of zero moment (Eq. 3 of the paper).
-
-    Return None for a rod with weight, rails, pins, ties or point forces, or without a force at its start.
-    """
-    size = float(norm(rod.force[0]))
-    if rod.gravity is not None or rod.acting or size == 0.0:
-        return None
-    direction = rod.force[0] / size
-    gradient = -left_of(direction)  # vector b of Eq. 3, the rotated force
-    return rod.position[0] - gradient * rod.moment[0] / size, direction
+def paint_inflection_line(
+    axes: Axes, line: InflectionLine | None, low: FloatArray, high: FloatArray
+) -> list[FloatArray]:
+    """Paint the part of an inflection line inside a box, and return the ends of this part."""
+    ends = None if line is None else clipped(np.array(line.point), np.array(line.direction), low, high)
+    if ends is None:
+        return []
+    axes.plot(*ends.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
+    return [*ends]
 
 
 def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
