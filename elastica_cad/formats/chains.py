@@ -43,28 +43,8 @@ JOIN_TOLERANCE = 0.01
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
 # largest gap closed as a rounding error: in mm, and as a fraction of the smaller curve
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
-# ends are not joined where the direction turns by more than 160 degrees, because the curves run side by side
-_ALONGSIDE = np.cos(np.radians(160.0))
-# largest distance of the centre of a hole from the straight end of its curve, as a fraction of the diameter
-HOLE_ASIDE = 0.1
-# points closer than this fraction of the largest coordinate differ by rounding only
-SAME_POINT = 1e-13
-# largest turn, degrees, at a point of a polyline that no smooth curve follows, if the point is not a corner
-LEAST_TURN = 5.0
-# ends are tangent if their directions differ by less than 1 degree
-_SMOOTH_COSINE = np.cos(np.radians(1.0))
-# largest error of an end point, as a multiple of the coordinates' rounding; 1.1 allows for rounded angles
-_DIGIT = 1.1 * np.sqrt(2.0)
-# a spline with more inner knots than this was interpolated through points
-_DENSE_KNOTS = 50
-# points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
-_LEAST_ROUGHNESS = 0.2
-# number of rounds of the search for the nearest point, each of which quarters the interval
-_REFINEMENTS = 10
 # largest number of ends, of all layers, at a place where ends are joined
 _MOST_ENDS = 50
-# largest number of neighbours that are compared with an end, as a multiple of `_MOST_ENDS`
-_CROWDED_CELLS = 4
 
 # map from each joined end to the end that it touches; an end is (index of the run, 0 for start or 1 for end)
 _Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
@@ -125,7 +105,8 @@ def join_runs(
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([size_of(run) for run in chains], 2)
-    digit = _DIGIT * min(known, default=0.0)
+    # largest error of an end point; 1.1 allows for rounded angles
+    digit = 1.1 * np.sqrt(2.0) * min(known, default=0.0)
     return np.asarray(np.minimum(digit, np.minimum(DIGIT_MM, DIGIT_SHARE * sizes) / 2))
 
 
@@ -160,15 +141,7 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     holes : list of lists of runs
         The holes of each chain.
     """
-    ended = [
-        i
-        for i, run in enumerate(chains)
-        if len(run) > 1
-        and (_is_line(run[0]) or _is_line(run[-1]))
-        and np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE
-    ]
-    if not ended:
-        return [*chains], [[] for _ in chains]
+    ended = [k for k, run in enumerate(chains) if len(run) > 1 and not _is_loop(run)]
     # for each circle, the chains on whose ends it is
     homes: dict[int, list[int]] = {}
     for i, chain in enumerate(chains):
@@ -179,25 +152,23 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     return [chains[i] for i in curves], [[chains[j] for j in homes if i in homes[j]] for i in curves]
 
 
-def _is_line(edge: Edge) -> bool:
-    return len(edge.points) == 2
-
-
 def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    if not _is_line(edge):
-        return False
+    """Return True if a circle is on a line, with its centre at most a tenth of the diameter aside."""
     chord, out = edge.end - edge.start, centre - edge.start
     length = float(np.linalg.norm(chord))
     unit = chord / max(length, 1e-300)
     along = float(out @ unit)
     aside = float(np.linalg.norm(out - along * unit))
-    return diameter / 2 < along < length - diameter / 2 and aside <= HOLE_ASIDE * diameter
+    is_inside = diameter / 2 < along < length - diameter / 2
+    return len(edge.points) == 2 and is_inside and aside <= 0.1 * diameter
+
+
+def _is_loop(run: Run) -> bool:
+    return bool(np.linalg.norm(run[-1].end - run[0].start) <= JOIN_TOLERANCE)
 
 
 def _circle(run: Run) -> tuple[FloatArray, float] | None:
-    if any(edge.degree < 2 or edge.weights is None for edge in run):
-        return None
-    if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
+    if any(edge.degree < 2 or edge.weights is None for edge in run) or not _is_loop(run):
         return None
     points = sample_run(run, 9)
     centre = (points.max(axis=0) + points.min(axis=0)) / 2
@@ -227,7 +198,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
         near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
         if not near or source.layer != other.layer:
             continue
-        if apart <= tolerance or _cosine_of_turn(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
+        # curves that turn by more than 160 degrees where they meet run side by side
+        alongside = np.cos(np.radians(160.0))
+        if apart <= tolerance or _cosine_of_turn(chains, divmod(a, 2), divmod(b, 2)) > alongside:
             pairs.append((apart, i, j, ends[a]))
     return sorted(pairs, key=lambda pair: pair[0])
 
@@ -265,7 +238,8 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     groups = [(source.layer, source if source.is_named else None) for source in sources]
     number = {group: k for k, group in enumerate(groups)}
     group = np.repeat([number[group] for group in groups], 2)
-    i, j = near_pairs(ends, ends, 2 * float(reach.max()), most=_CROWDED_CELLS * _MOST_ENDS)
+    # the cells around an end are larger than the place where ends are joined
+    i, j = near_pairs(ends, ends, 2 * float(reach.max()), most=4 * _MOST_ENDS)
     apart = np.linalg.norm(ends[i] - ends[j], axis=1)
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
@@ -273,15 +247,12 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     # an end that touches exactly one other end counts twice, because it also touches itself
     paired = np.bincount(i, minlength=len(ends)) == 2
     partners = {}
-    for k, other in zip(i.tolist(), j.tolist(), strict=True):
-        end_a, end_b = divmod(k, 2), divmod(other, 2)
-        if (
-            end_a[0] != end_b[0]
-            and paired[k]
-            and paired[other]
-            and (corners or _cosine_of_turn(runs, end_a, end_b) > _SMOOTH_COSINE)
-        ):
-            partners[end_a] = end_b
+    single = paired[i] & paired[j] & (i // 2 != j // 2)
+    for pair in zip(i[single].tolist(), j[single].tolist(), strict=True):
+        end, other = (divmod(k, 2) for k in pair)
+        # ends are tangent if their directions differ by less than 1 degree
+        if corners or _cosine_of_turn(runs, end, other) > np.cos(np.radians(1.0)):
+            partners[end] = other
     return partners
 
 
@@ -369,7 +340,7 @@ def _without_overlaps(
                 first, last = limits.setdefault(i, [*_end_places(runs[i])])
                 limits[i] = [first, min(last, place)] if side else [max(first, place), last]
     cut = [
-        _part_between(run, *limits.get(i, _end_places(run))) if i in limits else run
+        _part_between(run, *limits[i]) if i in limits else run
         for i, run in enumerate(runs)
         if i not in dropped
     ]
@@ -436,7 +407,7 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
     nearest = np.array([np.linalg.norm(line - point, axis=1).argmin() for point in points])
     low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
     rows = np.arange(len(points))
-    for _ in range(_REFINEMENTS):
+    for _ in range(10):  # each round quarters the interval
         t = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, 9)
         away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
         best = away.argmin(axis=1)
@@ -493,10 +464,9 @@ def curve_from_run(
     pieces = [_fitted_if_polyline(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
     whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
-    if len(exact) == 1:
-        drawn = replace(drawn, measured=_interpolated_points(whole, drawn.rounding))
+    measured = _interpolated_points(whole, drawn.rounding) if len(exact) == 1 else None
     healing = heal_tangents(whole.knots, whole.points, whole.degree, whole.weights, rounding=drawn.rounding)
-    drawn = replace(drawn, undecided=healing.undecided)
+    drawn = replace(drawn, measured=measured, undecided=healing.undecided)
     curve = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights, drawn)
     return curve.drawn_as(replace(drawn, healed=_distance_moved(whole, curve))) if healing.healed else curve
 
@@ -519,13 +489,14 @@ def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
     if (
         edge.degree != 3
         or edge.weights is not None
-        or len(inner) < _DENSE_KNOTS
+        or len(inner) < 50  # a spline through measured points has more
         or np.any(np.diff(inner) == 0)
     ):
         return None
     curve = PlaneCurve(edge.knots, edge.points, edge.degree)
     curvature = curve.curvature_at(knots)
-    rough = np.abs(np.diff(curvature, 2)).max() > _LEAST_ROUGHNESS * np.abs(curvature).max()
+    # noise varies the curvature by more than a fifth from knot to knot
+    rough = np.abs(np.diff(curvature, 2)).max() > 0.2 * np.abs(curvature).max()
     return MeasuredPoints.of(edge.at(knots), REPORTED_MM, rounding) if rough else None
 
 
@@ -548,9 +519,9 @@ def curve_from_points(
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number: export the file again")
-    if len(points):
-        apart = SAME_POINT * np.abs(points).max()
-        points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
+    # closer points differ by rounding only
+    apart = 1e-13 * np.abs(points).max(initial=0.0)
+    points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))[: len(points)]]
     if len(points) < 2:
         raise InputError("a curve has fewer than two different points: draw the curve again, or leave it out")
     drawn = drawn or Provenance()
@@ -610,19 +581,12 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float, noise: 
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance, noise)]
     curve, distance = fit_polyline(points, tolerance, noise)
-    corners = sharp_points(points, LEAST_TURN) if distance > allowed else []
+    corners = sharp_points(points, 5.0) if distance > allowed else []
     if not corners:
         _require_distance(distance, allowed)
         return [curve]
     cuts = sorted({0, *corners, len(points) - 1})
     return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
-
-
-_AWAY = 0.0214
-"""Largest distance between the parabola with control points a, c, d and the cubic with control points a, a,
-c, d.
-
-It is a fraction of the distance of d from the line through a and c."""
 
 
 _OFF_MM, _OFF_SHARE = 0.004, 2e-5
@@ -654,7 +618,8 @@ def _with_handles(edge: Edge) -> list[Edge]:
         return [edge]
     cubic_term = end - start - 3 * toward
     aside = abs(float(toward[0] * cubic_term[1] - toward[1] * cubic_term[0])) / float(np.hypot(*toward))
-    t = min(1.0, np.cbrt(min(_OFF_MM, _OFF_SHARE * edge.size) / max(_AWAY * aside, 1e-300)))
+    # the distance between parabola and cubic is at most 0.0214 of the distance of d from the line through a and c
+    t = min(1.0, np.cbrt(min(_OFF_MM, _OFF_SHARE * edge.size) / max(0.0214 * aside, 1e-300)))
     joint = start + 3 * t**2 * toward + t**3 * cubic_term
     first = replace(Edge.bezier([start, start + t**2 * toward, joint]), source=edge.source)
     if t == 1:
