@@ -144,16 +144,6 @@ Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 FREE_EDGE = 0.63
 """Reduction of the effective width in torsion, because both edges are free, in thicknesses (Saint-Venant)."""
 
-LEAST_SHARE = 0.01
-"""Least width assumed beside a slot, as a fraction of the strip's width, to avoid a division by zero."""
-
-PLATES = "plates"
-
-LEAST_SHEARING = 0.8
-"""Ratio G / E, relative to the isotropic value, below which a sheet counts as a sheet with grain."""
-
-SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
-
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
     """Return the factor (n,) by which cuts reduce the stiffness at each node.
@@ -305,7 +295,8 @@ def _lengths_added_by_slots(
         points, widths = slot.center_line(width)
         at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
         wide = float(width(min(max(at, 0.0), width.length)))
-        remaining = max(wide - depth, LEAST_SHARE * wide)
+        # a width is assumed beside every slot, to avoid a division by zero
+        remaining = max(wide - depth, 0.01 * wide)
         yield at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining
 
 
@@ -429,7 +420,7 @@ class StripAsMade:
             section, parameter = layout.section_at(np.array([0.0, rod.length]))
         factors = stiffness_factors(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
-            factors[PLATES] = plates.stiffening(design.s, layout, whole())
+            factors["plates"] = plates.stiffening(design.s, layout, whole())
         return cls(
             design,
             layout,
@@ -576,13 +567,18 @@ class StripAsMade:
 
     def _notes(self, seats: Seats) -> Iterator[str]:
         sheet = self.layout.sheet
-        if sheet.grain != "none" and sheet.shear_modulus is None and self.factors.keys() & SHEAR_CAUSES:
+        if (
+            sheet.grain != "none"
+            and sheet.shear_modulus is None
+            and self.factors.keys() & {"slots", "narrow tabs", "steps of width"}
+        ):
             yield note(
                 "The shear modulus of {sheet} is unknown, so the model assumes a sheet without grain. "
                 "Beside slots, tabs and steps the strip is softer than computed",
                 sheet=sheet.name,
             )
-        if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
+        # below 0.8 times the isotropic ratio G / E, a sheet counts as a sheet with grain
+        if self.approximated and sheet.shear_ratio < 0.8 * even_shear_ratio(sheet.poisson_ratio):
             yield note(
                 "The model of holes and layers assumes a sheet without grain. {sheet} shears more "
                 "easily; that effect is not computed",

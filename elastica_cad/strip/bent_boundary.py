@@ -27,9 +27,6 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.flat_pattern import Region, SegmentPart, on_segment
 from elastica_cad.strip.outline import graphs, pace
 
-STRAIGHT = np.eye(2)
-QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
-
 
 @dataclass(frozen=True, eq=False)
 class SpaceCurve:
@@ -101,7 +98,7 @@ def trace_turn(surface: Surface) -> FloatArray:
     were along the strip, the error of the volume could exceed 10 %. B-spline surfaces are therefore passed
     with exchanged parameters (`SpaceSurface.turned`).
     """
-    return QUARTER if isinstance(surface, SpaceSurface) else STRAIGHT
+    return np.array([[0.0, -1.0], [1.0, 0.0]]) if isinstance(surface, SpaceSurface) else np.eye(2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,16 +174,7 @@ class Boundary:
 
 
 DEGREE = 5
-POSITION_TOLERANCE = 1e-6  # largest error of the centre line, mm
 SURFACE_TOLERANCE = 5e-8  # largest error of edges on the bent faces, mm
-MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more is refused
-# positions in a span, from 0 to 1, at which the error is measured
-PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
-LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
-MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1
-FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
-LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
 
 @dataclass(frozen=True, eq=False)
@@ -306,7 +294,8 @@ class BentMap:
         if t.size:
             apart = np.flatnonzero(np.diff(t, prepend=first) >= near)
             t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
-        if t.size < LEAST_SPANS - 1:
+        # kernels fail to fillet edges of one or two spans
+        if t.size < 2:
             t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
         inner = t.repeat(np.minimum(degree - continuity, degree))
         return np.pad([first, *inner, last], degree, mode="edge"), degree
@@ -333,7 +322,8 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     every = [(place.s / scale, place.continuity) for place in curve.breaks]
     breaks = [(s, c) for s, c in every if 0 < s < rod.length and c < DEGREE - 1]
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
-    tolerance = np.array([POSITION_TOLERANCE] * 2 + [SURFACE_TOLERANCE / reach] * 2)
+    # the centre line may be off by 1e-6 mm
+    tolerance = np.array([1e-6] * 2 + [SURFACE_TOLERANCE / reach] * 2)
 
     def values(s: FloatArray) -> FloatArray:
         position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
@@ -344,7 +334,8 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
         inner = {s: c for s, c in breaks if a < s < b}
         edges = np.array([a, *inner, b])
         turns = np.diff(np.interp(edges, rod.s, turns_along(rod.angle)))
-        spans = _divide_spans(edges, np.maximum(np.ceil(turns / LARGEST_INITIAL_TURN), 2))
+        # in an initial span, the direction changes by at most 0.2 rad
+        spans = _divide_spans(edges, np.maximum(np.ceil(turns / 0.2), 2))
         knots, rows = _fit_spline(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
     _refuse_tight(maps, reach)
@@ -374,7 +365,8 @@ def _fit_spline(
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
-        probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
+        # the error is measured at these positions in each span
+        probes = (edges[:-1, None] + np.diff(edges)[:, None] * [0.06, 0.27, 0.5, 0.73, 0.94]).ravel()
         values = function(np.concatenate([sites, probes]))
         rows = interpolated(sites, values[: sites.size], knots, DEGREE)
         excess = np.abs(SplineFunction(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
@@ -382,17 +374,16 @@ def _fit_spline(
         bad = excess > 1
         if not bad.any():
             return knots, rows
-        if edges.size > MOST_SPANS:
+        # a curve that needs more spans in a face is refused
+        if edges.size > 4000:
             at = float(edges[:-1][bad][0])
             raise NotConvergedError(
                 "the bent strip cannot follow its curve {at:.6g} from the start, because the curvature "
                 "changes too fast there: smooth the curve",
                 at=Length(at),
             )
-        # the error is proportional to (length of the span) ** (DEGREE + 1)
-        parts = np.where(
-            bad, np.clip(np.ceil(SAFETY_FACTOR * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1
-        )
+        # the error is proportional to (length of the span) ** (DEGREE + 1), with a margin of 10 %
+        parts = np.where(bad, np.clip(np.ceil(1.1 * excess ** (1 / (DEGREE + 1))), 2, 4), 1)
         edges = _divide_spans(edges, parts)
 
 
@@ -401,9 +392,6 @@ def _divide_spans(edges: FloatArray, counts: FloatArray) -> FloatArray:
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(edges[:-1].repeat(parts) + numbers_in_groups(parts) * width, edges[-1])
 
-
-ROUNDED_MM = 1e-12
-"""Difference in x between the ends of a line, mm, below which the line counts as perpendicular to the strip."""
 
 Map: TypeAlias = Frame | BentMap
 
@@ -492,8 +480,8 @@ class BoundaryMaker:
         segment, up = piece.segment, self.heights[0]
         if isinstance(shape, BentMap) and not _is_perpendicular(segment):
             least, most = _y_limits(segment)
-            # straight walls are planes, because CAD kernels can fuse coplanar walls of adjacent strips
-            if most - least < FLAT_WALL_MM:
+            # straight walls (to 1e-9 mm) are planes, because CAD kernels can fuse coplanar walls of adjacent strips
+            if most - least < 1e-9:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
@@ -595,4 +583,5 @@ def _curves(
 
 
 def _is_perpendicular(segment: Segment) -> bool:
-    return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM
+    # the ends of such a line have equal x, except for rounding
+    return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < 1e-12

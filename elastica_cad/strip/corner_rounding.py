@@ -19,9 +19,6 @@ smaller angles."""
 
 MOST_NEWTON_STEPS = 40
 
-MOST_SHORTENED_STEPS = 6
-"""Number of shortened Newton steps after which a side counts as too short. A step that would pass the end of the
-side is shortened."""
 
 CLOSE_MM = 1e-9
 """Length, mm, that counts as zero: the overlap of two arcs, or the gap between the two centres of one arc."""
@@ -181,7 +178,8 @@ def _corners(
         outside = (target < 0) | (target > 1)
         turned_back[open_] += outside.any(axis=1)
         halfway = (x[open_] + np.clip(target, 0.0, 1.0)) / 2
-        given_up = turned_back[open_] > MOST_SHORTENED_STEPS
+        # a step that would pass the end of a side is shortened; after six such steps the side is too short
+        given_up = turned_back[open_] > 6
         x[open_] = np.where(outside & ~given_up[:, None], halfway, target)
         open_ = open_[~given_up]
         if not open_.size:

@@ -10,11 +10,6 @@ from elastica_cad.refusals import BareLength, Length
 from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, engraved_names, text_width
 
-BEST_LOAD = 5.0
-"""Dimensionless weight w L^3 / (E I) at which the tip of a clamped level strip sags by half its length L.
-
-w is the weight per length. The sag is then most sensitive to Young's modulus E."""
-
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Spacing of ticks and of long ticks on the scale, mm."""
 
@@ -39,7 +34,8 @@ def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     """
     sheet = Sheet.of(sheet)
     require_positive(max_overhang, "max_overhang")
-    best = BEST_LOAD ** (1 / 3) * sheet.elasto_gravity_length
+    # at w L^3 / (E I) = 5, the tip sags by half the length L; the sag then is most sensitive to the modulus E
+    best = 5.0 ** (1 / 3) * sheet.elasto_gravity_length
     return float(max(TICK_MM, TICK_MM * np.floor(min(best, max_overhang) / TICK_MM)))
 
 

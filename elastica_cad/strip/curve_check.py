@@ -29,9 +29,6 @@ TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 WIDTHS_MM = (8.0, 120.0)
 """Least and largest width, mm, that is assumed if no width is given."""
 
-LENGTH_PER_WIDTH = 12
-"""Ratio of length to width that is assumed if no width is given."""
-
 
 def common_request(
     curve: PlaneCurve,
@@ -44,7 +41,8 @@ def common_request(
 
     curvature = np.abs(curve.survey.curvature).max()
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
-    width = float(np.clip(round(curve.length / LENGTH_PER_WIDTH), *WIDTHS_MM))
+    # without a given width, the strip is 12 times as long as wide
+    width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
     return StripSpec(
         curve,
         next(thin, TRIED_SHEETS[-1]),

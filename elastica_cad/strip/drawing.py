@@ -46,7 +46,6 @@ only the border of the sheet, which is not cut."""
 SAME_MM = 1e-6
 """Distance, mm, below which two paths are duplicates, because files store six decimals."""
 
-CHORD_SHARE = 1e-4  # chord error of curves in a notebook picture, as a fraction of the drawing's diagonal
 LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
 
 
@@ -107,7 +106,7 @@ class Drawing:
 
     def _repr_svg_(self) -> str:
         low, high = self.bounds
-        chord = float(norm(high - low)) * CHORD_SHARE
+        chord = float(norm(high - low)) * 1e-4
         lines = [(item.path.points(chord), LAYER_INK[item.layer], item.path.closed) for item in self.strokes]
         return svg_of_lines(lines, repr(self))
 

@@ -29,11 +29,6 @@ In a sheet without grain, the added length is `CUT` times `crack_energy` times d
 grain, it is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its isotropic value.
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
-WIDENING_ITERATIONS = 4
-"""Number of iterations for the widening at a cut, which depends on the widened width."""
-
-NOTCH_FILL = 0.5 + np.pi / 8
-"""Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
 
 FRACTIONS = (np.arange(400) + 0.5) / 400
 """Integration points along a widening or a hole, as fractions of its length: midpoints of 400 intervals."""
@@ -97,7 +92,8 @@ class ElementCut:
         net = self.hole * float((chords / (width - chords)).mean())
         corners = 2 * (1 + nu) / (3 + nu) * grain * np.pi / 4 * self.hole**2 / (width + self.hole)
         cracks = 2 * CUT * crack_energy(nu) * grain * self.notch**2 / width
-        return net + corners + cracks + NOTCH_FILL * self.notch * 2 * self.notch / (width - 2 * self.notch)
+        # both notches are as deep as they are wide, with semicircular ends
+        return net + corners + cracks + (1 + np.pi / 4) * self.notch**2 / (width - 2 * self.notch)
 
 
 def element_cuts(rod: Rod) -> tuple[ElementCut, ...]:
@@ -152,7 +148,8 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
         _require_narrower_cut(cut, float(layout.width(cut.at)))
     cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # a cut at a free end has no effect
     peaks = np.zeros(len(cuts))
-    for _ in range(WIDENING_ITERATIONS if cuts else 0):
+    # the widening at a cut depends on the widened width
+    for _ in range(4 if cuts else 0):
         bumps = []
         for cut, peak in zip(cuts, peaks, strict=True):
             plain = float(layout.width(cut.at)) / (1 + peak)

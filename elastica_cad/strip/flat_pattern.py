@@ -42,9 +42,6 @@ edges of a CAD model must keep their number and order, because dimensions and sk
 SIDE_DEGREE, SIDE_SPANS, SIDE_MM = 5, 48, 0.004
 """Degree and least number of spans of a smoothed side, and its largest distance from the drawing, mm."""
 
-NO_STEP = 1e-5
-"""Distance, mm, below which the ends of two sides are joined."""
-
 
 def in_smooth_pieces(path: Path, pieces: int = SIDE_PIECES) -> Path:
     """Return the loop with its splines divided at kinks.
@@ -135,7 +132,8 @@ def _joined(pieces: Sequence[Segment], part: PlaneCurve) -> list[Segment]:
     if not pieces:
         return [Spline(part)]
     meeting = pieces[-1].end
-    if norm(part.control_points[0] - meeting) > NO_STEP:
+    # a distance of up to 1e-5 mm is no step
+    if norm(part.control_points[0] - meeting) > 1e-5:
         return [Line(meeting, part.control_points[0]), Spline(part)]
     met = np.vstack([meeting, part.control_points[1:]])
     return [Spline(PlaneCurve(part.knots, met, part.degree, part.weights))]

@@ -18,16 +18,13 @@ from elastica_cad.mechanics.tolerances import feels_modulus
 from elastica_cad.refusals import Force, Length, Moment, Refusal, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
-MEETING_FRACTION = 1e-4
-"""Largest distance between the ends of a closed rod, as a fraction of its length. The ends of rods with few nodes
-do not meet exactly."""
-
 
 def closes(rod: Rod) -> bool:
     """Return True if the ends of a rod meet and have the same direction."""
     gap = float(norm(rod.chord))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
-    return gap <= MEETING_FRACTION * rod.length and abs(turn) <= CORNER_RAD
+    # the ends of closed rods with few nodes do not meet exactly
+    return gap <= 1e-4 * rod.length and abs(turn) <= CORNER_RAD
 
 
 @dataclass(frozen=True, eq=False)

@@ -40,9 +40,6 @@ ARROW_MM, HEAD_MM = 20.0, 3.0
 MARKS = (0.25, 0.5, 0.75)
 """Positions along the strip, as fractions of its length, at which its heights above the chord are measured."""
 
-S_SHAPED = 0.01
-"""Least ratio of the smaller to the larger height of an S-shaped strip, on opposite sides of its chord. In other
-strips, rounding errors give smaller ratios."""
 
 DRAWN_AXES = "the x axis of the drawing", "the y axis of the drawing"
 """Names of the axes along which an end may slide, for the template."""
@@ -172,7 +169,8 @@ def upward(heights: FloatArray) -> float:
     the left side of its chord is above.
     """
     low, high = heights.min(), heights.max()
-    return -1.0 if low < 0 and high < -S_SHAPED * low else 1.0
+    # in a strip that is not S-shaped, rounding errors give smaller ratios of opposite heights
+    return -1.0 if low < 0 and high < -0.01 * low else 1.0
 
 
 def distance_between(ends: Sequence[HeldEnd]) -> float:

@@ -34,18 +34,14 @@ from elastica_cad.strip.uncuttable_parts import (
     find_strip_faults,
 )
 
-# knot spacing of a width correction as a fraction of the length; wide spacing keeps outlines smooth
-SPACING_SHARE = 1 / 24
-SMOOTHING_PENALTY = 5e-3  # weight of a correction's roughness relative to the deviation
-SIZE_PENALTY = 7e-3  # weight of a correction's size relative to the deviation
-
 
 def _width_basis(s: FloatArray, *, closed: bool) -> FloatArray:
     """Return the values (n, m) of m cubic B-splines at stations s (n,).
 
     At the joint of a closed strip, the first and last B-splines are combined.
     """
-    pieces = round(1 / SPACING_SHARE)
+    # wide spacing of the knots keeps outlines smooth
+    pieces = 24
     knots = np.pad(np.linspace(0.0, s[-1], pieces + 1), 3, mode="edge")
     shared = np.eye(pieces + 3)
     if closed:
@@ -82,9 +78,8 @@ def _correct_widths(
         A, residual = (_without_rigid_motion(rod.position[1:], moves) for moves in (A, residual))
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
-    whole = scale * np.concatenate(
-        [SMOOTHING_PENALTY * np.diff(identity, n=2, axis=0), SIZE_PENALTY * identity]
-    )
+    # weights of the roughness and of the size of a correction, relative to the deviation
+    whole = scale * np.concatenate([5e-3 * np.diff(identity, n=2, axis=0), 7e-3 * identity])
     system, right_side = np.concatenate([A, whole]), np.concatenate([-residual, -whole @ correction])
     from scipy.optimize import lsq_linear
 
@@ -98,12 +93,6 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
     rigid = np.array([np.tile([1.0, 0.0], count), np.tile([0.0, 1.0], count), turned.ravel()])
     rigid /= np.linalg.norm(rigid, axis=1)[:, None]
     return moves - rigid.T @ (rigid @ moves)
-
-
-ROUNDS = 8
-LEAST_GAIN = 0.97  # stop if an iteration leaves more than this fraction of the deviation
-LARGEST_GUESS = 0.5  # largest |log(factor on the width)| in the first guess
-SMALL_DEVIATION_FRACTION = 1e-5  # smaller deviations, as fractions of the length, are accepted
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
@@ -145,15 +134,16 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     basis = _width_basis(design.s, closed=strip.is_closed)
     # first guess: the widths compensate the loss of stiffness, smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
-    clip = min(LARGEST_GUESS, largest)
+    # largest |log(factor on the width)|
+    clip = min(0.5, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
     drawn, guessed = (_correct(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
     best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.deviation, default=None)
     if best is None:
         return strip
     step = 1.0
-    for _ in range(ROUNDS):
-        if best.deviation <= SMALL_DEVIATION_FRACTION * design.length:
+    for _ in range(8):
+        if best.deviation <= 1e-5 * design.length:
             break
         drift = best.rod.position - design.position
         target = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
@@ -163,7 +153,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
             step /= 2
             continue
         gain, best, step = trial.deviation / best.deviation, trial, min(1.0, 2 * step)
-        if gain > LEAST_GAIN:
+        # the iteration left more than this fraction of the deviation
+        if gain > 0.97:
             break
     gained = np.inf if drawn is None else drawn.deviation - best.deviation
     return best.strip if gained >= LEAST_REPORTED_MM else strip
@@ -188,8 +179,6 @@ def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Corr
 
 
 JOINT_STATIONS = 400
-
-PIECE_SPACING_MM = 5.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,7 +233,7 @@ class Splice:
             for piece in pieces:
                 (x0, y0), (_, y1) = piece.bounds
                 placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
-                y += float(y1 - y0) + PIECE_SPACING_MM
+                y += float(y1 - y0) + 5.0  # mm
             drawn.append(Drawing.merged(name, placed))
         return tuple(drawn)
 
@@ -519,13 +508,6 @@ def overstrained(strip: Strip) -> StrainError:
     )
 
 
-AIMED_SHARE = 0.8
-"""Strain, as a fraction of the limit, at which the estimate of a larger width aims."""
-
-LEAST_WIDENING = 0.2
-"""Least increase of a width, as a fraction of it. A strip with a very narrow place needs more than the estimate."""
-
-
 def _width_without_loads(strip: Strip) -> float | None:
     """Return an estimate of `max_width`, mm, with which the strip without its loads keeps to its limit, or None.
 
@@ -541,9 +523,11 @@ def _width_without_loads(strip: Strip) -> float | None:
     limit = empty / used
     if loaded >= limit:
         return None
-    aim = max(AIMED_SHARE * limit, (loaded + limit) / 2)
+    # aim at 80 % of the limit
+    aim = max(0.8 * limit, (loaded + limit) / 2)
     more = float(strip.width(at)) * (empty - aim) / (aim - loaded)
-    return rounded_up(strip.max_width + max(more, LEAST_WIDENING * strip.max_width), 3)
+    # a strip with a very narrow place needs more than the estimate
+    return rounded_up(strip.max_width + max(more, 0.2 * strip.max_width), 3)
 
 
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:

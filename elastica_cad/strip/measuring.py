@@ -24,12 +24,6 @@ Lengths are in mm and angles in degrees. Heights and angles are measured from th
 
 KINDS: dict[str, type[Quantity]] = dict.fromkeys(LENGTHS, Length) | dict.fromkeys(ANGLES, Degrees)
 
-SKETCHED = 61
-"""Number of points of the curve in `Measuring.shape`."""
-
-UNEVEN_SHARE = 0.02
-"""Relative difference between the stiffness at mirrored positions, above which reversing the strip changes
-its shape."""
 
 CHANCE = 0.03
 """Probability that errors of reading alone are mistaken for a cause."""
@@ -38,8 +32,6 @@ NONLINEAR = 0.2
 """Fraction of the measured differences that a cause may leave unexplained, because the changes are computed
 to first order."""
 
-LIKELY = 4.0
-"""A cause is reported too if its sum of squared errors exceeds the least sum by less than this value."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -58,8 +50,6 @@ MEANINGS: Mapping[str, str] = {
 }
 """Message for each cause of a difference."""
 
-ONCE = ("end for end", "wrong side")
-"""Causes of a difference that are either present or absent, and have no amount."""
 
 NO_ANGLES = "Not read. Read the angles too, because a clamp that turns is rarely found without them."
 
@@ -85,6 +75,7 @@ SLIPS: Mapping[str, str] = {
 }
 """Message for each mistake in taking the readings."""
 
+
 UNEXPLAINED = "No single cause explains the differences. Measure again, and check the sheet and its side."
 
 SNAPPED = (
@@ -92,7 +83,6 @@ SNAPPED = (
     "unstable or close to snapping. Compare its shape with the drawing. If it has the drawn shape, measure again."
 )
 
-MM_PER_UNIT = {"centimetres": 10.0, "inches": 25.4}
 
 EXCHANGES: Mapping[str, Mapping[str, str]] = {
     "other end": {"height_1": "height_3", "height_3": "height_1"},
@@ -102,9 +92,6 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
 }  # fmt: skip
 """Mistakes that exchange readings. For each mistake, a mapping from the right name of a reading to the name under
 which it was written."""
-
-THICKEST_PERCENT = 6.0
-"""Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
 
 
 @dataclass(frozen=True)
@@ -172,7 +159,8 @@ class Measuring:
             turned[-k] = np.radians(1.0) * loaded.stiffness[-k] / loaded.discrete.node_lengths[-k]
             moments.append((f"clamp at the {name}", turned))
         reversed_share = design.stiffness[::-1] / design.stiffness - 1
-        if np.abs(reversed_share).max() > UNEVEN_SHARE:
+        # reversing the strip changes its shape
+        if np.abs(reversed_share).max() > 0.02:
             moments.append(("end for end", M * reversed_share))
         if as_made.curl is not None and strip.layout.backing is not None:
             over = as_made.curl.factor(-design.curvature) / as_made.curl.factor(design.curvature) - 1
@@ -193,7 +181,7 @@ class Measuring:
             lengths = _measured(design.position + moved[:, k], design.position)
             change = {name: lengths[name] - unmoved[name] for name in unmoved}
             causes[cause] = (*causes.get(cause, ()), change)
-        shape = points_at(np.linspace(0, n - 1, SKETCHED), np.arange(float(n)), design.position)
+        shape = points_at(np.linspace(0, n - 1, 61), np.arange(float(n)), design.position)
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
@@ -270,8 +258,10 @@ class Measuring:
             size = float(np.linalg.norm(answer))
             far = (
                 len(errors) <= len(changes)
-                or (cause in ONCE and not 0.5 < answer[0] < 1.5)
-                or (cause == "thickness" and size > THICKEST_PERCENT)
+                # these causes have no amount
+                or (cause in ("end for end", "wrong side") and not 0.5 < answer[0] < 1.5)
+                # the thickness of a sheet varies by at most 6 %
+                or (cause == "thickness" and size > 6.0)
                 or (cause == "ends apart" and self._mirrors(size, changes[0]))
                 or squares - rest < chdtri(len(changes), CHANCE)
                 or rest > chdtri(len(errors) - len(changes), CHANCE) + NONLINEAR**2 * squares
@@ -282,7 +272,8 @@ class Measuring:
             likely += self._slips(measured, errors)
         likely.sort()
         if likely:
-            texts = [text for rest, text in likely if rest < likely[0][0] + LIKELY]
+            # causes that explain the differences almost as well are reported too
+            texts = [text for rest, text in likely if rest < likely[0][0] + 4.0]
             return [warning_row(text, "Or" if k else "Verdict") for k, text in enumerate(texts)]
         if improbable:
             return [warning_row(SNAPPED if self.can_snap else UNEXPLAINED, "Verdict")]
@@ -303,7 +294,7 @@ class Measuring:
         lengths = {name: measured[name] for name in errors if name in LENGTHS}
         corrected: dict[str, dict[str, float]] = {
             slip: {name: scale * value for name, value in lengths.items()}
-            for slip, scale in MM_PER_UNIT.items()
+            for slip, scale in {"centimetres": 10.0, "inches": 25.4}.items()
         }
         for slip, exchange in EXCHANGES.items():
             if all(name in errors for name in exchange):

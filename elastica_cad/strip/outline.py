@@ -301,9 +301,6 @@ kernels fail."""
 MEETING_MM = 1e-9
 """Largest distance, mm, between the ends of two segments that meet."""
 
-LINEAR_TOLERANCE = 1e-10
-"""Largest relative deviation of x from a linear function of the parameter, for which x counts as linear."""
-
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
     """Return the closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
@@ -382,7 +379,8 @@ def pace(segment: Segment) -> tuple[float, float] | None:
     speed = float((x[-1] - x[0]) / (sites[-1] - sites[0]))
     offset = float(x[0] - speed * sites[0])
     stray = np.abs(offset + speed * sites - x).max()
-    return (offset, speed) if speed and stray <= LINEAR_TOLERANCE * max(1.0, np.abs(x).max()) else None
+    # x is linear, except for rounding
+    return (offset, speed) if speed and stray <= 1e-10 * max(1.0, np.abs(x).max()) else None
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:

@@ -21,13 +21,6 @@ The weight is that of the whole strip. `LIGHT_CLAMPED` is for strips with both e
 If the weight is W times E I / length^2, the end of a straight cantilever moves by W / 8 times the length. The
 middle of a straight strip with clamped ends moves by W / 384 times the length."""
 
-MOVES_FRACTION = 1e-3
-"""Movement by the weight, as a fraction of the length, above which the user is warned.
-
-Sheet, cut and clamps of a usual strip have an effect of this size."""
-
-HALVINGS = 10
-"""Number of halvings in the search for the largest fraction of the weight that the strip carries."""
 
 COLLAPSES = (
     "The weight of the strip is not considered. If the curve stands upright, the strip collapses under "
@@ -59,7 +52,7 @@ def carried_percentage(
 ) -> float:
     """Return the percentage of weight and loads under which the strip loses its stability."""
     low, high = 0.0, 1.0
-    for _ in range(HALVINGS):
+    for _ in range(10):
         middle = (low + high) / 2
         low, high = (low, middle) if bent_under(strip, gravity, loads, middle) is None else (middle, high)
     return 100 * high
@@ -95,7 +88,8 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
         carried = carried_percentage(strip, gravity)
         return note(COLLAPSES, carried=carried, gravity=FieldName("gravity"), severity="warning")
     moved = deviation_from(rod, bent.position)
-    if moved <= MOVES_FRACTION * rod.length:
+    # sheet, cut and clamps of a usual strip have an effect of this size
+    if moved <= 1e-3 * rod.length:
         return None
     return note(
         "The weight of the strip, which the accuracy leaves out, moves the strip by {far} if the curve stands "

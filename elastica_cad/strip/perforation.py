@@ -39,11 +39,6 @@ FIT_MM = 2e-5
 """Largest error of the fitted outline width, net width and hole width, mm. Together these errors change the
 sum of all ligaments by at most 1e-4 mm."""
 
-FIT_ROUNDING = 1e-12
-"""Relative rounding error of the widths, added to `FIT_MM`."""
-
-INSET_FRACTION = 1e-9
-"""Distance of the ends of a fitted spline from a jump of the width, as a fraction of the spline's length."""
 
 CLEAR_OF_SLOTS_MM = 0.02
 """Chord error, mm, of the polylines with which distances between holes and slots are measured.
@@ -196,14 +191,13 @@ class DiamondPattern:
         tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
         cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
         low, high = cuts[:-1], cuts[1:]
-        inset = INSET_FRACTION * (high - low)
+        # splines are fitted a little beside jumps of the width
+        inset = 1e-9 * (high - low)
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
         splines = [
-            adaptive_spline(
-                self._values, ends, degree=3, tolerance=FIT_MM, breaks=rough, rounding=FIT_ROUNDING
-            )
+            adaptive_spline(self._values, ends, degree=3, tolerance=FIT_MM, breaks=rough, rounding=1e-12)
             for ends in np.column_stack([low + inset, high - inset]).tolist()
         ]
         for i, (knots, values) in enumerate(splines):
@@ -305,9 +299,6 @@ suggests."""
 TIP_FRACTION = 0.03
 """Extra material at rounded tips, as a fraction of the net width, above which a warning is added."""
 
-SLENDERNESS = 3.0
-"""Default length of a diamond, as a multiple of the spacing of the columns."""
-
 
 @dataclass(frozen=True, eq=False)
 class Perforated:
@@ -384,7 +375,8 @@ class Perforated:
         fit = _Fit(self, rod, sheet, outer)
         scale = fit.scale(max_width, min_width)
         material = rod.profile.scaled(scale / fit.section.rigidity)
-        rows = self.rows or max(1, round(rod.length * self.columns / (SLENDERNESS * float(fit.w.mean()))))
+        # diamonds are three times as long as the spacing of the columns
+        rows = self.rows or max(1, round(rod.length * self.columns / (3.0 * float(fit.w.mean()))))
         pattern = DiamondPattern(
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,

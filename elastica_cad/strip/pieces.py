@@ -24,23 +24,11 @@ from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
-SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""`SAME_SIZE_MM` is the largest difference in thickness or diameter, mm, between equal strips. The sizes are
-compared at `SIZE_STATIONS` stations."""
-
 SIZE_TOLERANCE = 1e-6
 """Largest difference between equal parts, as a fraction of the length of the outline.
 
 The parts are compared by length, bounding box and square root of the area."""
 
-SAME_BEND_RAD = 1e-4
-"""Largest difference between the natural curvatures of equal strips, multiplied by their length, rad."""
-
-SLOT_DIGITS = 6
-"""Decimals to which sizes of slots, mm, are compared, because copies of a slot differ by rounding errors."""
-
-POINTS_PER_SEGMENT = 6
-"""Number of points of each segment at which two loops are compared."""
 
 FLIPS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 """Signs of x and y of a part that is unchanged, turned over about either axis, or rotated by 180 degrees."""
@@ -51,8 +39,9 @@ def cut_key(strip: Strip) -> Hashable:
 
     Labels and names of inserted parts are ignored.
     """
+    # copies of a slot differ by rounding errors
     slots = [
-        (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
+        (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), 6).tolist())
         for slot in strip.slots
     ]
     values = [
@@ -140,16 +129,14 @@ class FlatShape:
     def of(cls, strip: Strip) -> "FlatShape":
         """Return the shape of a strip."""
         rod, size = strip.rod, strip.layout.worked_size
-        s = np.linspace(0.0, rod.length, SIZE_STATIONS)
+        s = np.linspace(0.0, rod.length, 65)
         bent = rod.length * rod.rest_at(s) if np.any(rod.natural_curvature) else None
         return cls(strip.layers, None if size is None else size(s), bent)
 
     def equals(self, other: "FlatShape") -> bool:
         """Return True if the parts have the same sheets and cut loops. Engraving has no effect."""
-        if not (
-            _nearly_equal(self.size, other.size, SAME_SIZE_MM)
-            and _nearly_equal(self.bent, other.bent, SAME_BEND_RAD)
-        ):
+        # sizes may differ by 1e-3 mm, and natural curvatures times the length by 1e-4 rad
+        if not (_nearly_equal(self.size, other.size, 1e-3) and _nearly_equal(self.bent, other.bent, 1e-4)):
             return False
         if len(self.layers) != len(other.layers):
             return False
@@ -207,9 +194,7 @@ class DistinctShapes:
 
 
 def _samples(path: Path) -> FloatArray:
-    return np.concatenate(
-        [segment.at(np.linspace(0.0, 1.0, POINTS_PER_SEGMENT + 1)[:-1]) for segment in path.segments]
-    )
+    return np.concatenate([segment.at(np.linspace(0.0, 1.0, 6, endpoint=False)) for segment in path.segments])
 
 
 def _along(path: Path, points: FloatArray) -> bool:

@@ -42,12 +42,6 @@ from elastica_cad.strip.lettering import (
     text_width,
 )
 
-QUARTER_TURN_DEG = 90.0
-"""Inclination, degrees, at and above which a slot is refused."""
-
-STRAIGHT_MM = 1e-7
-"""Largest deviation, mm, from a straight line for a side of a slot that is drawn as a line."""
-
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
 
@@ -111,7 +105,8 @@ class Slot:
     def __post_init__(self) -> None:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
-        if abs(self.lean) >= QUARTER_TURN_DEG:
+        # a lean in degrees is accepted here: see `require_rad`
+        if abs(self.lean) >= 90.0:
             raise InputError(
                 f"{here}: lean (the angle of the slot) is {self.lean:g} rad; give less than pi / 2"
             )
@@ -219,7 +214,8 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / norm(chord)
-    if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
+    # such a side is drawn as a line
+    if len(points) == 2 or np.abs(off).max() < 1e-7:
         return _Side(points, chord)
     if len(points) < 4:
         raise InputError("a bent slot has too few points along its centre line: give four or more")
@@ -230,13 +226,6 @@ FLAT_MM = 1e-3
 """Chord error, mm, of the polylines that are tested for crossings. Cutting machines have larger errors."""
 
 SAME_POINT_MM = 1e-9
-
-SAME_PARAMETER = 1e-6
-"""Difference of the parameters of two points of a segment, below which the distance of the points is
-checked."""
-
-REACHES = (1.0, 4.0, 16.0)
-"""Extensions of a slot's sides, as multiples of its width, tried in order until the sides meet the edge."""
 
 
 _Place: TypeAlias = tuple[int, float]
@@ -298,7 +287,8 @@ class _Edge:
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
-        for reach in REACHES:
+        # the sides are extended until they meet the edge
+        for reach in (1.0, 4.0, 16.0):
             chords = [Chords.of(part) for part in slot_cut(slot, width, beyond=reach * slot.width).segments]
             crossings = self._crossings(chords)
             if len(crossings) > 1:
@@ -350,7 +340,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    if u1 - u0 < SAME_PARAMETER and norm(segment.at(u1) - segment.at(u0)) < SAME_POINT_MM:
+    if u1 - u0 < 1e-6 and norm(segment.at(u1) - segment.at(u0)) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
 
@@ -386,9 +376,6 @@ def _meeting(name: str, a: Slot, b: Slot) -> str:
 TEXT_DISTANCE_MM = 0.5
 """Distance of letters from every cut, mm, because a stroke at an edge would act as a notch."""
 
-COARSE_MM = 0.02
-"""Chord error of the cuts, mm, when letters are placed; small compared with `TEXT_DISTANCE_MM`."""
-
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
     long = text.length
@@ -410,7 +397,8 @@ class Cut:
     @cached_property
     def points(self) -> FloatArray:
         """Points (k, 2) along the line; for a loop the first point is repeated at the end."""
-        points = self.line.points(COARSE_MM)
+        # this chord error is small compared with `TEXT_DISTANCE_MM`
+        points = self.line.points(0.02)
         return np.concatenate([points, points[:1]]) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
@@ -453,15 +441,10 @@ class Cuts:
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Heights of letters, mm, in the order in which they are tried. Engraved letters below 1 mm are not legible."""
 
-NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""Distances between an engraved end number and the end of the bent part, mm, in the order of trial. At these
-distances, holders do not cover the number."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
 """Heights of a label, as fractions of the usual height, in the order in which they are tried."""
 
-LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Least distance between positions tried for a label, mm, and their largest number on each side of the middle."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 """Distances of a label from cuts, mm, in the order in which they are tried. A label on a very narrow strip
@@ -503,7 +486,8 @@ def end_numbers(
     """
     boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, direction in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
-        for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
+        # at these distances from the end, mm, holders do not cover the number
+        for height, off in product(LETTER_HEIGHTS_MM, (2.0, 4.0, 7.0, 11.0)) if number else ():
             long = text_width(number, height)
             x = end + direction * (off + max(height, long) / 2) - long / 2
             text = Text((x, -height / 2), number, height, layer=ENGRAVE)
@@ -523,7 +507,8 @@ def label_off_cuts(
     bent part.
     """
     low, high = span or (0.0, width.length)
-    step = max(LABEL_STEP_MM, (high - low) / 2 / LABEL_STEPS)
+    # places are at least 2 mm apart, at most 100 on each side of the middle
+    step = max(2.0, (high - low) / 2 / 100)
     steps = step * np.arange(1, max(int((high - low) / 2 / step), 1))
     places = (low + high) / 2 + np.append(0.0, np.column_stack([steps, -steps]))
     along = max(text_width(engravable(label), 1.0), 1e-9)

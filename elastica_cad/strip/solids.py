@@ -26,10 +26,6 @@ from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, places_of_ends, side_view
 
-COLLINEAR_TOLERANCE = 1e-14
-"""Tolerance for collinear points in `convex_corners`: twice the area of their triangle, divided by the square of
-the largest extent."""
-
 
 def centred_thickness(strip: Strip) -> float:
     """Return the thickness that is centred on the curve, mm.
@@ -70,18 +66,6 @@ GLUE_MM = 5e-4
 """Gap between the sheets of a body, mm. CAD kernels lose parts of solids that touch, and fail if the gap is
 1e-4 mm."""
 
-JOINT_GAP_MM = 0.01
-"""Gap between the ends of a closed strip, mm; far larger than the tolerance of CAD kernels."""
-
-FEW_SPANS = 8
-"""Largest number of spans of a spline that is extruded without a check of its area in CAD kernels."""
-
-AREA_TOLERANCE = 1e-4
-"""Largest error of the area of a face in a CAD kernel, as a fraction of the area of the part."""
-
-GAUSS_RULE = np.polynomial.legendre.leggauss(16)
-"""Points in -1..1 and weights of the quadrature rule that OpenCASCADE uses along an extruded spline. The rule
-is the same for any number of spans."""
 
 BESIDE_MM = 20.0  # distance, mm, between the flat and the bent strip in a file
 
@@ -178,8 +162,9 @@ class FlatSolid:
         ]
         if any(spline.curve.degree == SIDE_DEGREE for spline in splines):
             return False
-        many = [spline for spline in splines if knot_runs(spline.curve.knots)[0].size > FEW_SPANS + 1]
-        return not many or _misread_area(many) <= AREA_TOLERANCE * self.area
+        # CAD kernels compute right areas along splines of at most eight spans
+        many = [spline for spline in splines if knot_runs(spline.curve.knots)[0].size > 9]
+        return not many or _misread_area(many) <= 1e-4 * self.area
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -190,7 +175,8 @@ class FlatSolid:
 
 def _misread_area(sides: Sequence[Spline]) -> float:
     """Return the error of the areas below splines, mm2, if one quadrature rule is used for all spans."""
-    points, weights = GAUSS_RULE
+    # OpenCASCADE uses this rule along an extruded spline, for any number of spans
+    points, weights = np.polynomial.legendre.leggauss(16)
     off = 0.0
     for side in sides:
         curve, (first, last) = side.curve, side.curve.domain
@@ -331,8 +317,8 @@ class BentSolid:
     def _ring_and_lap(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
         thickness, rod = strip.sheet.thickness, strip.rod
         bare = replace(strip, ends=(Tab(0.0), Tab(0.0)))
-        # CAD kernels need a gap between the ends
-        outline = clip_across(bare.outline, 0.0, rod.length - JOINT_GAP_MM)
+        # CAD kernels need a gap between the ends, far larger than their tolerance
+        outline = clip_across(bare.outline, 0.0, rod.length - 0.01)
         yield cls.wrapped(
             rod, outline, bare.holes, heights=(-thickness / 2, thickness / 2), frame=frame,
             joints=_joint_places(bare), between=thickness,
@@ -481,7 +467,8 @@ def convex_corners(points: FloatArray) -> FloatArray:
     [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
     """
     in_order = np.asarray(points, dtype=float)[np.lexsort(np.transpose(points)[::-1])]
-    least = COLLINEAR_TOLERANCE * float(np.ptp(in_order, axis=0).max()) ** 2
+    # twice the area of the triangle of three points that count as collinear
+    least = 1e-14 * float(np.ptp(in_order, axis=0).max()) ** 2
     corners: list[list[float]] = []
     for row in (in_order.tolist(), in_order[::-1].tolist()):
         corners = corners[:-1]

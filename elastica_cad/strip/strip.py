@@ -240,15 +240,6 @@ def _overstrained_tabs(
 LINEAR_CREEP_FRACTION = 0.5
 """Fraction of the strain limit above which creep grows faster than the stress."""
 
-WIDEST_SHARE = 0.99
-"""Width, as a fraction of `max_width`, above which a strip has its largest width."""
-
-STRAIGHT_FRACTION = 1e-6
-"""Curvature at a point, as a fraction of the largest curvature, up to which the strip counts as straight there."""
-
-UNEVEN_JOINT_MM = 0.05
-"""Difference between the widths at both ends of a closed strip, mm, above which a warning is added."""
-
 
 def _mark_on_backing(curvature: FloatArray) -> str:
     """Return "INSIDE" or "OUTSIDE": the side of the bend to which the engraved face of a laminate points.
@@ -256,7 +247,8 @@ def _mark_on_backing(curvature: FloatArray) -> str:
     Seen from the start, the backing is on the right of the curve. If the curvature changes sign, "AT START" is
     added. For a straight strip, return an empty string.
     """
-    small = STRAIGHT_FRACTION * float(np.abs(curvature).max(initial=0.0))
+    # up to this curvature, the strip counts as straight at a point
+    small = 1e-6 * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
     if not bent.size:
         return ""
@@ -311,7 +303,8 @@ def _warn_of_strains(
 
 def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
     start, end = width([0.0, length]).tolist()
-    if closed and abs(end - start) > UNEVEN_JOINT_MM:
+    # a smaller step at the joint is not visible
+    if closed and abs(end - start) > 0.05:
         yield note(
             "The ends of the closed strip do not fit together: one is {start:.3g} wide, the other {end}. Choose "
             "another place for the joint, leave out gravity, or make the curvature continuous there.",
@@ -390,10 +383,6 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
         return sideways_stability_of(rod, laminate)
     thickness = sheet.thickness if layout.size is None else layout.size
     return sideways_stability(rod, layout.width, thickness, shear_ratio=ratio)
-
-
-FINE_EDGES = 1600
-"""Least number of edges of the rod in `deviation_as_built`. The discretization error is then negligible."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -637,7 +626,7 @@ class Strip:
     @property
     def is_widest(self) -> bool:
         """False if the loads determine the widths, and the strip is narrower than `max_width`."""
-        return self.max_width is None or self.width.extremes[1] > WIDEST_SHARE * self.max_width
+        return self.max_width is None or self.width.extremes[1] > 0.99 * self.max_width
 
     @cached_property
     def end_widths(self) -> tuple[float, float]:
@@ -893,7 +882,8 @@ class Strip:
         The rod has more nodes than the design, because the stiffness of the cut strip varies more.
         """
         edges = self.rod.s.size - 1
-        finer = -(-FINE_EDGES // edges)
+        # with 1600 edges or more, the discretization error is negligible
+        finer = -(-1600 // edges)
         from elastica_cad.strip.as_made import curling_by_design
 
         built, design = (resample(rod, finer * edges + 1) for rod in (self.as_built, self.rod))
@@ -1092,15 +1082,14 @@ class Placed:
         return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis, self.color)
 
 
-PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
-
-
 def require_placed(placed: object) -> tuple[Placed, ...]:
     """Return placed strips as a tuple, with different engraved texts for different labels.
 
     Raise InputError for other values.
     """
-    members = several("placed", placed, Placed, "Placed", PLACED_BY)
+    members = several(
+        "placed", placed, Placed, "Placed", "of a strip ec.Placed(strip), of a body in CAD its `placed`"
+    )
     marks, numbered = engraved_labels(members), dict[int, Strip]()
     for strip in {id(member.strip): member.strip for member in members}.values():
         if strip.engrave is None and strip.label != marks[strip.label]:

@@ -117,12 +117,6 @@ def _direction(direction: object) -> tuple[float, ...]:
     return tuple(map(float, row))
 
 
-NEAREST_CALL = (
-    "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
-)
-"""Note for Python users, added to an error about a drawn curve if the request allows no other curve."""
-
-
 def _check_seam(seam_position: float, curve: PlaneCurve) -> None:
     if seam_position > curve.length:
         raise InputError(
@@ -296,7 +290,10 @@ def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator
     except (NotRealizable, InputError) as problem:
         refused = isinstance(problem, NotRealizable) or curve.has_corners
         if refused and not may_change:
-            problem.add_note(NEAREST_CALL)
+            problem.add_note(
+                "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve "
+                "then is."
+            )
         raise
 
 

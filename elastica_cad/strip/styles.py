@@ -33,26 +33,9 @@ from elastica_cad.strip.slots import Slot
 Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """Width of an outline, mm: a number, a profile, or a function of the arc length, mm."""
 
-WIDTH_ERROR_MM = 1e-6
-"""Largest error, mm, of the profile that approximates a width given as a function."""
-
 
 SIZE_TOLERANCE = 3e-6
 """Largest relative error of the thickness or diameter of a section. The error of the stiffness is similar."""
-
-CORRECTION_TOLERANCE = 1e-6
-"""Largest error of the corrected stiffness, relative to its maximum."""
-
-CURVATURE_STATIONS = 2001
-"""Least number of stations on a curve at which the strain is computed."""
-
-_CACHED_RODS = 64  # number of rods cached by `bends_along`; equal strips share a rod
-
-MOST_EXTREMES = 200
-"""Largest number of local extremes that get additional stations. More extremes are rounding errors."""
-
-GUIDE_MM = 0.5
-"""Difference between the widths of base and backing, mm, below which the backing is not marked on the base."""
 
 
 NO_WIDTH = note(
@@ -177,7 +160,7 @@ class Layout:
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
-        if (self.width(s) - self.backing.width(s)).max() < GUIDE_MM:
+        if (self.width(s) - self.backing.width(s)).max() < 0.5:
             return ()
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
@@ -343,7 +326,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
             )
         profile = width
     elif callable(width):
-        profile = Profile.fit(width, length, tolerance=WIDTH_ERROR_MM)
+        profile = Profile.fit(width, length, tolerance=1e-6)
     else:
         require_positive(width, name)
         return Profile(np.repeat([0.0, length], 4), np.full(4, float(width)))
@@ -362,7 +345,8 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
 def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
     """Return the stations `s` (n,) with additional stations near the local extremes of all `values` (n,)."""
     turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
-    extremes = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
+    # more extremes are rounding errors
+    extremes = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:200]
     before, after = s[np.maximum(extremes - 1, 0)], s[np.minimum(extremes + 1, s.size - 1)]
     return np.unique(np.concatenate([s, np.linspace(before, after, 65).ravel()]))
 
@@ -380,7 +364,7 @@ def correct_layout(
     drawn = rod.profile
     corrected = Profile.fit(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
-        tolerance=CORRECTION_TOLERANCE * drawn.extremes[1],
+        tolerance=1e-6 * drawn.extremes[1],
     )  # fmt: skip
     # `with_stiffness` divides K by its minimum, so E I for K = 1 is multiplied by the same number. The last line
     # reverses this: the layout returned has the E I of the place where K of `rod` times the correction is 1
@@ -391,14 +375,15 @@ def correct_layout(
     return replace(layout, bending_stiffness=layout.bending_stiffness / least)
 
 
-@lru_cache(maxsize=_CACHED_RODS)
+# equal strips share a rod
+@lru_cache(maxsize=64)
 def bends_along(rod: Rod) -> Bends:
     """Return the change of curvature of a rod at stations along its curve and on both sides of jumps."""
     if rod.shape is None:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature
     panels = curve.smooth_panels
-    places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
+    places = np.linspace(0.0, panels.size - 1.0, max(2001, rod.s.size))
     t = np.interp(places, np.arange(panels.size), panels)
     jumps = np.array([at.t for at in curve.breaks if at.continuity < 2])
     t = np.sort(np.concatenate([t, jumps, jumps]))

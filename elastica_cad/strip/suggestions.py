@@ -33,26 +33,13 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import moves_far, needs_exact_pin
 
-MOST_SUGGESTIONS = 4
-
 FIRST_FIELDS = ("smooth", "split_corners", "nearest")
 CURVE_FIELDS = ("point", *FIRST_FIELDS)
 """Fields that change the curve."""
 
-MUCH_LARGER = 10
-"""Ratio of two deviations from which the larger change of the curve is suggested after the smaller one."""
 
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
-
-MOST_WIDENED = 2
-"""Largest number of widths that are tested with one change. Every refusal suggests the next width."""
-
-WIDEST_SHARE = 0.5
-"""Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""
-
-MOST_PIECES = 8
-"""Largest number of strips into which a curve is divided at its corners."""
 
 
 @dataclass(frozen=True)
@@ -270,7 +257,8 @@ def suggest(
         return
     found: list[Suggestion] = []
     interrupt: BaseException | None = None
-    widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
+    # every refusal suggests the next width
+    widths = 2 if fields is None or "max_width" in fields else 0
     # after a refused width, test other fields without changing the width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     try:
@@ -284,7 +272,7 @@ def suggest(
                     for change in islice(tried, MOST_TRIED)
                 )
                 found += islice(filter(None, held), 1)
-                if len(found) == MOST_SUGGESTIONS:
+                if len(found) == 4:
                     break
     except (KeyboardInterrupt, MemoryError) as error:
         interrupt = error
@@ -306,7 +294,8 @@ def _in_order(found: Sequence[Suggestion]) -> list[Suggestion]:
         key=lambda item: (
             last[id(item)],
             item.change.field not in CURVE_FIELDS,
-            not last[id(item)] and deviation(item) >= MUCH_LARGER * least,
+            # a much larger change of the curve comes after the smaller one
+            not last[id(item)] and deviation(item) >= 10 * least,
         ),
     )
 
@@ -395,7 +384,7 @@ def _requests(spec: StripSpec, change: Change, sheet_size: tuple[float, float] |
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
             drawn = spec.curve.degree > 1  # a polyline is not divided at its corners
-            apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
+            apart = drawn and 1 < len(pieces) <= 8 and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         case "nearest", _ if len(spec.curve.tangent_breaks) > MOST_CORNERS:
             return []
@@ -437,7 +426,8 @@ def _tested(
         )
         if change.field == "point":
             away.append(largest_move(spec.curve, request.curve))
-        wide = strip.width.extremes[1] > WIDEST_SHARE * strip.rod.length
+        # a wider strip bends as a plate
+        wide = strip.width.extremes[1] > 0.5 * strip.rod.length
         if not (wide or strip.strain_verdict.allowed):
             raise overstrained(strip)  # `try_change` tries the width that the error names
         if wide or not stability(strip.rod).stable or strip.unloading_warnings:

@@ -47,9 +47,6 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.strip import Strip
 
-MOST_DEVIATION = 0.05
-"""Expected deviation, as a fraction of the length, above which the user is warned before cutting."""
-
 LATER = "…"
 
 
@@ -228,10 +225,6 @@ def instability_in_plane(strip: Strip, verdict: Stability) -> Refusal | None:
     return clamp_warning(strip)
 
 
-COMPRESSED_SHARE = 0.05
-"""Least compression that is reported, as a fraction of the difference between the length and the chord."""
-
-
 def hold_row(strip: Strip) -> Row:
     """Return the row on the positions and loads of the ends, or on the joint of a closed strip."""
     if strip.joint:
@@ -278,7 +271,8 @@ def hold_row(strip: Strip) -> Row:
         "The start is the first point of the curve. Left and right are seen in the drawing, from start to end."
     )
     details, shorter = [_distance_details(ends), sides], strip.compressed_length
-    if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
+    # compression is reported from 5 % of the difference between length and chord
+    if abs(shorter) > 0.05 * (strip.rod.length - distance_between(ends)):
         advice = note(
             "set the ends {change:.2f} closer, because the force compresses this shallow strip"
             if shorter > 0
@@ -377,10 +371,6 @@ MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""
 
 
-LINEAR_SHARE = 0.1
-"""Largest movement of a strip, as a fraction of its length, for which the linear estimate is reported."""
-
-
 @lru_cache(maxsize=64)
 def _mounting_moves(rod: Rod) -> tuple[float | SparePiece, ...]:
     """Return the movement, mm, by a usual error of each rail, pin or tie, or the piece that is too short for it."""
@@ -414,11 +404,12 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
             )  # fmt: skip
             yield warning_row(exact, note("Mounting"))
             continue
+        # the estimate is linear, so it is reported up to 10 % of the length
         move = note(
             "the {element} from {start:.0f} to {end:.0f} moves the strip by {far}"
             if isinstance(action.element, Tie)
             else "the {element} {start:.0f} from the start moves the strip by {far}",
-            far=_rounded_move(moved, LINEAR_SHARE * strip.rod.length), element=noun_of(action.element),
+            far=_rounded_move(moved, 0.1 * strip.rod.length), element=noun_of(action.element),
             start=Length(action.s[0]), end=Length(action.s[-1]),
         )  # fmt: skip
         texts.append(move)
@@ -445,10 +436,6 @@ def _rounded_move(mm: float, most: float) -> Length | Refusal:
         return note("more than {limit}", limit=about(most))
     small = note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))
     return about(mm) if mm >= SMALLEST_MOVE_MM else small
-
-
-FRICTION = 0.3
-"""Largest force along the strip, as a fraction of the force across it, with which a ring does not slide."""
 
 
 def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
@@ -480,7 +467,8 @@ def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:
     assert isinstance(action.element, Pin)
     turn = np.radians(angle) - float(rod.curve.at(action.s).angle[0])
     along, across = force * abs(np.cos(turn)), force * abs(np.sin(turn))
-    if along <= FRICTION * across or action.element.hole or action.element.notch:
+    # with less force along the strip, friction holds a ring
+    if along <= 0.3 * across or action.element.hole or action.element.notch:
         return pin
     return note(
         "{pin}, {along:.2g} of it along the strip: a ring would slide, so screw a hinge to the strip",
@@ -500,7 +488,8 @@ def not_computed_row(strip: Strip) -> Row | None:
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with its causes in the details."""
     share = held.expected / held.rod.length
-    far_off = share > MOST_DEVIATION
+    # the user is warned before cutting
+    far_off = share > 0.05
     text = note(
         "about {far} from the design, {percent:.0f} % of its length. Largest contribution: {largest}. Reduce it, "
         "support the strip between its ends, or draw another curve" if far_off else

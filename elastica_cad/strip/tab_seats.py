@@ -187,8 +187,6 @@ class TabSeat:
         return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
 
 
-STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the length
-STEP_RAD = 0.15  # largest turn of an end in a step, rad
 # penalty for an overlap, relative to the forces; larger than most contact forces
 OVERLAP_PENALTY = 100.0
 TAB_PIECES = 16  # number of rigid pieces of an elastic tab, for an error of 0.5 % in its slope
@@ -309,8 +307,9 @@ def _constrained_step(
         Largest step of any unknown, mm.
     """
     rows, gaps = walls
-    bound = np.full(gradient.size, STEP_RAD * length)
-    bound[shifts] = STEP_FRACTION * length
+    # in a step, an end turns by at most 0.15 rad and shifts by at most 5 % of the length
+    bound = np.full(gradient.size, 0.15 * length)
+    bound[shifts] = 0.05 * length
     each = penalty * (np.abs(gradient).max() / scale + bound.max())
     bound = np.minimum(bound, reach)
     program = QuadraticProgram(
@@ -320,21 +319,7 @@ def _constrained_step(
     return solve_quadratic(program)
 
 
-MOST_STEPS = 60
-# step, as a fraction of the length, after which the stiffness of the ends is recomputed
-RENEWED_SHARE = 0.003
-# limit of the next step: after a reversed step, `SHORTER_STEP` times this step; else `LONGER_STEP` times the limit
-SHORTER_STEP, LONGER_STEP = 0.5, 2.0
-DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
-SETTLED_FRACTION = 1e-9  # iterations stop at a shorter step, as a fraction of the length of the strip
-# least eigenvalue of a stiffness matrix, relative to the largest; smaller eigenvalues are raised to this
-# value
-LEAST_EIGENVALUE_FRACTION = 1e-6
-PENALTY_FACTOR = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
-LARGEST_PENALTY = 1e6  # a larger penalty means that the tab does not fit into its holder
 OVERLAP_FRACTION = 1e-7  # largest overlap, as a fraction of the length, that counts as a rounding error
-SEATING_STEPS = 3
-SEATING_FACTOR = 1e4  # factor on the stiffness of the ends in the initial steps, in which only tabs bend
 
 
 def rest_in_seats(
@@ -379,29 +364,32 @@ def rest_in_seats(
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
     # first bend the tabs into their holders, because overlaps of straight tabs would move the strip too far
-    for _ in range(SEATING_STEPS):
-        q = q + problem.step(q, rod, SEATING_FACTOR * firm).x
+    # in these steps the ends are stiff, so only tabs bend
+    for _ in range(3):
+        q = q + problem.step(q, rod, 1e4 * firm).x
     rod = problem.bent(q, rod)
     step, pushes = np.zeros(q.size), np.zeros(problem.walls(q)[1].size)
     penalty, reach = OVERLAP_PENALTY, np.inf
-    for _ in range(MOST_STEPS):
-        if np.abs(step).max() > RENEWED_SHARE * design.length:
+    for _ in range(60):
+        # after a long step, the stiffness of the ends is computed again
+        if np.abs(step).max() > 0.003 * design.length:
             stiffness = problem.end_stiffness(q, rod)
         firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
         solution = problem.step(q, rod, firm, penalty=penalty, reach=reach)
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
-        settled = moved <= SETTLED_FRACTION * design.length and moved < reach
+        settled = moved <= 1e-9 * design.length and moved < reach
         # a reversed step shows that the previous step was too long for the linear prediction
-        reach = SHORTER_STEP * moved if step @ before < 0 else LONGER_STEP * reach
+        reach = 0.5 * moved if step @ before < 0 else 2.0 * reach
         q = q + step
         rod = problem.bent(q, rod)
         if settled:
             if problem.walls(q)[1].min() >= -OVERLAP_FRACTION * design.length:
                 break
-            if penalty >= LARGEST_PENALTY:
+            # with a larger penalty, the tab does not fit into its holder
+            if penalty >= 1e6:
                 raise NotConvergedError(problem.without_room(q))
-            penalty, reach = PENALTY_FACTOR * penalty, np.inf
+            penalty, reach = 10.0 * penalty, np.inf
     else:
         raise NotConvergedError(
             problem.without_room(q)
@@ -453,7 +441,7 @@ class _ContactProblem:
         return np.ravel([end.load(rod, self.design) for end in self.seated])
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
-        reactions, difference = self.reactions(rod), DIFFERENCE_FRACTION * self.design.length
+        reactions, difference = self.reactions(rod), 1e-5 * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
         return (ends + ends.T) / 2
@@ -511,25 +499,9 @@ def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
     values, vectors = np.linalg.eigh(stiffness)
-    values = np.maximum(np.abs(values), LEAST_EIGENVALUE_FRACTION * np.abs(values).max())
+    # smaller eigenvalues are raised to this fraction of the largest
+    values = np.maximum(np.abs(values), 1e-6 * np.abs(values).max())
     return np.asarray(vectors * values @ vectors.T)
-
-
-SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
-"""Stiffness of the springs of `lean_against` in the first iterations, as a multiple of load / length.
-
-Stiff springs limit the steps."""
-
-SOFTEST_SPRING = 1e-4
-"""Stiffness of the springs of `lean_against` in later iterations, as a multiple of load / length.
-
-Each iteration multiplies the error by about this value."""
-
-MOST_LEAN_ITERATIONS = 36
-"""Largest number of iterations in `lean_against`; usually about six are needed."""
-
-LEAN_STEP_FRACTION = 1e-7
-"""Step, as a fraction of the length of the strip, at which the iteration of `lean_against` ends."""
 
 
 @dataclass(frozen=True)
@@ -601,8 +573,10 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         return Lean(shift, turn, np.zeros(end.pieces), piece)
     H, g, q = np.zeros((n, n)), np.zeros(n), np.zeros(n)
     g[:2] = load
-    springs = chain(SPRING_STIFFNESSES, repeat(SOFTEST_SPRING))
-    for spring, _ in zip(springs, range(MOST_LEAN_ITERATIONS), strict=False):
+    # stiff springs limit the first steps; later, each step multiplies the error by about 1e-4
+    springs = chain((1.0, 0.1, 0.01), repeat(1e-4))
+    # usually about six iterations are needed
+    for spring, _ in zip(springs, range(36), strict=False):
         H[0, 0] = H[1, 1] = spring * pressed / length
         if n > 2:
             H[2:, 2:] = end.bending / length**2
@@ -611,7 +585,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         q[2:] += step[2:]
         # the holder moves in the opposite direction to the step of the tab
         shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
-        if np.abs(step).max() <= LEAN_STEP_FRACTION * length:
+        if np.abs(step).max() <= 1e-7 * length:
             break
         end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
     return Lean(shift, turn, q[2:] * sign / length, piece)

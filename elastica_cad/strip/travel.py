@@ -28,13 +28,6 @@ from elastica_cad.mechanics.stability_limits import Course
 from elastica_cad.refusals import Degrees, Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
 
-RESOLUTION_FRACTION = 1e-4
-"""Tolerance of the position at which the strip snaps, is overstrained or crosses itself, as a fraction of a
-step."""
-
-CONSTANT_FORCE_FRACTION = 1e-4
-"""Decrease of a force in a step, relative to the largest force, below which the force counts as constant."""
-
 TITLES = {
     "mm": "travel mm   force N  strain %    margin",
     "deg": " turn deg   force N  strain %    margin",
@@ -248,7 +241,8 @@ class Travel:
         if self.is_turn or self.is_still:
             return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
-        even = CONSTANT_FORCE_FRACTION * norm(self.end_force).max() * norm(steps)
+        # a force that decreases less in a step counts as constant
+        even = 1e-4 * norm(self.end_force).max() * norm(steps)
         falls = dot(gains, steps) < -even
         if self.snaps_at is not None:
             falls &= self.travel[1:] <= self.snaps_at
@@ -275,7 +269,7 @@ class Travel:
         # rails, pins and ties are added or removed at the start of a step
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
-        while high - low > RESOLUTION_FRACTION:
+        while high - low > 1e-4:
             middle = (low + high) / 2
             entry = course.entry(middle) | part_of_change(start, changed, middle)
             rod = bend(good, **entry, **held, side=self.side if k == 1 else None)

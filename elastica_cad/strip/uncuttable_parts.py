@@ -32,15 +32,6 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
-LEAST_STRIP_MM = 3.0  # least width of a strip, mm; narrower strips break when they are lifted out
-LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip as a multiple of the thickness; narrower strips twist
-LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
-LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
-LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a slot, divided by the thickness of its tab; a plate of 3 mm can hold a tab of 0.8 mm at 32
-# degrees
-WIDEST_SLOT_THICKNESSES = 8.0
-FILLED_SLOT_MM = 2.4  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
 
 
@@ -111,26 +102,26 @@ class FabricationLimits:
     def width_for(self, sheet: Sheet) -> float:
         """Return the least width of strips, tabs and tongues of a sheet, mm."""
         sheet = Sheet.of(sheet)
-        return (
-            self.least_width
-            or sheet.least_width
-            or max(LEAST_STRIP_MM, LEAST_WIDTH_THICKNESSES * sheet.thickness)
-        )
+        # narrower strips break when they are lifted out, or twist
+        return self.least_width or sheet.least_width or max(3.0, 3.0 * sheet.thickness)
 
     def ligament_for(self, sheet: Sheet) -> float:
         """Return the least width of material between the holes of a perforated strip, mm."""
         sheet = Sheet.of(sheet)
-        return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
+        # less material between two laser cuts may burn away
+        return self.least_ligament or sheet.least_ligament or 0.5
 
     def bridge_for(self, sheet: Sheet) -> float:
         """Return the least width of material between two cuts of a plate, mm."""
         sheet = Sheet.of(sheet)
-        return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
+        # both cuts heat the material between them
+        return self.least_bridge or sheet.least_bridge or max(2.0, sheet.thickness)
 
     def stock_for(self, sheet: Sheet) -> tuple[float, float]:
         """Return the longer and the shorter side of the largest available piece of a sheet, mm."""
         sheet = Sheet.of(sheet)
-        long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
+        # largest sheet of plywood or board that is sold
+        long, short = sorted(self.stock or sheet.stock or (3050.0, 1525.0), reverse=True)
         return long, short
 
 
@@ -146,16 +137,10 @@ DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
 
-# number of points along a cut per least width; the error of a width is then 1 %
-SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # longest chord in the search for facing points, as a multiple of the least width
 # least cosine of the angle between a normal and the line to the facing point; no points face each other in
 # corners wider than 50 degrees
 LEAST_FACING_COSINE = 0.9
-# largest slope of the width for which `_is_obviously_wide` is valid; each edge then slopes by 26 degrees
-STEEPEST_WIDTH_SLOPE = 1.0
-# side of the cells of which only the narrowest place is compared, as a fraction of the least width
-CELL_FRACTION = 0.25
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
 
@@ -196,7 +181,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     near = parts.at(_chords_near_others(parts, reach))
     if not near.loop.size:
         return ()
-    near = near.divided(least / SAMPLES_PER_WIDTH)
+    # the error of a width is then 1 %
+    near = near.divided(least / 12)
     points, loop = near.middle, near.loop
     i, j, width = _widths_across(points, near.inward, reach)
     middle = (points[i] + points[j]) / 2
@@ -259,7 +245,7 @@ def _widths_across(
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
     # a long narrow part has very many places, so only the narrowest place of each small cell is compared
-    cells = (middle - middle.min(axis=0, initial=np.inf)) // (CELL_FRACTION * least)
+    cells = (middle - middle.min(axis=0, initial=np.inf)) // (0.25 * least)
     row, column = cells.astype(np.int64).T
     kept = np.sort(_narrowest(row * 2**31 + column, width))
     order = kept[width[kept].argsort(kind="stable")]
@@ -326,12 +312,6 @@ LARGER_THAN_STOCK = 2.0
 """Size, as a multiple of the length of the stock, above which a part is refused without a search for thin
 places."""
 
-LEAST_LENGTH_RATIO = 4.0
-"""Least ratio of length to width of a suggested strip. A strip of half this ratio bends as a plate."""
-
-LAP_THICKNESSES = 20
-"""Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 thicknesses on,
-the glue joint is as strong as the sheet."""
 
 MOST_LISTED = 3
 
@@ -492,7 +472,8 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     """Return a fault if slots are too wide for their tabs. Each slot is (name, slot width, tab thickness), mm."""
 
     def widest(through: float) -> float:
-        return max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * through)
+        # 2.4 mm hold a thin tab with glue on both sides; a plate of 3 mm can hold a tab of 0.8 mm at 32 degrees
+        return max(2.4, 8.0 * through)
 
     wide = [each for each in slots if each[1] > widest(each[2])]
     if not wide:
@@ -539,9 +520,8 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
         return False
     # no spline is steeper than its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), np.diff(width.greville)
-    return min(width.extremes[0], strip.rod.length) >= least and bool(
-        (rises < STEEPEST_WIDTH_SLOPE * runs).all()
-    )
+    # at this slope of the width, each edge slopes by 26 degrees
+    return min(width.extremes[0], strip.rod.length) >= least and bool((rises < 1.0 * runs).all())
 
 
 def _thin_strip(
@@ -737,7 +717,8 @@ def _too_large(
         )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
-            fits = Change(field, rounded_down(min(stock[1], length / LEAST_LENGTH_RATIO), 2))
+            # a strip that is only twice as long as wide bends as a plate
+            fits = Change(field, rounded_down(min(stock[1], length / 4.0), 2))
             cure = note("Set a smaller {field}, or a larger stock size", field=field)
             yield Fault(name, what, cure, (fits,))
         else:
@@ -746,5 +727,6 @@ def _too_large(
                 "curve smaller",
                 field=FieldName("shop.lap"),
             )
-            lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
+            # from about 12 thicknesses on, the glue joint is as strong as the sheet
+            lap = Change("lap", float(round(20 * sheet.thickness)))
             yield Fault(name, what, cure, (lap,))
