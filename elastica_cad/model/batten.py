@@ -77,8 +77,6 @@ class LeafStack:
 
 
 LETTER_MM, TICK_MM = 4.0, 3.0
-LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
-"""Line spacing (mm) of the text below a side view, and characters per line on A4 paper."""
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArray]:
@@ -140,7 +138,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
         for x, tip, size in zip(s.tolist(), far.tolist(), sizes.tolist(), strict=True)
     )
     text_lines = tuple(
-        Text((left, low - LINE_MM * row), line, LETTER_MM, 0.0, MARK)
+        Text((left, low - 1.8 * LETTER_MM * row), line, LETTER_MM, 0.0, MARK)
         for row, line in enumerate(_label_lines(strip), start=1)
     )
     return Drawing(strip.label, (*ticks, LayeredPath(CUT_OUTER, view)), (*texts, *text_lines))
@@ -156,12 +154,13 @@ def _label_lines(strip: Strip) -> list[str]:
     instruction = wide if flat else f"{stock}, round{work}"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
     blocks = strip.engraved or "batten", instruction, str(ends_message(strip)), ticks
-    return [engravable(line) for block in blocks for line in wrap(block, LETTERS)]
+    # that many letters fit on A4 paper
+    return [engravable(line) for block in blocks for line in wrap(block, 46)]
 
 
 ENDS = Supports("pinned", "pinned")
-SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
 LARGEST_CAMBER = 0.4  # largest camber, as a fraction of the chord, because a deeper batten is a bow
+SEARCH_NODES = 401  # number of nodes in the search for the taper; the final curve has more
 # largest fraction of the length with full size, because the remaining length is needed for the taper
 LARGEST_FULL_FRACTION = 0.8
 CAMBER_TOLERANCE = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
@@ -248,7 +247,7 @@ class BattenSpec:
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
             raise self._place_out_of_reach(taper, chord, note(" (it needs {thin})", thin=Length(thin)))
-        return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, FINE_NODES).curve))
+        return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, 2401).curve))
 
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)

@@ -28,25 +28,14 @@ from elastica_cad.refusals import Length, Point, note
 from elastica_cad.strip.slots import slot_cut
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
-EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
-"""Distances between samples along edges and on faces, mm."""
-
 SHARED_MM = 0.05
 """Largest overlap, mm, of slotted strips that counts as contact."""
 
 EDGES_TOUCH_MM = 0.1
 """Largest permitted overlap, mm, of strips that meet edge to edge. Such an overlap can be filed off."""
 
-NEWTON_STEPS = 3
-
 INSCRIBED_SQUARE = np.sqrt(0.5)
 """Side of the inscribed square that replaces a round section, divided by the diameter."""
-
-RIM_MM = 0.002
-"""Largest distance, mm, between a slot and the polygon that represents it."""
-
-MOST_SAMPLES = 20_000
-"""Largest number of samples along a strip that may touch itself. Samples of long strips are farther apart."""
 
 Places = tuple[float, float]
 
@@ -103,9 +92,10 @@ class Body:
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
         widest = self.ruled.width.extremes[1]
+        # distances between samples along edges and on faces, mm
         (along, ends), face = (
             (_evenly_spaced(first, last, pitch), _evenly_spaced(-1.0, 1.0, 2 * pitch / widest))
-            for pitch in (EDGE_PITCH_MM, FACE_PITCH_MM)
+            for pitch in (0.2, 2.0)
         )
         grids = (along, [-1.0, 1.0]), ([first, last], ends), face
         s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
@@ -128,7 +118,8 @@ class Body:
 
         The search starts at the arc lengths `s`.
         """
-        for _ in range(NEWTON_STEPS):
+        # three Newton steps suffice, because the stations are close together
+        for _ in range(3):
             place, tangent = self.ruled.in_plane(s)
             s = np.clip(s + dot(points - place, tangent), 0.0, self.ruled.length)
         return s, *self.ruled.in_plane(s)
@@ -137,7 +128,7 @@ class Body:
     def _slot_polygons(self) -> list[FloatArray]:
         # each slot is extended beyond the edge of its strip by four times its width
         cuts = (slot_cut(slot, self.strip.width, beyond=4.0 * slot.width) for slot in self.strip.slots)
-        return [cut.points(RIM_MM) for cut in cuts]
+        return [cut.points(0.002) for cut in cuts]
 
     def distance_from_slots(self, s: FloatArray, across: FloatArray) -> FloatArray:
         """Return distances (n,), mm, of points of the flat pattern from the nearest slot, negative in a slot."""
@@ -362,7 +353,7 @@ def self_contact(strip: Strip) -> Places | None:
     start, end = (0.0, 0.0) if strip.is_closed else (tab.length for tab in strip.ends)
     long = rod.length + start + end
     # samples a quarter of the thickness apart, or farther apart on a long strip
-    count = min(MOST_SAMPLES, int(long / (0.25 * thickness)) + 2)
+    count = min(20_000, int(long / (0.25 * thickness)) + 2)
     s = np.linspace(-start, rod.length + end, count)
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))

@@ -30,11 +30,6 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
 
-STATIONS = 400
-"""Least number of samples along a strip. Interpolation between samples is accurate to 1e-5 mm."""
-
-_ROUNDING = 1e-12  # allowance for rounding errors, so that boxes without thickness can overlap
-
 InPlane = tuple[FloatArray, FloatArray]
 """Points and unit tangents, (n, 2) each, of a strip's curve, in the plane of the curve."""
 
@@ -118,7 +113,8 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
     )
     centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
     sizes = (boxes[:, 1] - boxes[:, 0]) / 2
-    extensions = extensions + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
+    # boxes without thickness can overlap in spite of rounding
+    extensions = extensions + 1e-12 * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
     overlaps = np.empty((len(strips), len(strips)), dtype=bool)
     for box_axes, box, extension, sees, origin in zip(
         axes, boxes, extensions, overlaps, origins, strict=True
@@ -134,7 +130,8 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
 @lru_cache(maxsize=128)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     panels = curve.smooth_panels
-    t = _subdivided(panels, -(-STATIONS // (panels.size - 1)))
+    # with 400 samples or more, interpolation is accurate to 1e-5 mm
+    t = _subdivided(panels, -(-400 // (panels.size - 1)))
     s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
     ahead, thirds = unit(velocity), np.diff(s)[:, None] / 3
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
@@ -146,10 +143,6 @@ def _subdivided(places: FloatArray, parts: int) -> FloatArray:
     """Return places (n,), and between them the places that divide each interval into `parts` equal parts."""
     inner = places[:-1, None] + np.diff(places)[:, None] * np.arange(parts) / parts
     return np.append(inner, places[-1])
-
-
-ZERO = 1e-11
-"""A function is zero if its absolute value is at most this: the rounding error, mm, in a model of 10 m."""
 
 
 def _bracketed_zeros(
@@ -169,7 +162,8 @@ def _bracketed_zeros(
     root, h = high, g
     # a few steps usually suffice
     for _ in range(80):
-        moving = np.abs(h) > ZERO
+        # 1e-11 mm is the rounding error in a model of 10 m
+        moving = np.abs(h) > 1e-11
         if not np.any(moving & (np.abs(high - low) > 1e-15 * np.maximum(np.abs(high), np.abs(low)))):
             break
         slope = np.where(g != f, g - f, 1.0)
@@ -184,8 +178,6 @@ def _bracketed_zeros(
 
 PARALLEL_RAD = 2e-8
 """Largest angle, rad, at which rulings count as parallel. Over 1 m, their distance then changes by 20 nm."""
-
-MOST_NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -301,7 +293,7 @@ class Branch:
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
         tolerance = 1e-13 * max(h.a.length, h.b.length)
-        for _ in range(MOST_NEWTON_STEPS):
+        for _ in range(30):
             (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
             gap = p - r
             if np.abs(gap).max(initial=0.0) <= tolerance:
@@ -315,7 +307,6 @@ class Branch:
 
 IntersectionCurve: TypeAlias = Branch | Ruling
 """Curve along which two surfaces intersect. Between two nodes, the curve may still cross edges of the strips."""
-
 
 _Course: TypeAlias = tuple[FloatArray, FloatArray]
 """Arc lengths (n,) on strip a and on strip b along a line of equal height."""

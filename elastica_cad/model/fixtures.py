@@ -138,14 +138,8 @@ def _require_holdable(strip: Strip, name: str | None = None) -> None:
         )
 
 
-LEAST_WALL_MM = 0.8
-"""Least thickness of a printed wall, mm: two lines of a 0.4 mm nozzle."""
-
 MOST_EXTENDED_MM = 150.0
 """Largest height, mm, by which a block is extended down to its floor. Few printers make taller blocks."""
-
-LABEL_MM = 4.0
-"""Height of the part number, mm, if the surface is large enough."""
 
 LEVEL = 1e-6
 """Largest depth, mm, of a block below its floor, and largest component of a unit vector, that count as 0."""
@@ -197,7 +191,8 @@ class EndFixture(EqualByValue):
     clearance: Annotated[
         float, Option("Clearance around the tab in its pocket.", "mm", least=0, most=100)
     ] = POCKET_CLEARANCE
-    wall: Annotated[float, Option("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
+    # a printed wall is at least two lines of a 0.4 mm nozzle
+    wall: Annotated[float, Option("Thickness around the pocket.", "mm", least=0.8, most=1000)] = 4.0
     foot: Annotated[
         float, Option("Width of the foot on each side of the block; 0 for no foot.", "mm", least=0, most=1000)
     ] = 12.0
@@ -426,7 +421,7 @@ class EndFixture(EqualByValue):
         (_, low), (long, high) = self._block_corners[0], self._block_corners[2]
         tab = self.tab.frame
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
-        text = centred_text(self.engrave, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
+        text = centred_text(self.engrave, (long / 2, 0.0), min(4.0, 0.7 * (high - low)), 0.85 * long)
         return engraved(text_strokes(text), text.height, side)
 
 

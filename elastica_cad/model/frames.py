@@ -46,18 +46,6 @@ from elastica_cad.strip.uncuttable_parts import (
 SHOULDER_MM = 5.0
 """Width, mm, of the shoulders of a rib, which rest against the rail beside the tongue."""
 
-LABEL_MM = 6.0
-"""Height of the name of a rib, mm, if the rib is large enough."""
-
-STEP_MM = 2.5
-"""Width, mm, of the step on each side of a tongue.
-
-A tongue is narrower in the inner rail. The steps rest against this rail and keep its distance from the outer rail.
-"""
-
-SIDE_TOLERANCE_MM = 1e-6
-"""Distance, mm, below which a point counts as on a side of the rib."""
-
 
 @dataclass(frozen=True, eq=False)
 class Rib:
@@ -191,7 +179,8 @@ def slotted_frame(
     """
     sheet = require_flat(Sheet.of(sheet))
     require_declared(slotted_frame, locals(), "frame")
-    step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
+    # steps on both sides of a tongue rest against the inner rail and keep its distance from the outer rail
+    step, behind = (0.0, 0.0) if gap is None else (2.5, sheet.thickness + gap)
     if tongue <= 2 * step:
         raise InputError(
             f"the tongue of a frame is {Mm(tongue):g} wide, too narrow to hold in its rails: make the "
@@ -294,7 +283,7 @@ def _rib(
         for base in bases:
             drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
         if drawn is not None and self_crossing(drawn, closed=True) is None:
-            label = centred_text(name, at(0, (0.0, half))[0], min(LABEL_MM, 0.6 * depth), 1.6 * rest)
+            label = centred_text(name, at(0, (0.0, half))[0], min(6.0, 0.6 * depth), 1.6 * rest)
             return Rib(name, sheet, frame, Path.polygon(drawn), label)
     raise InputError(
         f"{name}: the rails face each other, so no rib can join them from behind. Hold the ends by "
@@ -340,7 +329,7 @@ def _with_tongue(
         side = unit(q - p)
         outward = -left_of(side)
         off, along = (base - p) @ outward, (base - p) @ side
-        if np.abs(off).max() < SIDE_TOLERANCE_MM and along.min() > 0 and along.max() < norm(q - p):
+        if np.abs(off).max() < 1e-6 and along.min() > 0 and along.max() < norm(q - p):
             a, b = base[np.argsort(along)]
             (low, high), inset = np.multiply.outer(heights, outward), step * side
             stepped = [a + low, a + low + inset] if step else []

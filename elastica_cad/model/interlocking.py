@@ -31,8 +31,6 @@ from elastica_cad.strip.strip import (
     strip_names,
 )
 
-MOST_NEWTON_STEPS = 30
-
 CLOSE_MM = 1e-6
 """Accuracy, mm, of the points at which faces of two strips meet. Coordinates in files have the same
 accuracy."""
@@ -81,7 +79,7 @@ def _bent_slot_width(
     error = np.full(len(rows), np.inf)
     # bound on the unknowns, which would diverge if the faces do not meet
     farthest = ruled.length + other.length
-    for _ in range(MOST_NEWTON_STEPS):
+    for _ in range(30):
         here = _points_at_height(ruled, rows + x[:, :1] * across, z[:, :1])
         there = _points_at_height(other, mates + x[:, 1:], z[:, 1:])
         error = np.abs(here - there).max(axis=1)
@@ -107,12 +105,6 @@ SHALLOW_RAD = np.radians(15.0)
 
 TOUCHING_RAD = np.radians(1.0)
 """Least angle between slotted strips, rad. At smaller angles, slots are over 100 sheet thicknesses wide."""
-
-OTHER_SIDE_FRACTION = 0.5
-"""The earlier strip's slot opens away from `above` only if both slots together are then clearly shorter.
-
-The difference must exceed this fraction of the length of the crossing.
-"""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
@@ -232,8 +224,9 @@ def interlock(
     return InterlockedStrips(tuple(slotted), tuple(joints), _messages(names, joints))
 
 
-_joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
-_joined = WeakKeyDictionary()
+_joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]] = (
+    WeakKeyDictionary()
+)
 """Cache of joints for pairs of placed strips, with the options that were used."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
@@ -354,7 +347,7 @@ class _Cutter:
         """Return the parameter of the crossing at the edge from which each strip is cut.
 
         If both ends of the crossing are possible, the slot of the earlier strip opens towards `above` or, by
-        default, along its rulings, unless both slots together are much shorter otherwise (`OTHER_SIDE_FRACTION`).
+        default, along its rulings, unless both slots together are much shorter otherwise.
         """
         ways, costs = [], []
         for ends in ((0, 1), (1, 0)):
@@ -370,7 +363,8 @@ class _Cutter:
                 names_2=self.names[members[1]],
                 s=Length(s),
             )
-        if abs(costs[0] - costs[1]) > OTHER_SIDE_FRACTION:
+        # the costs are fractions of the length of the crossing
+        if abs(costs[0] - costs[1]) > 0.5:
             return ways[int(np.argmin(costs))]
         up = crossing.strips[0].axis if self.above is None else self.above
         heights = crossing.course[2].position @ up

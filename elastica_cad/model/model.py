@@ -37,12 +37,6 @@ from elastica_cad.strip.pieces import (
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
-LEAST_SPREAD = 0.2
-"""Least ratio of a plate's smallest spread of slots to its largest spread, which is in a perpendicular direction.
-
-With a smaller ratio, the slots are in a row and the plate would tip.
-"""
-
 
 @dataclass(frozen=True, eq=False)
 class Stand:
@@ -138,7 +132,7 @@ def _stable_facing_plates(
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
         # the singular values are the spreads along the principal directions
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
-        if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
+        if len(plate.slots) < 3 or spreads[1] < 0.2 * spreads[0]:
             raise InputError(
                 "{name}: the slots are in one row, so the plate would tip. Move one strip out of the row",
                 name=plate.name,
@@ -386,13 +380,6 @@ class Model:
         return replace(self, placed=placed)
 
 
-LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""`LARGEST_WIDENING` is the largest factor by which a round of corrections widens a strip.
-
-If a strip needs a larger factor, `REDUCED_CHANGE` multiplies its largest change of width. A much wider strip
-would have wider shoulders beside its tabs.
-"""
-
 ROUNDS, MOST_ROUNDS = 2, 10
 """Number of rounds after the last round that lost a joint, and largest number of rounds."""
 
@@ -433,8 +420,9 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         if not rounds:
             break
         for k, narrower in _width_ratios(lost, model, locked).items():
-            if narrower > LARGEST_WIDENING:
-                largest[k] *= REDUCED_CHANGE
+            # a much wider strip would have wider shoulders beside its tabs
+            if narrower > 1.1:
+                largest[k] *= 0.7
             else:
                 wider[k] *= narrower
     messages = tuple(

@@ -20,9 +20,6 @@ from elastica_cad.strip.pieces import Piece
 FIT_TOLERANCE_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
-LEAST_GAP_MM = 0.01
-"""Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
-
 
 @dataclass(frozen=True)
 class Nesting:
@@ -159,7 +156,8 @@ def nest_pieces(
     drawings: list[NestedSheet] = []
     for sheet, group in groups.items():
         widened = widened_by(sheet, kerf)
-        apart = widened + (max(margin, LEAST_GAP_MM) if widened else margin)
+        # touching loops cannot be offset by the kerf
+        apart = widened + (max(margin, 0.01) if widened else margin)
         drawings += _nested_group(sheet, group, (width, height), apart, name)
     return tuple(drawings)
 

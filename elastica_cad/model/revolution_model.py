@@ -44,15 +44,11 @@ from elastica_cad.strip.uncuttable_parts import (
     find_strip_faults,
 )
 
-WIDTH_ERROR_MM = 1e-5
-"""Largest error of a width, mm."""
-
 SLOPE_TOLERANCE = 1e-12
 """Two bounds on half a width are the same plane, and do not cross, if their slopes differ by at most this."""
 
 END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""
-
 
 _Bound: TypeAlias = tuple[float, FloatArray]
 """Bound on half the width of a strip: a and b of the distance a + <b, gamma> of its curve gamma from a plane."""
@@ -145,9 +141,7 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
         points = curve.at(s).position
         return np.asarray(np.min([a + points @ b for a, b in bounds], axis=0))
 
-    width = Profile.fit(
-        lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=WIDTH_ERROR_MM
-    )
+    width = Profile.fit(lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=1e-5)
     least, _ = width.extremes
     if least <= 0:
         s = np.linspace(0.0, curve.length, 2001)

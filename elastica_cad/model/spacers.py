@@ -36,9 +36,6 @@ _COUNT = Option("Number of spacers that keep two plates at their distance.", lea
 Spacers: TypeAlias = Annotated[int | None, _COUNT]
 """Number of spacers of each pair of plates, or None."""
 
-WIDTHS_MM = (24.0, 18.0, 12.0)
-"""Widths of spacers, mm, in the order in which they are tried. A tongue has half the width of its spacer."""
-
 BESIDE_MM = 1.0
 """Least distance, mm, of a spacer from strips and tabs between the plates, and from edges and openings."""
 
@@ -47,9 +44,6 @@ GRID_RADIUS_MM, GRID_TURN = 1.0, np.radians(2.0)
 
 MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles above which all places for spacers are equally good."""
-
-EXCHANGES = 20
-"""Largest number of rounds in which spacers are moved apart. Usually, five rounds suffice."""
 
 DIRECTIONS = np.linspace(0.0, 2 * np.pi, 36, endpoint=False)
 """Angles, rad, of the directions in which a plate may tilt over its spacers."""
@@ -61,9 +55,6 @@ Both distances are measured in the direction in which they are shortest. Three s
 circle of the slots have about 0.5. If there are two spacers, or if a spacer is wider than the distance of the
 slots, the distance of the spacers is divided by the width of a spacer instead.
 """
-
-LABEL_MM = 4.0
-"""Height of the engraved word on a spacer, mm, if the spacer is large enough."""
 
 
 class Spacer(Rib):
@@ -178,7 +169,7 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
         (-half, -body), (-tongue, -body), (-tongue, -low), (tongue, -low), (tongue, -body), (half, -body),
         (half, body), (tongue, body), (tongue, high), (-tongue, high), (-tongue, body), (-half, body),
     ]  # fmt: skip
-    label = centred_text("spacer", (0.0, 0.0), min(LABEL_MM, 0.4 * gap), 0.8 * width)
+    label = centred_text("spacer", (0.0, 0.0), min(4.0, 0.4 * gap), 0.8 * width)
     return Spacer(spacer_name(first), first.sheet, frame, Path.polygon(np.array(corners)), label)
 
 
@@ -288,7 +279,8 @@ def _free_places(
     tried = tried[inside & ~np.logical_or.reduce([_enclosed(loop, tried) for loop in closed])]
     near, _ = near_pairs(tried[:, :2], cuts, bridge + thickness / 2)
     tried = np.delete(tried, near, axis=0)
-    for width in WIDTHS_MM:
+    # a tongue has half the width of its spacer
+    for width in (24.0, 18.0, 12.0):
         body = np.array([width, thickness]) / 2
         margin = np.minimum(
             _margins(tried, cuts, np.array([width / 4, body[1]]) + bridge + PITCH_MM / 2),
@@ -428,7 +420,8 @@ def _spread(
         return np.asarray((places[:, :2] - middle) @ towards + across, dtype=float)
 
     reaches = reach(free)
-    for _ in range(EXCHANGES):
+    # usually, five rounds suffice
+    for _ in range(20):
         before, chosen = chosen, chosen.copy()
         for k in range(count):
             others = np.delete(chosen, k, axis=0)

@@ -13,18 +13,8 @@ from elastica_cad.geometry.plane_points import cross, left_of, norm, place, turn
 from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, chord_points, trim_segment
 from elastica_cad.refusals import Length
 
-SMOOTH_RAD = 0.02
-"""Least change of direction, rad, at a corner that is rounded. Pieces of a curve fitted to points meet at
-smaller angles."""
-
-MOST_NEWTON_STEPS = 40
-
-
 CLOSE_MM = 1e-9
 """Length, mm, that counts as zero: the overlap of two arcs, or the gap between the two centres of one arc."""
-
-PARALLEL = 1e-200
-"""Value that replaces the determinant 0 of parallel sides, so that the computed arc ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
 """Tolerance of the test whether an arc crosses a side, as a fraction of the arc's radius.
@@ -152,7 +142,8 @@ def _corners(
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
     turn = turn_between(s, t)
-    sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
+    # pieces of a curve fitted to points meet at smaller angles
+    sharp = (np.abs(turn) >= 0.02) | gaps
     before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
     side = (radius * np.sign(turn))[:, None]
     reach = radius * np.tan(np.abs(turn) / 2)
@@ -160,7 +151,7 @@ def _corners(
     open_ = np.arange(before.size)
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
-    for _ in range(MOST_NEWTON_STEPS):
+    for _ in range(40):
         near, far = (
             (table.at(sides[open_], x[open_, k]), table.at(sides[open_], x[open_, k], 1))
             for k, sides in enumerate((before, after))
@@ -173,7 +164,8 @@ def _corners(
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = cross(w, v)
-        determinant[determinant == 0] = PARALLEL
+        # if the sides are parallel, the computed arc then ends beyond the sides
+        determinant[determinant == 0] = 1e-200
         target = x[open_] + np.column_stack([cross(gap, w), cross(gap, v)]) / determinant[:, None]
         outside = (target < 0) | (target > 1)
         turned_back[open_] += outside.any(axis=1)

@@ -26,9 +26,6 @@ if TYPE_CHECKING:
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 """Sheets that are tried if no sheet is given, in order of decreasing thickness."""
 
-WIDTHS_MM = (8.0, 120.0)
-"""Least and largest width, mm, that is assumed if no width is given."""
-
 
 def common_request(
     curve: PlaneCurve,
@@ -42,7 +39,7 @@ def common_request(
     curvature = np.abs(curve.survey.curvature).max()
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
     # without a given width, the strip is 12 times as long as wide
-    width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
+    width = float(np.clip(round(curve.length / 12), 8.0, 120.0))
     return StripSpec(
         curve,
         next(thin, TRIED_SHEETS[-1]),

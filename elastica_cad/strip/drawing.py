@@ -294,9 +294,6 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
                 )
 
 
-CORNER_RAD = 0.05
-"""Least change of direction, rad, at a corner, where no bridge is placed. Fitted curves have smaller angles."""
-
 SAME_PLACE_MM = 1e-9
 """Difference, mm, below which two arc lengths are equal."""
 
@@ -358,10 +355,6 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     return Drawing(drawing.name, tuple(paths), drawing.texts)
 
 
-FLAT_MM = 0.02
-"""Chord error, mm, of the polygons that decide which holes are inside an outline."""
-
-
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     """Return a drawing of each part, with only its outer cut and the inner cuts inside it.
 
@@ -392,7 +385,7 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     outlines = [item for item in cuts if item.layer == CUT_OUTER]
     parts = []
     for number, outline in enumerate(outlines, start=1):
-        rim = outline.path.points(FLAT_MM)
+        rim = outline.path.points(0.02)
         inside = holes if len(outlines) == 1 else [path for path in holes if encloses(rim, path.path.start)]
         name = drawing.name if number == 1 else f"{drawing.name}-{number}"
         parts.append(Drawing(name, (*inside, outline)))
@@ -414,7 +407,8 @@ def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
         )
     around = zip(path.segments, (*path.segments[1:], path.segments[0]), strict=True)
     turns = [turn_between(before.tangent_at(1.0), after.tangent_at(0.0)) for before, after in around]
-    corners, step = ends[np.abs(turns) > CORNER_RAD], length / count
+    # pieces of fitted curves meet at smaller angles
+    corners, step = ends[np.abs(turns) > 0.05], length / count
 
     def off_corners(middle: float) -> float:
         # the nearest place at least the width of a bridge from corners, or the middle if there is none

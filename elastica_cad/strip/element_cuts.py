@@ -29,15 +29,8 @@ In a sheet without grain, the added length is `CUT` times `crack_energy` times d
 grain, it is multiplied by g ** `CUT_GRAIN`, where g is sqrt(E / G) divided by its isotropic value.
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
-
 FRACTIONS = (np.arange(400) + 0.5) / 400
 """Integration points along a widening or a hole, as fractions of its length: midpoints of 400 intervals."""
-
-LARGEST_WIDENING = 9.0
-"""Upper limit of the search for the relative widening. Even a hole as wide as the strip needs less."""
-
-FIT_TOLERANCE = 1e-6
-"""Largest relative error of the stiffness of the widened strip."""
 
 
 def _grain_factor(sheet: Sheet) -> float:
@@ -176,7 +169,7 @@ def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profi
     knots = np.concatenate([bump.at + bump.reach * np.linspace(-1, 1, 5) for bump in bumps])
     return Profile.fit(
         lambda s: 1 + sum(peak * bump(s) for bump, peak in zip(bumps, peaks, strict=True)),
-        length, knots=np.unique(knots[(knots > 0) & (knots < length)]), tolerance=FIT_TOLERANCE,
+        length, knots=np.unique(knots[(knots > 0) & (knots < length)]), tolerance=1e-6,
     )  # fmt: skip
 
 
@@ -205,7 +198,8 @@ class _Bump:
 
         from scipy.optimize import brentq
 
-        peak: float = brentq(lack, 0.0, LARGEST_WIDENING)
+        # even a hole as wide as the strip needs less than ten times the width
+        peak: float = brentq(lack, 0.0, 9.0)
         return peak
 
 

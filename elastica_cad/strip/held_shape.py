@@ -359,7 +359,6 @@ class MakingTolerance:
 USUAL_TOLERANCE = MakingTolerance()
 """Tolerances of a careful workshop."""
 
-
 SHEET_KEYS: Mapping[str, str] = {
     "thickness": "thickness_wave",
     "grain": "grain",

@@ -40,7 +40,6 @@ ARROW_MM, HEAD_MM = 20.0, 3.0
 MARKS = (0.25, 0.5, 0.75)
 """Positions along the strip, as fractions of its length, at which its heights above the chord are measured."""
 
-
 DRAWN_AXES = "the x axis of the drawing", "the y axis of the drawing"
 """Names of the axes along which an end may slide, for the template."""
 

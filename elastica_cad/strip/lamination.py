@@ -28,9 +28,6 @@ from elastica_cad.strip.styles import (
 SLACK = 3e-4
 """Fraction by which a stiffness may exceed its limits, because the limits are computed only at stations."""
 
-FIT_MM = 1e-5
-"""Largest error of the backing's width, mm."""
-
 
 @dataclass(frozen=True, eq=False)
 class Laminated:
@@ -208,4 +205,4 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
     # the backing is clipped to the width of the base; the kinks due to clipping are negligible
-    return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)
+    return Profile.fit(width, rod.length, breaks=breaks, tolerance=1e-5)

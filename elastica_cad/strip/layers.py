@@ -38,10 +38,6 @@ TICK_FRACTION = 0.3
 as a notch."""
 
 
-FLAT_MM = 1e-4
-"""Largest distance, mm, between a cut and the chords that replace it when widths are measured."""
-
-
 @dataclass(frozen=True, eq=False)
 class Layer:
     """One sheet of a strip as it is cut, in the coordinates of the flat strip.
@@ -133,7 +129,7 @@ class Layer:
         Loop 0 is the outline.
         """
         loops = self.outline, *self.holes
-        which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
+        which, points = chords_of_all([line for loop in loops for line in loop.segments], 1e-4)
         same_loop = np.append(which[1:] == which[:-1], False)
         loop = np.arange(len(loops)).repeat([len(line.segments) for line in loops])[which[same_loop]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]

@@ -32,7 +32,6 @@ NONLINEAR = 0.2
 """Fraction of the measured differences that a cause may leave unexplained, because the changes are computed
 to first order."""
 
-
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
     "clamp at the end": "The clamp at the end lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -49,7 +48,6 @@ MEANINGS: Mapping[str, str] = {
     "wrong side": "The backing is on the wrong side of the bend. Turn the strip over.",
 }
 """Message for each cause of a difference."""
-
 
 NO_ANGLES = "Not read. Read the angles too, because a clamp that turns is rarely found without them."
 
@@ -75,14 +73,12 @@ SLIPS: Mapping[str, str] = {
 }
 """Message for each mistake in taking the readings."""
 
-
 UNEXPLAINED = "No single cause explains the differences. Measure again, and check the sheet and its side."
 
 SNAPPED = (
     "No single cause explains the differences. The strip may have snapped into another shape, because it is "
     "unstable or close to snapping. Compare its shape with the drawing. If it has the drawn shape, measure again."
 )
-
 
 EXCHANGES: Mapping[str, Mapping[str, str]] = {
     "other end": {"height_1": "height_3", "height_3": "height_1"},

@@ -21,7 +21,6 @@ The weight is that of the whole strip. `LIGHT_CLAMPED` is for strips with both e
 If the weight is W times E I / length^2, the end of a straight cantilever moves by W / 8 times the length. The
 middle of a straight strip with clamped ends moves by W / 384 times the length."""
 
-
 COLLAPSES = (
     "The weight of the strip is not considered. If the curve stands upright, the strip collapses under "
     "{carried:.2g} % of its weight. Set {gravity}."

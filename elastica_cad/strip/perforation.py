@@ -39,7 +39,6 @@ FIT_MM = 2e-5
 """Largest error of the fitted outline width, net width and hole width, mm. Together these errors change the
 sum of all ligaments by at most 1e-4 mm."""
 
-
 CLEAR_OF_SLOTS_MM = 0.02
 """Chord error, mm, of the polylines with which distances between holes and slots are measured.
 

@@ -29,7 +29,6 @@ SIZE_TOLERANCE = 1e-6
 
 The parts are compared by length, bounding box and square root of the area."""
 
-
 FLIPS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 """Signs of x and y of a part that is unchanged, turned over about either axis, or rotated by 180 degrees."""
 

@@ -227,7 +227,6 @@ FLAT_MM = 1e-3
 
 SAME_POINT_MM = 1e-9
 
-
 _Place: TypeAlias = tuple[int, float]
 """Index of a segment in a chain, and a parameter on it."""
 
@@ -441,10 +440,8 @@ class Cuts:
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Heights of letters, mm, in the order in which they are tried. Engraved letters below 1 mm are not legible."""
 
-
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
 """Heights of a label, as fractions of the usual height, in the order in which they are tried."""
-
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 """Distances of a label from cuts, mm, in the order in which they are tried. A label on a very narrow strip

@@ -67,9 +67,6 @@ GLUE_MM = 5e-4
 1e-4 mm."""
 
 
-BESIDE_MM = 20.0  # distance, mm, between the flat and the bent strip in a file
-
-
 @dataclass(frozen=True, eq=False)
 class FlatSolid:
     """A plate: a closed outline with holes in the xy plane of a frame, extruded along its z axis.
@@ -431,7 +428,8 @@ def frame_beside(strip: Strip, frame: Frame) -> Frame:
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach
     corners = product((low[0], high[0]), (low[1], high[1]), outline[:, 1])
     lowest = float(frame.point(np.array(list(corners)))[:, 1].min())
-    return Frame((0.0, lowest - BESIDE_MM - float(outline[1, 1]), 0.0))
+    # flat and bent strip are 20 mm apart
+    return Frame((0.0, lowest - 20.0 - float(outline[1, 1]), 0.0))
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,11 +33,6 @@ from elastica_cad.strip.slots import Slot
 Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
 """Width of an outline, mm: a number, a profile, or a function of the arc length, mm."""
 
-
-SIZE_TOLERANCE = 3e-6
-"""Largest relative error of the thickness or diameter of a section. The error of the stiffness is similar."""
-
-
 NO_WIDTH = note(
     "Give {max_width} or {min_width} in mm, because the curve sets only the ratio of the widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
@@ -285,10 +280,11 @@ def _laid_out_by_section(rod: Rod, section: Section, sheet: Sheet) -> Layout:
         s = stations_of(rod.length, profile)
         bent = section.bent(rod.bend_at(s), rod.rest_at(s))
         B = scale_within(bent, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
+        # the error of the stiffness is similar to this relative error of the size
         size = Profile.fit(
             lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)),
             rod.length, breaks=profile.breaks, knots=profile.knots,
-            tolerance=SIZE_TOLERANCE * section.deciding_limit,
+            tolerance=3e-6 * section.deciding_limit,
         )  # fmt: skip
     width = width_profile(section.width, rod.length, "width") if isinstance(section, ThicknessLaw) else size
     varies = None if section.quantity == "width" else size

@@ -37,7 +37,6 @@ FIRST_FIELDS = ("smooth", "split_corners", "nearest")
 CURVE_FIELDS = ("point", *FIRST_FIELDS)
 """Fields that change the curve."""
 
-
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
 

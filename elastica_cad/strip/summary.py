@@ -259,7 +259,8 @@ def hold_row(strip: Strip) -> Row:
     )  # fmt: skip
     chord = ends[1].position - ends[0].position
     inward = forces.start_force @ chord / (norm(chord) or 1.0)
-    if start == end and abs(inward) > ALONG * forces.sizes[0][0]:
+    # a force that is mostly along the line between the ends pushes or pulls them
+    if start == end and abs(inward) > 0.9 * forces.sizes[0][0]:
         load = note(
             "{apart}; the strip pushes the ends apart with {force:.2g}, moment {moment:.2g} at each end"
             if inward > 0
@@ -284,11 +285,6 @@ def hold_row(strip: Strip) -> Row:
         else:
             details.append(advice)
     return Row(note("Hold"), load, details)
-
-
-ALONG = 0.9
-"""Fraction of the force on an end. If its component along the line between the ends is larger, the force is
-reported as a push or pull."""
 
 
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:

@@ -136,7 +136,6 @@ def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
 DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
-
 LONGEST_PART = 2.0  # longest chord in the search for facing points, as a multiple of the least width
 # least cosine of the angle between a normal and the line to the facing point; no points face each other in
 # corners wider than 50 degrees
@@ -311,7 +310,6 @@ class _Chords:
 LARGER_THAN_STOCK = 2.0
 """Size, as a multiple of the length of the stock, above which a part is refused without a search for thin
 places."""
-
 
 MOST_LISTED = 3
 
