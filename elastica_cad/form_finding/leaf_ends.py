@@ -182,12 +182,11 @@ class _Search:
         missed = partial(self._missed, shape=shape)
         if not start.size:
             return self._record(start, first_rod, settled=True)
-        low = np.full(start.size, -np.inf)
-        high = np.full(start.size, np.inf)
-        low[: self.places.size], high[: self.places.size] = 0.0, 1.0
+        is_place = np.arange(start.size) < self.places.size
+        bounds = np.where(is_place, 0.0, -np.inf), np.where(is_place, 1.0, np.inf)
         # `diff_step` is a fraction of the length, as the positions of ply ends are
         optimum = least_squares(
-            missed, start, bounds=(low, high), diff_step=1e-4, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
+            missed, start, bounds=bounds, diff_step=1e-4, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
             max_nfev=60, x_scale="jac",
         )  # fmt: skip
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)

@@ -179,8 +179,7 @@ class HalfPlane:
         size = float(norm(normal))
         if size == 0:
             raise InputError("the normal of a half plane is zero: give the direction of the allowed side")
-        object.__setattr__(self, "point", tuple(point.tolist()))
-        object.__setattr__(self, "normal", tuple((normal / size).tolist()))
+        vars(self).update(point=tuple(point.tolist()), normal=tuple((normal / size).tolist()))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the signed distances (n,) of points (n, 2) from the border, and their gradients (n, 2).
@@ -209,8 +208,7 @@ class Box:
             raise InputError(
                 f"the corners of a box are {lower.tolist()} and {upper.tolist()}: give the lower left corner first"
             )
-        object.__setattr__(self, "lower", tuple(lower.tolist()))
-        object.__setattr__(self, "upper", tuple(upper.tolist()))
+        vars(self).update(lower=tuple(lower.tolist()), upper=tuple(upper.tolist()))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the signed distances (n,) of points (n, 2) from the nearest side, and their gradients (n, 2).

@@ -25,10 +25,9 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
-    nodal_curvature,
 )
-from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
-from elastica_cad.mechanics.rod_system import RodState, RodSystem
+from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
+from elastica_cad.mechanics.rod_system import RodSystem
 from elastica_cad.refusals import Length as Mm
 
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60
@@ -211,34 +210,21 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section, no new scale is needed
-        if self.request.gravity is None and section is None:
-            s = np.linspace(0.0, length, self.nodes)
-            profile, K = scaled_to_least(profile, s)
-            rest = nodal_curvature(self.request.natural_curvature, s)
-            return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record())
         blank = Rod.straight(
             length, profile, samples=self.nodes, gravity=self.request.gravity, supports=self.request.supports,
             natural_curvature=self.request.natural_curvature,
         )  # fmt: skip
         if section is not None:
             blank = section.carried_by(blank, mapped.stiffness)
-        state = self._state_of(mapped, blank.stiffness, blank.natural_curvature, blank.nodal_load)
-        return state.rod(blank)
-
-    def _state_of(
-        self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
-    ) -> RodState:
-        size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
-            stiffness=K, edge_length=mapped.length * size / (self.nodes - 1), load=load, natural_curvature=rest,
-            supports=self.request.supports, start=position[0], end=position[-1],
-            end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
+            stiffness=blank.stiffness, edge_length=length / (self.nodes - 1), load=blank.nodal_load,
+            natural_curvature=blank.natural_curvature, supports=blank.supports, start=position[0],
+            end=position[-1], end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
         )  # fmt: skip
-        force = mapped.force / (float(mapped.stiffness.min()) * size**2)
+        force = mapped.force / (least * size**2)
         reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
-        return system.state(mapped.angles, reactions)
+        return system.state(mapped.angles, reactions).rod(blank)
 
     @property
     def basis(self) -> StiffnessBasis:

@@ -201,16 +201,14 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
     u, target = grid.unknowns, task.target
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
     lower[u.stiffness], upper[u.stiffness] = _coefficient_bounds(task, u.coefficients)
-    start = task.request.supports.ends[0]
+    held = task.request.supports.held
     if task.keep.both_ends[0]:
         lower[u.position] = upper[u.position] = target.position[0]
     if task.keep.both_tangents[0]:
         lower[u.angle] = upper[u.angle] = target.angle[0]
-    if not start.angle:
+    if not held[2]:
         lower[u.moment] = upper[u.moment] = 0.0
-    for axis, held in enumerate((start.x, start.y)):
-        if not held:
-            lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
+    lower[u.force][~held[:2]] = upper[u.force][~held[:2]] = 0.0
     lower[u.length], upper[u.length] = _lengths(task)
     return lower, upper
 

@@ -108,7 +108,7 @@ class MountedElements:
             if isinstance(action.element, Rail):
                 numbers.append(float(action.s[0]))
             elif isinstance(action.element, Tie):
-                chord = self._between(action, len(tangents)) @ tangents
+                chord = (self._weights(action, len(tangents)) * tangents).sum(axis=0)
                 numbers.append(action.mounting.length * float(angle_of(chord)))
         return np.array([*numbers, *(0.0 for _ in self.free_axes)])
 
@@ -120,10 +120,7 @@ class MountedElements:
         """
         force = np.zeros((edges, 2))
         for action in self.solved(numbers):
-            if isinstance(action.element, Tie):
-                force += self._between(action, edges)[:, None] * action.force[0]
-            else:
-                force -= self._up_to(float(action.s[0]), edges) * action.force[0]
+            force += self._weights(action, edges) * action.force[0]
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
@@ -139,20 +136,19 @@ class MountedElements:
         across = h * left_of(tangents).T
         free, floating = self.free_axes, floats(self.supports, self.actions)
         first_shift = k - len(free)
-        start = self.anchor + self.shift(numbers) - self.from_end * h * tangents.sum(axis=0)
-        shape = ShapeOfRod(tangents, h, start)
-        for action, at in zip(self.actions, self._places, strict=True):
-            pair, more = slice(at, at + 2), at + 2
-            f = numbers[pair]
+        origin = self.anchor + self.shift(numbers)
+        for action, at in zip(self.solved(numbers), self.first_unknowns, strict=True):
+            pair, more, f = slice(at, at + 2), at + 2, action.force[0]
+            weights = self._weights(action, n)
             places[pair] = True
+            pulls[pair] = (tangents * weights).T
+            rows[pair] = across * weights.T
+            residual[pair] = h * (weights * tangents).sum(axis=0)
             if isinstance(action.element, Tie):
                 length = action.mounting.length
                 e = unit_vectors(numbers[more] / length)
                 turning = left_of(e)
-                weights = self._between(action, n)
-                pulls[pair] = tangents.T * weights
-                rows[pair] = across * weights
-                residual[pair] = h * (weights @ tangents) - length * e
+                residual[pair] -= length * e
                 if floating:
                     # keep the direction of the cord, because the rod could turn as a whole
                     corner[more, more] = 1.0
@@ -161,22 +157,18 @@ class MountedElements:
                     corner[pair, more] = corner[more, pair] = -turning
                     corner[more, more] = f @ e / length
                 continue
-            slides = isinstance(action.element, Rail)
-            s = float(numbers[more] if slides else action.s[0])
-            weights = self._up_to(s, n)
-            pulls[pair] = -(tangents * weights).T
-            rows[pair] = -across * weights.T
-            residual[pair] = action.mounting.point - shape.at(s)
+            residual[pair] += action.mounting.point - origin
             for j, axis in enumerate(free):
                 corner[at + axis, first_shift + j] = corner[first_shift + j, at + axis] = -1.0
                 residual[first_shift + j] -= f[axis]
-            if slides:
-                slope, crossing = shape.at(s, 1), edge_weights(s, h, n, 1)
+            if isinstance(action.element, Rail):
+                crossing, curving = (edge_weights(float(action.s[0]), h, n, order) for order in (1, 2))
+                slope = h * (crossing @ tangents)
                 pulls[more] = -(tangents @ f) * crossing
                 rows[more] = -(f @ across) * crossing
                 residual[more] = -f @ slope
                 corner[pair, more] = corner[more, pair] = -slope
-                corner[more, more] = -f @ shape.at(s, 2)
+                corner[more, more] = -h * f @ (curving @ tangents)
         residual[first_shift:] -= self.load[free]
         if floating:  # no support holds the position of the rod: keep it
             corner[first_shift:, first_shift:] = np.eye(len(free))
@@ -186,7 +178,7 @@ class MountedElements:
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
         """Return rails, pins and ties with the forces and arc lengths of the unknowns `numbers` (k,)."""
         actions = []
-        for action, at in zip(self.actions, self._places, strict=True):
+        for action, at in zip(self.actions, self.first_unknowns, strict=True):
             f = numbers[at : at + 2]
             force = np.array([f, -f] if isinstance(action.element, Tie) else [f])
             s = numbers[at + 2 : at + 3].copy() if isinstance(action.element, Rail) else action.s
@@ -201,7 +193,7 @@ class MountedElements:
         return shift
 
     @cached_property
-    def _places(self) -> IntArray:
+    def first_unknowns(self) -> IntArray:
         """Index of the first unknown of each rail, pin and tie; a pin has two unknowns, the others have three."""
         sizes = [2 if isinstance(action.element, Pin) else 3 for action in self.actions]
         return np.cumsum([0, *sizes])[:-1]
@@ -211,12 +203,10 @@ class MountedElements:
         """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 if from its start."""
         return np.where(self.supports.held[:2], 0.0, 1.0)
 
-    def _up_to(self, s: float, edges: int) -> FloatArray:
-        return edge_weights(s, self.edge_length, edges)[:, None] - self.from_end
-
-    def _between(self, action: ElementForce, edges: int) -> FloatArray:
-        p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
-        return q - p
+    def _weights(self, action: ElementForce, edges: int) -> FloatArray:
+        """Return the weights of the edge vectors in the chord of a tie (n, 1), or in minus a position (n, 2)."""
+        start, *ends = (edge_weights(float(s), self.edge_length, edges)[:, None] for s in action.s)
+        return ends[0] - start if ends else self.from_end - start
 
 
 MEETS_SHARE = 1e-9

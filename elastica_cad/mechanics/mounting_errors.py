@@ -98,8 +98,9 @@ def spare_pieces(rod: Rod) -> tuple[SparePiece | None, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
-    at, shape = len(state.system.held), shape_of(state)
-    for action in acting:
+    shape = shape_of(state)
+    places = len(state.system.held) + state.system.elements.first_unknowns
+    for action, at in zip(acting, places.tolist(), strict=True):
         if isinstance(action.element, Pin):
             directions = np.eye(2)
         elif isinstance(action.element, Rail):
@@ -109,7 +110,6 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
         units = directions / norm(directions)[:, None]
         moves = [_displacement(state, slice(at, at + 2), unit) for unit in units]
         yield float(np.linalg.norm(np.stack(moves, axis=-1), ord=2, axis=(1, 2)).max())
-        at += 2 if isinstance(action.element, Pin) else 3
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:

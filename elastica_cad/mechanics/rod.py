@@ -800,13 +800,7 @@ class Rod:
                 "value for each node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
-        K = profile(self.s)
-        if (K <= 0).any():
-            raise InputError(
-                f"stiffness is not positive at {Mm(self.s[K.argmin()]):.6g} from the start: give "
-                "numbers above 0"
-            )
-        K, profile = K / K.min(), profile.scaled(1 / K.min())
+        profile, K = scaled_to_least(profile, self.s)
         size = np.abs(self.moment).max()
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)

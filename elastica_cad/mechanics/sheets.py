@@ -240,10 +240,7 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
         ratio = entry["poisson_ratio"]
-        if isinstance(ratio, dict):
-            fields["poisson_ratio"] = ratio["value"]
-        else:
-            fields["poisson_ratio"] = NominalRatio(ratio)
+        fields["poisson_ratio"] = ratio["value"] if isinstance(ratio, dict) else NominalRatio(ratio)
         for key, (stem, label) in _FIGURES.items():
             if key not in entry:
                 # these are estimated from other properties if they are not published
@@ -557,8 +554,7 @@ class Sheet:
             object.__setattr__(self, field_name, value)
             self._check_range(field_name, value)
         nu = _checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
-        object.__setattr__(self, "poisson_ratio", nu)
-        object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
+        vars(self).update(poisson_ratio=nu, poisson_known=not isinstance(nu, NominalRatio))
         figures = [(name, getattr(self, name), unit) for name, unit in OPTIONAL_UNITS.items()]
         for name, number, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
             if number is not None:
@@ -590,8 +586,7 @@ class Sheet:
     def with_weight_share(self, share: float) -> "Sheet":
         """Return the sheet with a fraction of its density, as if only a part of its weight acted."""
         sheet = copy(self)
-        object.__setattr__(sheet, "density", share * self.density)
-        object.__setattr__(sheet, "density_range", None)
+        vars(sheet).update(density=share * self.density, density_range=None)
         return sheet
 
     def _grain_at(self, degrees: float) -> Grain:

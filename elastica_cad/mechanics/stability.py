@@ -233,15 +233,11 @@ def _cofactors(Z: FloatArray) -> FloatArray:
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     """Convert derivatives by edge forces to derivatives (n+1, 2) by nodal loads."""
-    per_load = np.zeros((len(per_force) + 1, 2))
-    ends = supports.ends
-    for i, axis in enumerate("xy"):
-        if getattr(ends[0], axis) and not getattr(ends[1], axis):
-            per_load[1:, i] = -per_force[:, i].cumsum()
-        else:
-            per_load[1:-1, i] = per_force[:0:-1, i].cumsum()[::-1]
-            if not getattr(ends[0], axis):
-                per_load[0, i] = per_force[:, i].sum()
+    start_holds, end_holds = supports.held[:2], supports.held[3:5]
+    # a load changes the force in all following edges, or in all preceding edges if only the start holds the rod
+    per_load = np.concatenate([per_force[::-1].cumsum(axis=0)[::-1], np.zeros((1, 2))])
+    per_load -= per_load[0] * (start_holds & ~end_holds)
+    per_load[0, start_holds] = 0.0
     return per_load
 
 
