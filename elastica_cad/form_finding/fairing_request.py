@@ -187,11 +187,8 @@ class Smoothing:
             notes.append(
                 note(
                     "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
-                    "by at most {far:.2g}; a strip can take only the smoothed curve.",
-                    far=Length(self.moved), severity=severity,
-                )
-                if before is None
-                else note(
+                    "by at most {far:.2g}; a strip can take only the smoothed curve."
+                    if before is None else
                     "The curvature jumped or had a kink where pieces of the curve meet. Smoothing moved the curve "
                     "by at most {far:.2g}; the drawn curve needs a stiffness ratio of {ratio:.3g}. Set {field} to "
                     "limit this.",

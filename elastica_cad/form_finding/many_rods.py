@@ -5,13 +5,13 @@ from concurrent.futures import Executor, Future
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
-from elastica_cad._values import is_series, require_executor, with_article
+from elastica_cad._values import require_executor
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.form_finding.limits import Keep, Limits
 from elastica_cad.form_finding.nearest_record import NearestRod
 from elastica_cad.form_finding.nearest_search import nearest_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
+from elastica_cad.mechanics.loads import Gravity, Supports, require_curves, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
@@ -60,8 +60,7 @@ def nearest_rods(
     >>> [near.met for near in nearest_rods([arch, arch.reversed()], Limits(ratio=1.6))]
     [True, True]
     """
-    if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"nearest_rods was called with {with_article(type(curves))}: give a list of curves")
+    require_curves(curves, "nearest_rods")
     require_executor(executor, "submit")
     if not (progress is None or callable(progress)):
         raise InputError(
@@ -125,10 +124,7 @@ def stream_nearest_rods(
     >>> [(i, near.met) for i, near in stream_nearest_rods(arches, Limits(ratio=1.6))]
     [(0, True), (1, True), (2, True)]
     """
-    if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(
-            f"stream_nearest_rods was called with {with_article(type(curves))}: give an iterable of curves"
-        )
+    require_curves(curves, "stream_nearest_rods", "an iterable")
     require_executor(executor, "submit")
     _require_options("stream_nearest_rods", options)
     whole_number(ahead, "ahead", 1)

@@ -498,20 +498,15 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
 def _deviation_message(
     line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool
 ) -> str:
-    if wavelength > 0:
-        cause = note(
-            (
-                "smoothing removed waves shorter than {wavelength:g}; use a shorter wavelength to stay closer to "
-                "the section"
-            ),
-            wavelength=Length(wavelength),
-        )
-    elif changed:
-        cause = note("the curve bent slightly to one side and back; these small bends were removed")
-    else:
-        cause = note(
-            "no smooth curve is closer to the section; set a wavelength to remove shorter waves first"
-        )
+    cause = note(
+        "smoothing removed waves shorter than {wavelength:g}; use a shorter wavelength to stay closer to "
+        "the section"
+        if wavelength > 0 else
+        "the curve bent slightly to one side and back; these small bends were removed"
+        if changed else
+        "no smooth curve is closer to the section; set a wavelength to remove shorter waves first",
+        wavelength=Length(wavelength),
+    )  # fmt: skip
     return note(
         "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",
         name=line.name, off=place, tolerance=Length(tolerance), cause=cause,

@@ -84,25 +84,15 @@ class StraightEnds:
     def message(self) -> Refusal | None:
         """Note on the straight pieces that became tabs, or None."""
         first, last = map(Length, self.lengths)
-        if first and last:
-            return note(
-                "The curve is straight over its first {first} and its last {last}; these pieces become "
-                "tabs. Positions along the strip are measured from the end of the first tab.",
-                first=first,
-                last=last,
-                severity="warning",
-            )
-        if first:
-            return note(
-                "The curve is straight over its first {first}; this piece becomes a tab. Positions along "
-                "the strip are measured from the end of this tab.",
-                first=first,
-                severity="warning",
-            )
-        if last:
-            return note(
-                "The curve is straight over its last {last}; this piece becomes a tab.",
-                last=last,
-                severity="warning",
-            )
-        return None
+        if not self:
+            return None
+        return note(
+            "The curve is straight over its first {first} and its last {last}; these pieces become "
+            "tabs. Positions along the strip are measured from the end of the first tab."
+            if first and last else
+            "The curve is straight over its first {first}; this piece becomes a tab. Positions along "
+            "the strip are measured from the end of this tab."
+            if first else
+            "The curve is straight over its last {last}; this piece becomes a tab.",
+            first=first, last=last, severity="warning",
+        )  # fmt: skip

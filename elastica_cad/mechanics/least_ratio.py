@@ -530,19 +530,15 @@ def _slack_warnings(request: RodRequest, balance: BalancedStiffness) -> Iterator
     support: EndName = "slide-x" if width >= height else "slide-y"
     cured = _elements_loaded_by(request, support) if slack else ()
     for action in slack:
-        values: dict[str, Any] = {
-            "element": noun_of(action.element), "places": Listed(map(Length, action.s.tolist())),
-            "share": 100 * SLACK_SHARE,
-        }  # fmt: skip
         yield note(
             "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
             "become slack or come off the strip. Let the end slide (set {field} to {support}), so that the "
-            "{element} carries more.",
-            severity="warning", field=FieldName("supports.end"), support=support, **values,
-        ) if action.element in cured else note(
+            "{element} carries more."
+            if action.element in cured else
             "The {element} {places} from the start carries less than {share:g} % of the largest force, so it may "
             "become slack or come off the strip. Move or remove the {element}.",
-            severity="warning", **values,
+            element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
+            share=100 * SLACK_SHARE, field=FieldName("supports.end"), support=support, severity="warning",
         )  # fmt: skip
 
 

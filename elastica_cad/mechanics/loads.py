@@ -14,6 +14,7 @@ from elastica_cad._values import (
     alike,
     as_floats,
     is_number,
+    is_series,
     is_whole,
     numbers,
     pair,
@@ -423,6 +424,12 @@ def require_curve(curve: object) -> None:
         raise InputError(
             f"the curve is {with_article(type(curve))}: give a PlaneCurve, such as PlaneCurve.fit(points)"
         )
+
+
+def require_curves(curves: object, caller: str, kind: str = "a list") -> None:
+    """Refuse a single curve, and what is not a series. `caller` is the name of a function for the message."""
+    if isinstance(curves, PlaneCurve) or not is_series(curves):
+        raise InputError(f"{caller} was called with {with_article(type(curves))}: give {kind} of curves")
 
 
 def require_gravity(gravity: object) -> None:

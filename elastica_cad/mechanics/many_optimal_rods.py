@@ -5,10 +5,11 @@ from concurrent.futures import Executor
 from functools import partial
 from typing import Any
 
-from elastica_cad._values import is_series, require_executor, with_article
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad._values import require_executor
+from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import require_curves
 from elastica_cad.mechanics.rod import Rod
 
 
@@ -40,8 +41,7 @@ def optimal_rods(
     >>> [type(result).__name__ for result in optimal_rods([arch, wave])]
     ['Rod', 'NotRealizable']
     """
-    if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"optimal_rods was called with {with_article(type(curves))}: give a list of curves")
+    require_curves(curves, "optimal_rods")
     require_executor(executor, "map")
     attempt = partial(_attempted, options=options)
     curves = list(curves)

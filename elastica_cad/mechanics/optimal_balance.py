@@ -230,13 +230,11 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
     if not problem.rows.loaded:
-        if weight.masses or problem.request.forces:
-            raise InputError(
-                "the masses do not bend the rod, because a held end carries them or they are 0: hang them "
-                "between the ends, or remove them"
-            )
         raise InputError(
-            "the weight is proportional to the stiffness, so it does not determine the bending stiffness. "
+            "the masses do not bend the rod, because a held end carries them or they are 0: hang them "
+            "between the ends, or remove them"
+            if weight.masses or problem.request.forces
+            else "the weight is proportional to the stiffness, so it does not determine the bending stiffness. "
             "Give bending_stiffness, or remove `weight`"
         )
 

@@ -505,21 +505,15 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
                     angle=Degrees(abs(here)), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(corners, key=lambda corner: abs(corner.angle))
-    values: dict[str, Any] = {
-        "places": lengths(c.s for c in corners), "angle": Angle(abs(sharpest.angle)),
-        "shown": _shown_on(curve, curve.evaluate(sharpest.t)), "smooth": _smoothing_advice(curve),
-    }  # fmt: skip
-    if len(corners) > 1:
-        return note(
-            "the curve has corners {places} from its start, but a strip bends without kinks. The sharpest, of "
-            "{angle:.3g}, is at {shown}. Round the corners, or split the curve there{smooth}",
-            **values,
-        )
     return note(
+        "the curve has corners {places} from its start, but a strip bends without kinks. The sharpest, of "
+        "{angle:.3g}, is at {shown}. Round the corners, or split the curve there{smooth}"
+        if len(corners) > 1 else
         "the curve has a corner {places} from its start, at {shown}, of {angle:.3g}, but a strip "
         "bends without kinks. Round the corner, or split the curve there{smooth}",
-        **values,
-    )
+        places=lengths(c.s for c in corners), angle=Angle(abs(sharpest.angle)),
+        shown=_shown_on(curve, curve.evaluate(sharpest.t)), smooth=_smoothing_advice(curve),
+    )  # fmt: skip
 
 
 def _seam_message(curve: PlaneCurve) -> str:
@@ -894,16 +888,12 @@ def _straight_part_reasons(
             "at the joint would have to be 0",
             start=Length(round(flat.s, 6)), end=Length(flat.s_end),
         )  # fmt: skip
-        if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
-            yield note(
-                "{why}. A support at the joint does not help. Draw the piece with a slight bend.", why=opening
-            )
-        else:
-            yield note(
-                "{why}. Support the strip at {places}, or draw the piece with a slight bend.",
-                why=opening,
-                places=lengths(s for s, _, _ in joints),
-            )
+        yield note(
+            "{why}. A support at the joint does not help. Draw the piece with a slight bend."
+            if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints) else
+            "{why}. Support the strip at {places}, or draw the piece with a slight bend.",
+            why=opening, places=lengths(s for s, _, _ in joints),
+        )  # fmt: skip
 
 
 def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
