@@ -64,8 +64,7 @@ class Mesh:
         if not len(remaining):
             raise InputError("all triangles of the mesh have zero area: export the mesh again")
         reports += _edge_notes(points, remaining)
-        for name, value in (("vertices", points), ("faces", remaining), ("reports", tuple(reports))):
-            object.__setattr__(self, name, value)
+        vars(self).update(vertices=points, faces=remaining, reports=tuple(reports))
 
     @property
     def size(self) -> float:

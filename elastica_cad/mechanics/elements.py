@@ -413,11 +413,15 @@ class ElementForce:
 
         Return None for another element, or if the side of the rail is unknown.
         """
-        if not (isinstance(self.element, Rail) and self.is_one_sided):
-            return None
-        normal = left_of(unit_vectors(curve.at(self.s).angle[0]))
-        side = self.mounting.side or int(np.sign(self.force[0] @ normal))
-        return -side * normal if side else None
+        tangent = unit_vectors(curve.at(self.s).angle[0])
+        side = self.mounting.side or self.side_of_push(tangent)
+        return -side * left_of(tangent) if side else None
+
+    def side_of_push(self, tangent: FloatArray) -> int:
+        """Return the direction in which a one-sided rail pushes: 1 left, -1 right; 0 for another element."""
+        if isinstance(self.element, Rail) and self.element.one_sided:
+            return int(np.sign(self.force[0] @ left_of(tangent)))
+        return 0
 
     @property
     def on_curve(self) -> Any:

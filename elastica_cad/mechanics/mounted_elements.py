@@ -305,9 +305,7 @@ def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfR
     if isinstance(action.element, Tie):
         apart = float(norm(places[1] - places[0]))
         return replace(action, mount=Mount(length=action.element.length or apart))
-    side = 0
-    if isinstance(action.element, Rail) and action.element.one_sided:
-        side = int(np.sign(action.force[0] @ left_of(unit_vectors(curve.at(action.s).angle))[0]))
+    side = action.side_of_push(unit_vectors(curve.at(action.s).angle[0]))
     return replace(action, mount=Mount(_point(places[0]), side))
 
 
@@ -352,10 +350,8 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
     """Set the direction in which a one-sided rail pushes. Other rails, pins and ties are returned unchanged."""
     mount = action.mounting
-    if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
-        return action
-    side = int(np.sign(action.force[0] @ left_of(shape.at(action.s[0], 1))))
-    return replace(action, mount=replace(mount, side=side))
+    side = mount.side or action.side_of_push(shape.at(action.s[0], 1))
+    return action if side == mount.side else replace(action, mount=replace(mount, side=side))
 
 
 def violation(action: ElementForce, shape: ShapeOfRod) -> float:

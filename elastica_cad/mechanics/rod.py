@@ -115,7 +115,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
     return K
 
 
-def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
+def _scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
     """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least value."""
     if not profile.is_positive:
         raise InputError("the stiffness of the rod is not positive everywhere: give numbers above 0")
@@ -511,7 +511,7 @@ class Rod:
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _stiffness_profile_of(stiffness, length, samples)
         s = np.linspace(0.0, length, n)
-        profile, K = scaled_to_least(profile, s)
+        profile, K = _scaled_to_least(profile, s)
         tangent = unit_vectors(angle)
         rest = nodal_curvature(natural_curvature, s)
         loaded = gravity is not None or weight is not None or bool(numbers(rest, "natural curvature").any())
@@ -800,7 +800,7 @@ class Rod:
                 "value for each node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
-        profile, K = scaled_to_least(profile, self.s)
+        profile, K = _scaled_to_least(profile, self.s)
         size = np.abs(self.moment).max()
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()
         residual = float(imbalance / size) if size > 0 else float(imbalance > 0)

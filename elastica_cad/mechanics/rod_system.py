@@ -1,8 +1,7 @@
 """Equations of a discrete rod (`RodSystem`), and values of its unknowns (`RodState`)."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -344,10 +343,6 @@ class RodState:
         """Largest relative error of the positions and forces of ends, rails, pins and ties."""
         return self.missed(self.residual.miss)
 
-    def rod(self, like: Rod) -> Rod:
-        """Return the `Rod` of this equilibrium. Other attributes are copied from `like`."""
-        return replace(like, **self.record(like.point_forces))
-
     @property
     def position(self) -> FloatArray:
         """Positions of the nodes (n+1, 2), mm."""
@@ -355,13 +350,13 @@ class RodState:
         from_end = elements.from_end * position[-1]
         return np.asarray(position + elements.anchor - from_end + elements.shift(self._numbers))
 
-    def record(self, point_forces: Sequence[ElementForce] = ()) -> dict[str, Any]:
-        """Return attributes of the `Rod` of this equilibrium by name, except profile, weight and section."""
+    def rod(self, like: Rod) -> Rod:
+        """Return the `Rod` of this equilibrium, with the profile, weight and section of `like`."""
         system, n = self.system, self.system.edges
         # forces of rails, pins and ties less than two edges from an end act partly on the end node
         load = system.load + lumped(self.actions, n + 1, system.length)
         force = nodal_forces(self.discrete.force, load)
-        force[[0, -1]] += at_ends(system.length, (*self.actions, *point_forces)) * [[1.0], [-1.0]]
+        force[[0, -1]] += at_ends(system.length, (*self.actions, *like.point_forces)) * [[1.0], [-1.0]]
         change = self._hooke_moments / system.stiffness
         turning = turning_nodes(system.supports)
         if system.law is not None and turning:
@@ -376,10 +371,9 @@ class RodState:
         for node, sign in ((0, -1), (-1, 1)):
             held = system.held_angles[node]
             angle[node] = self.angles[node] + sign * bend[node] if held is None else held
-        return {
-            "s": np.linspace(0.0, system.length, n + 1), "position": self.position, "angle": angle,
-            "curvature": curvature, "stiffness": system.stiffness, "moment": self.moments, "force": force,
-            "supports": system.supports, "residual": self.imbalance,
-            "natural_curvature": system.natural_curvature, "law": system.law, "shape": None, "check": None,
-            "moved": 0.0, "warnings": (),
-        }  # fmt: skip
+        return replace(
+            like, s=np.linspace(0.0, system.length, n + 1), position=self.position, angle=angle,
+            curvature=curvature, stiffness=system.stiffness, moment=self.moments, force=force,
+            supports=system.supports, residual=self.imbalance, natural_curvature=system.natural_curvature,
+            law=system.law, shape=None, check=None, moved=0.0, warnings=(),
+        )  # fmt: skip
