@@ -364,12 +364,10 @@ class LaidLeaves(ThicknessLaw):
     def names(self) -> tuple[str, ...]:
         """Names of the plies or pieces: the index of the ply from 1, and a letter if the ply has several pieces."""
         numbers = [leaf.number for leaf in self.leaves]
-        counts: dict[int, int] = {}
-        labels = []
-        for number in numbers:
-            piece = counts[number] = counts.get(number, -1) + 1
-            labels.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
-        return tuple(labels)
+        return tuple(
+            f"{number}{chr(ord('a') + numbers[:i].count(number)) if numbers.count(number) > 1 else ''}"
+            for i, number in enumerate(numbers)
+        )
 
     @property
     def steps(self) -> FloatArray:

@@ -312,8 +312,8 @@ class CutCurve:
             for place in excess.equals(side)
         ]
         zeros = np.array([zero.s for zero in check.zeros])
-        kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations if 0 < s < check.length)]
-        hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks]
+        kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations)]
+        hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks if 0 < s < check.length]
         hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
         cuts = (*(t for t, _, _ in bend), *check.curve.parameter(places).tolist())
@@ -393,4 +393,4 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
             knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2
             kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < _SMOOTH]
-    return [(s, c) for s, c in kinks if 0 < s < length]
+    return kinks
