@@ -420,17 +420,23 @@ class Refusal(str):
             self.kind, self.text, self.values, {**self.where, **where}, self.changes, self.severity
         )
 
+    def walk(self) -> Iterator["Refusal"]:
+        """Yield this record and the records inside its values."""
+        yield self
+        for value in self.values.values():
+            if isinstance(value, Refusal):
+                yield from value.walk()
+
     @property
     def all_changes(self) -> tuple[Change, ...]:
         """Changes of this record and of the records in its values."""
-        inside = (inner for inner in self.values.values() if isinstance(inner, Refusal))
-        return (*self.changes, *(change for inner in inside for change in inner.all_changes))
+        return tuple(change for record in self.walk() for change in record.changes)
 
     @property
     def fields(self) -> set[str]:
         """Names of fields among the values of this record and of the records inside its values."""
-        inside = (inner.fields for inner in self.values.values() if isinstance(inner, Refusal))
-        return {str(name) for name in self.values.values() if isinstance(name, FieldName)}.union(*inside)
+        values = (value for record in self.walk() for value in record.values.values())
+        return {str(value) for value in values if isinstance(value, FieldName)}
 
     @property
     def record(self) -> dict[str, Any]:

@@ -64,7 +64,11 @@ class KitContents:
     def cut_list(self) -> CutList:
         """List of all parts to be cut, cached because the search for equal shapes is slow."""
         listed = cut_list((*self.pieces, *self.blocks))
-        return replace(listed, stock=(*_sheets_to_buy(self.nests), *_rods_to_buy(self.pieces, self.spec)))
+        sheets = Counter(
+            (nest.sheet.full_name, nest.sheet_size) for nest in self.nests if nest.sheet is not None
+        )
+        bought = (Stock(*kind, count) for kind, count in sheets.items())
+        return replace(listed, stock=(*bought, *_rods_to_buy(self.pieces, self.spec)))
 
     @property
     def blocks(self) -> list[EndFixture]:
@@ -301,12 +305,6 @@ def count_strips(model: Model) -> str:
         model.shape_count, f"{model.shape_count} different"
     )
     return counted(count, "strip") + (f" ({shapes})" if count > 1 else "")
-
-
-def _sheets_to_buy(nests: Sequence[NestedSheet]) -> Iterator[Stock]:
-    kinds = Counter((nest.sheet.full_name, nest.sheet_size) for nest in nests if nest.sheet is not None)
-    for (name, size), count in kinds.items():
-        yield Stock(name, size, count)
 
 
 def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:

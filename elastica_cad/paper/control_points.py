@@ -3,6 +3,7 @@ or to make the rod stable (section 6.4).
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 
@@ -77,10 +78,13 @@ class CurveChanges:
         return np.concatenate([directed_rows(basis, d * self._root_weights) for d in self._frame])
 
     @cached_property
-    def _frame(self) -> tuple[FloatArray, FloatArray]:
+    def _tangent(self) -> FloatArray:
         d1 = self.state.curve.evaluate(self._t, 1)
-        tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
-        return left_of(tangent), _ALONG * tangent
+        return np.asarray(d1 / np.linalg.norm(d1, axis=1, keepdims=True))
+
+    @property
+    def _frame(self) -> tuple[FloatArray, FloatArray]:
+        return left_of(self._tangent), _ALONG * self._tangent
 
     @cached_property
     def _root_weights(self) -> FloatArray:
@@ -103,7 +107,7 @@ class CurveChanges:
         a, b = self.state.line
         count = curve.control_points.size
         zeros = np.array([z.t for z in self.state.check.zeros])
-        rows = [np.pad(row, ((0, 0), (0, 3))) for row in [c.equations(curve)[1] for c in self.constraints]]
+        rows = [np.pad(c.equations(curve)[1], ((0, 0), (0, 3))) for c in self.constraints]
         if zeros.size:
             _, moved = InflectionsOnLine(a, b, zeros).equations(curve)
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
@@ -114,9 +118,8 @@ class CurveChanges:
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
         line *= size / (_LINE_STEP * length)
-        rows.append(np.concatenate([np.zeros(count), np.linalg.inv(line) @ [a, *b]])[None] @ np.block(
-            [[np.eye(count), np.zeros((count, 3))], [np.zeros((3, count)), np.linalg.inv(line)]]
-        ))  # fmt: skip
+        inverse = np.linalg.inv(line)
+        rows.append(np.concatenate([np.zeros(count), inverse @ [a, *b] @ inverse])[None])
         bends = curvature_rows(curve, self._t) * (self._root_weights * _BEND * length**2)
         d1, slope = curve.evaluate(self._t, 1), curve.basis(self._t, 1)
         stretch_weights = self._root_weights * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
@@ -164,9 +167,7 @@ class CurveChanges:
         curve: to the left ends of the N panels (N, r), and to the end of the curve (r,).
         """
         panels, curve = self.state.balance.panels, self.state.curve
-        d1 = curve.evaluate(self._t, 1)
-        tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
-        rate = directed_rows(curve.basis(self._t, 1), tangent) @ self._moves
+        rate = directed_rows(curve.basis(self._t, 1), self._tangent) @ self._moves
         rate = rate.reshape(*panels.t.shape, -1) * (np.diff(panels.edges) / 2)[:, None, None]
         within = np.einsum("ij,njr->nir", LEFT, rate)
         whole = np.cumsum(np.einsum("j,njr->nr", WEIGHTS, rate), axis=0)
@@ -310,7 +311,10 @@ def _move_within(
     """
     if not (is_whole(max_steps) and max_steps >= 1):
         raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
-    state = _initial_state(curve, constraints)
+    start = curve
+    with suppress(NotConvergedError):
+        start, _ = least_norm_newton(curve, [*constraints, *collinear(curve)], tolerance=_ENFORCED)
+    state = EquilibriumCurve.of(start)
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0
     distance = _half_square(changes, curve)
@@ -348,14 +352,6 @@ def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> 
 
 def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
     return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
-
-
-def _initial_state(curve: PlaneCurve, constraints: Sequence[Constraint]) -> EquilibriumCurve:
-    try:
-        enforced, _ = least_norm_newton(curve, [*constraints, *collinear(curve)], tolerance=_ENFORCED)
-    except NotConvergedError:
-        enforced = curve
-    return EquilibriumCurve.of(enforced)
 
 
 def _state_after(

@@ -89,14 +89,11 @@ def sampled_stiffness(
             "inflections"
         )
     centre = (position.max(axis=0) + position.min(axis=0)) / 2
-    if gravity is None:
-        rows = sampled_rows(position - centre, curvature)
-    else:
-        if weights is None:
-            raise InputError(
-                "with gravity, `weights` is missing: give the length of curve (mm) that each sample represents"
-            )
-        rows = sampled_rows(position - centre, curvature, np.asarray(weights, dtype=float), gravity.e)
+    if gravity is not None and weights is None:
+        raise InputError(
+            "with gravity, `weights` is missing: give the length of curve (mm) that each sample represents"
+        )
+    rows = sampled_rows(position - centre, curvature, weights, None if gravity is None else gravity.e)
     solution = minimax_ratio(rows)
     if solution is None:
         return None
@@ -114,7 +111,7 @@ def sampled_stiffness(
 def sampled_rows(
     position: FloatArray,
     curvature: FloatArray,
-    weights: FloatArray | None = None,
+    weights: ArrayLike | None = None,
     e: FloatArray | None = None,
 ) -> FloatArray:
     """Return rows (n, 3) that give the stiffness K = rows @ (a, b_x, b_y) at the samples.
@@ -132,7 +129,7 @@ def sampled_rows(
 
     n = curvature.size
     g = (position @ -left_of(e))[::-1]
-    w, kappa = weights[::-1], curvature[::-1]
+    w, kappa = np.asarray(weights, dtype=float)[::-1], curvature[::-1]
     # unknowns K_n, F_n, G_n, K_{n-1}, ...; band[d, j] is the entry of column j, d rows below the diagonal
     band = np.zeros((4, 3 * n))
     band[0, 0::3], band[0, 1::3], band[0, 2::3] = kappa, 1.0, 1.0

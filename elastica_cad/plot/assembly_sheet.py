@@ -59,7 +59,7 @@ from elastica_cad.plot.model_pictures import (
     size_text,
 )
 from elastica_cad.refusals import Force, Length, Refusal, Wording, note, number_text, sentences
-from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
+from elastica_cad.strip.holding_template import ARROW_MM, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
@@ -450,17 +450,17 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
             points = member.frame.point(element.position if contact is None else contact[None])
             first, *others = map(_point, points)
             at = note("{some} to {last}", some=first, last=others[-1]) if others else first
-            distance = float(np.linalg.norm(points[-1] - points[0]))
-            is_tie = len(points) > 1
             noun = note("{name} {noun}", name=element.name, noun=element.noun)
-            angle, length, force = "", f"{distance:.1f}", number_text(element.force, ".2g")
+            angle, length, force = "", "", number_text(element.force, ".2g")
             if element.is_between_bars:
                 at = note("{place} (middle between two bars)", place=at)
             if contact is not None:
                 side = side_in_space(member.frame.direction(element.outward[0]))
                 at = note("{text} (bar {side})", text=at, side=side)
-            if not is_tie:
-                angle, length = angle_in_space(member, element.tilt), ""
+            if others:
+                length = f"{np.linalg.norm(points[-1] - points[0]):.1f}"
+            else:
+                angle = angle_in_space(member, element.tilt)
                 push = direction_in_space(member.frame.direction(element.action.force[0]))
                 force = note("{force} {direction}", force=force, direction=push) if element.force else force
             yield model.single_name_of(i), noun, at, angle, force, length
@@ -573,8 +573,8 @@ class View:
         Outlines and holes of plates.
     leads : sequence of (2, 3) arrays
         Lines from tabs to their holders.
-    elements : sequence of (HeldElement, points (k, 3), tip (3,) or None)
-        Rails, pins, ties and loads with their points. Loads also have the tip of an arrow.
+    elements : sequence of (points (k, 3), tip (3,) or None)
+        Points of rails, pins, ties and loads. Loads also have the tip of an arrow.
     labels : sequence of Label
         Texts, the most important first.
     dimensions : sequence of (line (2, 3), text)
@@ -587,7 +587,7 @@ class View:
     colors: FloatArray
     outlines: Sequence[tuple[FloatArray, FloatArray, str]]
     leads: Sequence[FloatArray]
-    elements: Sequence[tuple[HeldElement, FloatArray, FloatArray | None]]
+    elements: Sequence[tuple[FloatArray, FloatArray | None]]
     labels: Sequence[Label]
     dimensions: Sequence[tuple[FloatArray, str]]
     size: FloatArray
@@ -628,13 +628,16 @@ class View:
             for k, (end, tab) in enumerate(zip(ends, tabs, strict=True))
             if tab.key in targets
         }
-        elements = []
+        elements, labels = list[tuple[FloatArray, FloatArray | None]](), [*names.values()]
         for member in moved:
             for placed in held_elements(member.strip):
-                points = member.frame.point(placed.position)
-                tip = points[0] + ARROW_MM * member.frame.direction(placed.outward[0])
-                elements.append((placed, points, tip if placed.is_load else None))
-        labels = [*names.values(), *(_element_label(*element) for element in elements)]
+                points, tip, text = member.frame.point(placed.position), None, placed.name
+                if placed.is_load:
+                    tip = points[0] + ARROW_MM * member.frame.direction(placed.outward[0])
+                    text = f"{text}, {Force(placed.force):.2g}"
+                elements.append((points, tip))
+                at = points[0] if tip is None else tip
+                labels.append(Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0))))
         for part in model.parts:
             for k in range(len(ENDS)):
                 nearest = max((2 * i + k for i in part.members), key=lambda at: float(ends[at].tip @ TOWARD))
@@ -657,7 +660,7 @@ class View:
     @cached_property
     def _box(self) -> FloatArray:
         """Lower left and upper right corner of the picture, mm in the plane of the screen."""
-        tips = [tip for _, _, tip in self.elements if tip is not None]
+        tips = [tip for _, tip in self.elements if tip is not None]
         loops = [
             self.patches.reshape(-1, 3),
             *(loop for loop, _, _ in self.outlines),
@@ -693,7 +696,7 @@ class View:
             paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
         for line in self.leads:
             axes.plot(*(line @ to_points).T, color=LEAD, linewidth=0.5, linestyle=":")
-        for _, points, tip in self.elements:
+        for points, tip in self.elements:
             axes.plot(*(points @ to_points).T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
             if tip is not None:
                 draw_arrow(axes, tip @ to_points, points[0] @ to_points, LEAD, 0.8, "->")
@@ -737,12 +740,6 @@ def _plate_label(name: str, loop: FloatArray) -> Label:
     across, up = (loop @ SCREEN).T
     sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
     return Label(name, loop[[across.argmax(), across.argmin(), up.argmax(), up.argmin()]], sides)
-
-
-def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
-    text = element.name if tip is None else f"{element.name}, {Force(element.force):.2g}"
-    at = points[0] if tip is None else tip
-    return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
 
 
 def _loops(plate: BasePlate | Rib, shift: FloatArray) -> Iterator[tuple[FloatArray, FloatArray, str]]:

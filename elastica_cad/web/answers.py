@@ -639,7 +639,8 @@ def _model(request: Mapping[str, Any]) -> Record:
         "warnings": warnings,
         "offers": [
             {"text": note("Use {ways}", ways=inner), **change.value}
-            for inner in dict.fromkeys(inner for warning in warnings for inner in _inner_messages(warning))
+            for inner in dict.fromkeys(inner for warning in warnings for inner in warning.walk())
+            if inner not in warnings
             for change in inner.changes
             if change.field == "two_plates"
         ],
@@ -657,13 +658,6 @@ def _placed_strips(placed: Iterable[Placed]) -> Record:
             shapes.append(_stations(member.strip))
         places.append([number, _matrix(member.frame)])
     return {"shapes": shapes, "places": places, "plates": []}
-
-
-def _inner_messages(message: Refusal) -> Iterator[Refusal]:
-    for value in message.values.values():
-        if isinstance(value, Refusal):
-            yield value
-            yield from _inner_messages(value)
 
 
 def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:

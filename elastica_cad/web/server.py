@@ -69,10 +69,6 @@ class Entrance:
         """Address of the page for a browser. The key is in the fragment, which browsers do not send."""
         return f"http://{HOST}:{self.port}/#key={self.key}"
 
-    def has_key(self, message: str) -> bool:
-        """Return True if the first message of a socket is the key."""
-        return hmac.compare_digest(message.encode(), self.key.encode())
-
     def refusal(self, connection: HTTPConnection) -> str:
         """Return why a request is refused, or "" if it is permitted."""
         host = connection.headers.get("host", "")
@@ -162,7 +158,8 @@ class Studio:
             await send(b"text", json.dumps({"design": None} | json.loads(opened) | self._hello).encode())
 
         try:
-            if not self.entrance.has_key(await talk.receive_text()):
+            key = await talk.receive_text()
+            if not hmac.compare_digest(key.encode(), self.entrance.key.encode()):
                 await talk.close(1008, "wrong key")
                 return
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
