@@ -3,6 +3,7 @@
 `scipy.linalg` imports more than 200 modules in 0.2 seconds. LAPACK is one compiled file that loads in milliseconds.
 """
 
+from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from importlib.machinery import PathFinder
@@ -18,8 +19,24 @@ from elastica_cad.errors import missing_library
 
 @cache
 def lapack() -> Any:
-    """Return the double precision functions of `scipy.linalg.lapack`: dgtsv, dpbsv and so on."""
-    return _compiled_module("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
+    """Return the double precision functions of `scipy.linalg.lapack`: dgtsv, dpbsv and so on.
+
+    The module is not added to `sys.modules`, because scipy loads its own copy later.
+    """
+    # `find_spec` avoids the slow import of scipy
+    scipy = find_spec("scipy")
+    if scipy is None:
+        raise missing_library("elastica_cad computes with scipy", "scipy")
+    folders = [str(Path(place) / "linalg") for place in scipy.submodule_search_locations or ()]
+    spec = PathFinder.find_spec("scipy.linalg._flapack", folders)
+    # another layout of scipy may lack this file
+    if spec is not None and spec.loader is not None:
+        with suppress(ImportError):
+            module = module_from_spec(spec)
+            spec.loader.exec_module(module)
+            if hasattr(module, "dgtsv"):
+                return module
+    return import_module("scipy.linalg.lapack")
 
 
 def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -38,24 +55,3 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
             "too large"
         )
     return u, sigma, vt
-
-
-def _compiled_module(package: str, name: str, needed: str) -> Any | None:
-    """Import a compiled module of scipy without its package. Return None if scipy has another layout.
-
-    The module is not added to `sys.modules`, because scipy loads its own copy later.
-    """
-    # `find_spec` avoids the slow import of scipy
-    scipy = find_spec("scipy")
-    if scipy is None:
-        raise missing_library("elastica_cad computes with scipy", "scipy")
-    places = scipy.submodule_search_locations or ()
-    spec = PathFinder.find_spec(f"scipy.{package}.{name}", [str(Path(path) / package) for path in places])
-    if spec is None or spec.loader is None:
-        return None
-    try:
-        module = module_from_spec(spec)
-        spec.loader.exec_module(module)
-    except ImportError:
-        return None
-    return module if hasattr(module, needed) else None

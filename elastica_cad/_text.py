@@ -31,17 +31,6 @@ def printable(text: str) -> str:
     return _SUSPECT.sub(_escaped, text)
 
 
-def as_sentence(text: str) -> str:
-    """Return the text with a full stop, if it does not end with a sign of punctuation.
-
-    Examples
-    --------
-    >>> as_sentence("two edges meet"), as_sentence("Did you mean 'check'?")
-    ('two edges meet.', "Did you mean 'check'?")
-    """
-    return text if text.endswith((".", "?", "!", ":")) else f"{text}."
-
-
 def html_text(text: object) -> str:
     """Return the text escaped for HTML and SVG.
 

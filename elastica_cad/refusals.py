@@ -510,7 +510,7 @@ def ended(message: str) -> str:
     >>> print(ended(note("it breaks")), ended(note("It breaks.")))
     it breaks. It breaks.
     """
-    return message if message.endswith((".", "?", "!")) else note("{sentence}.", sentence=message)
+    return message if message.endswith((".", "?", "!", ":")) else note("{sentence}.", sentence=message)
 
 
 def _with_places(text: str, where: Mapping[str, Any]) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
+from elastica_cad._text import MADE_BY, command_of_drawings
 from elastica_cad.cli.options import UNITS, Chosen, Length, option_name, typed_options
 from elastica_cad.cli.suggestions import SUGGEST, TYPED, refuse_extra_words
 from elastica_cad.cli.voice import echo, exit_code, progress_shown, remake_on_change, say_error, voice, warn
@@ -26,7 +26,7 @@ from elastica_cad.errors import (
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import SPELLING, Either
+from elastica_cad.refusals import SPELLING, Either, ended
 
 COMMANDS = {
     "new": "new_command:new",
@@ -103,7 +103,7 @@ def _quiet_pipes(context: click.Context | None = None) -> Iterator[None]:
     except click.UsageError as problem:
         if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):
             raise
-        raise _UsageRow(as_sentence(_usage_message(problem, context))) from problem
+        raise _UsageRow(ended(_usage_message(problem, context))) from problem
 
 
 class _UsageRow(click.ClickException):
@@ -426,5 +426,5 @@ def _refuse(problem: ElasticaError) -> int:
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""
     search = click.get_current_context().meta.get(SUGGEST, lambda _: [])
-    voice().refuse(as_sentence(text), problem, code, partial(search, problem))
+    voice().refuse(ended(text), problem, code, partial(search, problem))
     return code

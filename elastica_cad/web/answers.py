@@ -39,14 +39,14 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.mechanics.trials import not_tried
-from elastica_cad.model.assembly import assembly_parts
+from elastica_cad.model.assembly import single_holders
+from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Refusal, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.drawing import LAYERS, Drawing
 from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends, Plain
@@ -95,9 +95,10 @@ CATALOGUES: dict[str, Language] = {"de": "de", "zh": "zh-CN"}
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that can be downloaded, in addition to the design."""
 
-FILE_KEYS = ("file", "mesh", "sheets_file")
 STATES = ("first", "second")
-CURVE_KEYS = ("curve", *STATES)
+
+FILE_KEYS = ("file", "mesh", "sheets_file", "curve", *STATES)
+"""Keys of a design whose value may be the name of a file."""
 
 REMOVED = {"nearest": ("limits", "keep"), "elements": ("between", "loads")}
 """Keys that the page offers to remove if settings of a design conflict, by the field of the suggested change."""
@@ -164,7 +165,7 @@ def _refuse_files(value: object, key: str = "") -> None:
     elif isinstance(value, list):
         for item in value:
             _refuse_files(item, key)
-    elif isinstance(value, str) and (key in (*FILE_KEYS, *CURVE_KEYS) or ".toml" in value):
+    elif isinstance(value, str) and (key in FILE_KEYS or ".toml" in value):
         raise InputError(
             "The page cannot open a file by its name. Drop {given!r} on the drawing.", given=value
         )
@@ -611,8 +612,8 @@ def _model(request: Mapping[str, Any]) -> Record:
     ]
     solids = [
         solid
-        for part in assembly_parts((), (*kit.model.plates, *kit.holders))
-        for solid in _plates(part.solids)
+        for holder in single_holders((*kit.model.plates, *kit.holders))
+        for solid in (holder.solid.added if isinstance(holder, EndFixture) else (holder.solid,))
     ]
     cut_list = kit.cut_list
     return _placed_strips(kit.model.placed) | {
@@ -658,14 +659,6 @@ def _placed_strips(placed: Iterable[Placed]) -> Record:
             shapes.append(_stations(member.strip))
         places.append([number, _matrix(member.frame)])
     return {"shapes": shapes, "places": places, "plates": []}
-
-
-def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
-    for solid in solids:
-        if isinstance(solid, PrismSolid):
-            yield from solid.added
-        elif isinstance(solid, FlatSolid):
-            yield solid
 
 
 def _matrix(frame: Frame) -> list[float]:

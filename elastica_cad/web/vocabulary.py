@@ -20,13 +20,11 @@ def page_words() -> dict[str, Any]:
     missing = {} if can_draw() else {"pdf": how_to_install("matplotlib")}
     if trouble := step_trouble():
         missing |= {"step": trouble, "stl": trouble}
-    fields = described(SharedKeys)
-    pair_fields = [
-        entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second", "scale")
-    ]
     return {
-        "fields": fields,
-        "pair_fields": pair_fields,
+        "fields": described(SharedKeys),
+        "pair_fields": [
+            entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second", "scale")
+        ],
         "words": {  # omit texts with placeholders, because the page cannot insert values
             language: {text: translation for text, translation in catalogue(name).items() if "{" not in text}
             for language, name in CATALOGUES.items()

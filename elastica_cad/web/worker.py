@@ -106,20 +106,16 @@ def _translated(value: Any, words: Wording) -> Any:
     return value
 
 
-def _limit_memory() -> None:
-    # ignore errors on Windows, which cannot limit the address space
-    with suppress(ImportError, OSError, ValueError):
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-
-
 def main() -> None:
     """Read requests line by line and answer them until the input ends.
 
     The argument of the process is the design file.
     """
-    _limit_memory()
+    # ignore errors on Windows, which cannot limit the address space
+    with suppress(ImportError, OSError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
     # keep the output of libraries apart from the answers
