@@ -75,16 +75,18 @@ class CurveChanges:
         others displacements along the curve times `_ALONG`.
         """
         basis = self.state.curve.basis(self._t)
-        return np.concatenate([directed_rows(basis, d * self._root_weights) for d in self._frame])
+        return np.concatenate([directed_rows(basis, d) for d in self._frame])
 
     @cached_property
     def _tangent(self) -> FloatArray:
         d1 = self.state.curve.evaluate(self._t, 1)
         return np.asarray(d1 / np.linalg.norm(d1, axis=1, keepdims=True))
 
-    @property
+    @cached_property
     def _frame(self) -> tuple[FloatArray, FloatArray]:
-        return left_of(self._tangent), _ALONG * self._tangent
+        """Directions across and along the curve, times the weights of displacements."""
+        along = self._root_weights * self._tangent
+        return left_of(along), _ALONG * along
 
     @cached_property
     def _root_weights(self) -> FloatArray:
@@ -94,7 +96,7 @@ class CurveChanges:
     def offsets(self, target: PlaneCurve) -> FloatArray:
         """Return the distances (2 g,) from `target` at equal parameters, weighted as in `distance_rows`."""
         off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
-        return np.concatenate([(off * d * self._root_weights).sum(axis=1) for d in self._frame])
+        return np.concatenate([(off * d).sum(axis=1) for d in self._frame])
 
     @cached_property
     def basis(self) -> FloatArray:

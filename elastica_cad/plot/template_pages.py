@@ -190,7 +190,6 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, low: FloatArray, t
     height = 3.0 * 72 / MM_PER_INCH
     axes.text(low[0], high[1] + 0.2 * MARGIN_MM, title, fontsize=height, color=INK)
     x, y = high[0] - RULER_MM, low[1] - 0.3 * MARGIN_MM
-    axes.plot([x, x + RULER_MM], [y, y], color=INK, linewidth=0.8)
-    for end in (x, x + RULER_MM):
-        axes.plot([end, end], [y - 1.5, y + 1.5], color=INK, linewidth=0.8)
+    ticks = y + np.array([-1.5, 1.5, 0, 0, 1.5, -1.5])
+    axes.plot([x, x, x, high[0], high[0], high[0]], ticks, color=INK, linewidth=0.8)
     axes.text(x + RULER_MM / 2, y + 0.8, "100 mm", fontsize=0.8 * height, color=INK, ha="center")

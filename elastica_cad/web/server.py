@@ -29,7 +29,7 @@ from elastica_cad.refusals import FieldName
 from elastica_cad.web.answers import CHANGED, refused
 from elastica_cad.web.saved_design import file_mark, open_design, start_designs
 from elastica_cad.web.vocabulary import page_words
-from elastica_cad.web.worker import read_question, refused_answer
+from elastica_cad.web.worker import read_question, text_answer
 from elastica_cad.web.workers import Workers
 
 HOST = "127.0.0.1"
@@ -176,7 +176,7 @@ class Studio:
         try:
             request = read_question(text)
         except InputError as problem:
-            await send(b"text", refused_answer({}, problem))
+            await send(b"text", text_answer({}, refused(problem)))
             return
         path = self.path
 
@@ -187,7 +187,7 @@ class Studio:
         # a request is one line for a worker, and JSON allows a space in place of a line feed
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, request, line, written if saves else send):
-            await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
+            await send(b"text", text_answer(request, refused(InputError(TOO_MUCH))))
 
 
 def _save_if_unchanged(path: Path, content: bytes) -> bytes:

@@ -44,11 +44,6 @@ def _head_of(question: Mapping[str, Any]) -> dict[str, Any]:
     return {name: question[name] for name in ("id", "do", "kind") if name in question}
 
 
-def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
-    """Return an error as the answer to a request that no worker can answer, in the language of the page."""
-    return _text_answer(question, refused(problem))
-
-
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     """Return the kind and contents of the answer to a request. An error is answered by its message.
 
@@ -76,10 +71,11 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     if isinstance(response, Download):
         head = json.dumps(_head_of(request) | {"name": response.name}).encode()
         return b"file", head + b"\n" + response.content
-    return b"text", _text_answer(request, response)
+    return b"text", text_answer(request, response)
 
 
-def _text_answer(request: Mapping[str, Any], response: Any) -> bytes:
+def text_answer(request: Mapping[str, Any], response: Any) -> bytes:
+    """Return an answer as JSON, in the language of the page."""
     words = _PageWords(request.get("language", "en"))
     return json.dumps(_head_of(request) | _translated(response, words), allow_nan=False).encode()
 

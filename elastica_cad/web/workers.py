@@ -11,7 +11,8 @@ from typing import Any
 
 from elastica_cad._process import python_command
 from elastica_cad.errors import InputError
-from elastica_cad.web.worker import refused_answer
+from elastica_cad.web.answers import refused
+from elastica_cad.web.worker import text_answer
 
 WORKERS = 2
 
@@ -89,7 +90,7 @@ class Workers:
                             "The request took longer than {seconds} s. Use fewer strips, samples or holes."
                         )
                     problem = InputError(reason, seconds=round(seconds))
-                    kind, content = b"text", refused_answer(question, problem)
+                    kind, content = b"text", text_answer(question, refused(problem))
                 # the page may have been closed meanwhile
                 with suppress(Exception):
                     await send(kind, content)
