@@ -12,9 +12,6 @@ from elastica_cad._types import FloatArray, IntArray
 
 GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
-METRES_PER_MM = 1e-3
-Y_UP = [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]
-"""Rotation (quaternion x, y, z, w) that turns z, our upward axis, to y, the upward axis of glTF."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +80,9 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
             "roughnessFactor": 0.8,
         }
         materials.append({"name": mesh.name, "pbrMetallicRoughness": paint})
-        nodes.append({"name": mesh.name, "mesh": k, "scale": [METRES_PER_MM] * 3, "rotation": Y_UP})
+        # glTF is in metres, with y upward; the rotation (quaternion x, y, z, w) turns z, our upward axis, to y
+        place = {"scale": [1e-3] * 3, "rotation": [-(0.5**0.5), 0.0, 0.0, 0.5**0.5]}
+        nodes.append({"name": mesh.name, "mesh": k, **place})
         shapes.append({"name": mesh.name, "primitives": [skin], "weights": [0.0] * len(targets)})
         keys = np.eye(frames, frames - 1, -1)[there_and_back].ravel()
         samplers.append({"input": clock, "output": file.add(keys, "SCALAR"), "interpolation": "LINEAR"})

@@ -32,8 +32,6 @@ from elastica_cad.strip.flat_pattern import on_segment, parameter_range
 
 # default tolerance, mm, of edges and faces in OpenCASCADE
 EDGE_TOLERANCE_MM = 1e-7
-# largest gap, mm, between consecutive edges
-VERTEX_TOLERANCE_MM = 1e-6
 
 # version 3 is the first that stores the (u, v) coordinates of the ends of edges
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"
@@ -87,7 +85,7 @@ class BinaryBrep:
         return self.tables + pack("<3i", self.count, 0, 0)
 
 
-def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
+def boundary_brep(boundary: Boundary, gap: float = 1e-6) -> BinaryBrep:
     """Encode a closed boundary as a solid and an open boundary as a shell.
 
     The tolerance of vertices is `gap`, mm.

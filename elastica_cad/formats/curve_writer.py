@@ -35,8 +35,6 @@ _TOLERANCE_MM = 1e-3
 _MOST_POINTS = 1001
 """Largest number of points in a CSV file. A curve of less than 1 m has a point every mm."""
 
-_WIDTH_STATIONS = 401
-
 
 class FitWarning(UserWarning):
     """Warning that a file contains an approximation of a curve."""
@@ -154,4 +152,4 @@ def _widths(curve: PlaneCurve) -> FloatArray | None:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:
         return None
-    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_STATIONS)) * (UNKNOWN_WIDTH / rod.ratio)
+    return rod.profile(np.linspace(0.0, rod.length, 401)) * (UNKNOWN_WIDTH / rod.ratio)

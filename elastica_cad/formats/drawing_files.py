@@ -25,9 +25,6 @@ from elastica_cad.geometry.plane_points import project
 from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.strip.drawing import LAYERS, MARK, Drawing, HoldingTabs, add_holding_tabs, compensate_kerf
 
-_LETTERS = {2: "Q", 3: "C"}
-
-
 _DECIMALS, _EXACT_DECIMALS = 6, 12
 """Decimals of coordinates, mm: in a drawing for a machine, and in a curve that is read again.
 
@@ -76,7 +73,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
-    letter = _LETTERS[segment.curve.degree]
+    letter = {2: "Q", 3: "C"}[segment.curve.degree]
     _, control = segment.curve.bezier_table
     pieces = project(control[:, 1:]).tolist()
     return "".join(letter + " ".join(map(place, piece)) for piece in pieces)
@@ -84,9 +81,6 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
 
 _MARGIN_MM = 1.0
 """Space around the drawing, mm. Without this space, strokes at the edge would be cut off."""
-
-_STROKE_MM = 0.1
-"""Width of strokes, mm. Laser programs recognize thin strokes as cuts."""
 
 
 def encode_svg(
@@ -143,9 +137,10 @@ def encode_svg(
             continue
         style = styles[layer]
         key, label = html_text(style.name.replace(" ", "_")), html_text(style.name)
+        # laser programs recognize thin strokes as cuts
         rows.append(
             f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
-            f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
+            f'fill="none" stroke="{style.color}" stroke-width="0.1">'
         )
         rows.extend(f'<path d="{path_data(path, corner, decimals)}"/>' for path in paths)
         rows.append("</g>")
@@ -154,9 +149,6 @@ def encode_svg(
 
 
 DRAWING_SUFFIXES = (".dxf", ".svg")
-
-_KERF_TOLERANCE_MM = 1e-4
-"""Tolerance of offsets by half the kerf, mm: a hundredth of the repeatability of a laser."""
 
 
 def write_drawing(
@@ -220,7 +212,8 @@ def write_drawing(
         )
     require_flag(marks, "marks")
     drawing = drawing if marks else drawing.only(*(layer for layer in LAYERS if layer != MARK))
-    cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
+    # a hundredth of the repeatability of a laser, mm
+    cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, 1e-4))
     if holding is not None:
         cut = add_holding_tabs(cut, holding)
     if suffix == ".svg":

@@ -23,17 +23,8 @@ from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.plane_points import cross, lengths_along, near_pairs, norm, points_at
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
-# a closed loop is the outline of a stroke only if its perimeter is at least this many stroke widths
-_LEAST_SLENDERNESS = 12.0
-_MOST_SAMPLES = 8000
 # number of samples along a stroke for each stroke width
 _SAMPLES_PER_WIDTH = 4
-# largest distance, as a multiple of the stroke's width, at which the opposite side of a stroke is sought
-_SEARCH_WIDTHS = 3.0
-# largest relative variation of the width along a stroke
-_WIDTH_VARIATION = 0.05
-# largest length, as a multiple of the stroke's width, of the outline around an end of a stroke
-_MOST_END_WIDTHS = 6.0
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
@@ -52,20 +43,22 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     s, area = lengths_along(drawn), abs(float(cross(drawn[:-1], drawn[1:]).sum())) / 2
     # width of a rectangle with this perimeter and area
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
-    if not _SAMPLES_PER_WIDTH * s[-1] / _MOST_SAMPLES < width < s[-1] / _LEAST_SLENDERNESS:
+    # at most 8000 samples are compared, and a loop shorter than 12 widths is not the outline of a stroke
+    if not _SAMPLES_PER_WIDTH * s[-1] / 8000 < width < s[-1] / 12:
         return None
     count = int(np.ceil(_SAMPLES_PER_WIDTH * s[-1] / width))
     at = np.arange(count) / count * s[-1]
     points = points_at(at, s, drawn)
-    i, j = near_pairs(points, points, _SEARCH_WIDTHS * width)
+    i, j = near_pairs(points, points, 3 * width)
     between = np.abs(i - j)
     across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
     i, j = i[across], j[across]
     opposite = np.full(count, np.inf)
     np.minimum.at(opposite, i, norm(points[i] - points[j]))
     middle = float(np.median(opposite))
-    even = np.abs(opposite - middle) <= _WIDTH_VARIATION * middle
-    return middle if np.isfinite(middle) and even.mean() >= 1 - _MOST_END_WIDTHS * width / s[-1] else None
+    even = np.abs(opposite - middle) <= 0.05 * middle
+    # the outline around both ends, up to 6 widths long, has no opposite side
+    return middle if np.isfinite(middle) and even.mean() >= 1 - 6 * width / s[-1] else None
 
 
 KEYS_OF_FILES = ("$INSUNITS", "a comment", "width and height", "units", "STEP")
@@ -409,9 +402,8 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
             plane, read = (
                 np.concatenate([edge.points[:, :2] for edge in run]) for run in (curve.chain, flat)
             )
-            operations["turned"] |= bool(
-                np.abs(plane - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max()
-            )
+            # smaller movements are noise of the drawing
+            operations["turned"] |= bool(np.abs(plane - read).max() > 1e-3 * np.ptp(read, axis=0).max())
         away = _distance(curve.curve, flat)
         pointwise = "point" in curve.kinds and not curve.curve.is_straight
         operations["fitted"] |= pointwise or ("polyline" in curve.kinds and away > EXACT_MM)
@@ -424,8 +416,6 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 
 # largest number of points of the drawing that are compared with the curve
 _MOST_POINTS = 200
-# a curve counts as turned if flattening moves a control point by more than this fraction of the curve's size
-_LEAST_SLOPE = 1e-3
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:

@@ -45,16 +45,9 @@ MODEL_SPACE = np.eye(4)
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
-# a HELIX with a smaller ratio of height to radius is a flat spiral
-FLAT_HELIX = 1e-6
-
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-# largest number of coordinates whose decimals are counted
-_MOST_NUMBERS = 20_000
-# largest number of inserted entities that are counted
-_MOST_COUNTED = 10**9
 
 
 def _dxf_rounding(path: Path) -> float:
@@ -71,7 +64,7 @@ def _dxf_rounding(path: Path) -> float:
     numbers = (
         match[1].decode("ascii") for span in reversed(spans) for match in _PLACES.finditer(data, *span)
     )
-    return half_last_place(islice(numbers, _MOST_NUMBERS))
+    return half_last_place(islice(numbers, 20_000))  # more would be slow
 
 
 def _check_depth(depth: int) -> None:
@@ -99,7 +92,7 @@ def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) 
             times = prod(max(1, int(entity.dxf.get(name, 1))) for name in ("row_count", "column_count"))
         except (*ODDITIES, DXFError):
             times = 1
-        total = min(total + times * max(1, known[name]), _MOST_COUNTED)
+        total = min(total + times * max(1, known[name]), 10**9)
     return total
 
 
@@ -111,17 +104,6 @@ _INSUNITS = {
 
 _NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 """Names of the usual units, by their numbers in $INSUNITS."""
-
-_OWN_UNIT = b"all lengths in mm"
-"""Comment at the top of R12 files that this package writes, because R12 has no $INSUNITS."""
-
-_INCHES_BELOW = 40.0
-"""Size, in drawing units, below which a drawing with $MEASUREMENT = 0 and without a unit is in inches."""
-
-_ASSUMED = (
-    "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
-    "such as {other}"
-)
 
 
 def read_dxf_drawing(
@@ -259,21 +241,27 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
         if code:
             name = _NAMES.get(code, f"{_INSUNITS[code]:g} mm")
             return _INSUNITS[code], ReadUnit(name, "stated", "$INSUNITS")
-        if _OWN_UNIT in opened.read(200):
+        # comment in R12 files of this package, because R12 has no $INSUNITS
+        if b"all lengths in mm" in opened.read(200):
             return 1.0, ReadUnit("mm", "stated", "a comment")
     unit, other, reason = "mm", "in", note("the file has no unit ($INSUNITS)")
     if document.header.get("$MEASUREMENT") == 0:
         with np.errstate(over="ignore", invalid="ignore"), suppress(InputError):
             points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
-            if 0 < size < _INCHES_BELOW:
+            # in mm, the drawing would be smaller than any strip
+            if 0 < size < 40:
                 unit, other = "in", "mm"
                 reason = note(
                     "the file has no unit, $MEASUREMENT = 0 means inches, and a size of {size:.3g} inches is "
                     "likely",
                     size=size,
                 )
-    assumed = note(_ASSUMED, field=UNIT, unit=unit, reason=reason, other=other)
+    assumed = note(
+        "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
+        "such as {other}",
+        field=UNIT, unit=unit, reason=reason, other=other,
+    )  # fmt: skip
     return look_up_unit(unit), ReadUnit(unit, note=assumed)
 
 
@@ -343,9 +331,9 @@ def _run(entity: Any) -> Run | None:
     if kind == "ELLIPSE":
         angles = _arc_angles(entity.dxf.start_param, entity.dxf.end_param)
         return (Edge.arc(entity.dxf.center, entity.dxf.major_axis, entity.minor_axis, *angles),)
+    # a flat HELIX is a spiral in a plane
     if kind == "SPLINE" or (
-        kind == "HELIX"
-        and abs(entity.dxf.turns * entity.dxf.turn_height) <= FLAT_HELIX * abs(entity.dxf.radius)
+        kind == "HELIX" and abs(entity.dxf.turns * entity.dxf.turn_height) <= 1e-6 * abs(entity.dxf.radius)
     ):
         return (_spline(entity),)
     if kind == "LWPOLYLINE":

@@ -33,8 +33,6 @@ DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
 _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8
 _OPTIONS = Lock()
 
-LONGEST_COMMENT = 250
-
 _COLOR_NUMBERS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
     7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
@@ -107,7 +105,7 @@ def encode_dxf(
 
 def _made_by() -> list[str]:
     """Return the running command as comment lines of at most 250 characters, because old readers allow 255."""
-    return wrap(MADE_BY.get(), LONGEST_COMMENT)
+    return wrap(MADE_BY.get(), 250)
 
 
 def _through_ezdxf(

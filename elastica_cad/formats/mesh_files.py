@@ -18,9 +18,6 @@ from elastica_cad.refusals import Length, note
 LIKELY_SIZES_MM = (50.0, 20000.0)
 """Range of likely sizes (diagonals of the bounding box), mm, of a model made of strips."""
 
-GUESSES = ("um", "cm", "in", "m")
-"""Units that are suggested for a file of unlikely size."""
-
 
 def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
     """Read the triangles of a mesh file, in mm. Larger faces are cut into triangles.
@@ -113,7 +110,7 @@ def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
 
 
 def _unlikely_size_message(size: float) -> str:
-    guesses = {name: size * look_up_unit(name) for name in GUESSES}
+    guesses = {name: size * look_up_unit(name) for name in ("um", "cm", "in", "m")}
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
     unit = likely[-1] if likely else "m"

@@ -85,8 +85,6 @@ JOIN = 1e-4
 TANGENT = 1e-3
 # least total turn, rad, of a curve that determines the side of its plane
 LEAST_TURN = 1e-6
-# ends closer than this, as a fraction of the extent of all edges, are probably intended to meet
-INTENDED_GAP_FRACTION = 0.05
 # largest gap, mm, for which a larger tolerance is suggested
 JOINED_MM = 0.5
 AS_DRAWN = np.eye(3)
@@ -175,7 +173,8 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
             place=place,
         )
     points = np.concatenate([edge.points for part in runs for edge in part])
-    if gap <= INTENDED_GAP_FRACTION * np.ptp(points, axis=0).max():
+    # ends closer than 5 % of the extent are probably intended to meet
+    if gap <= 0.05 * np.ptp(points, axis=0).max():
         return note(
             "two edges end {gap} apart at {place}: join their ends there (in a sketch, by a coincident "
             "constraint)",

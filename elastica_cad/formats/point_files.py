@@ -39,18 +39,11 @@ ALONG = ("distance", "station")
 NOTHING = ("", "-", "\u2013", "\u2014")
 """Cells of a table of offsets which mean that the curve has no point in this row."""
 
-_MINUS = "\u2212"
-"""Typographic minus sign, as in Nordic spreadsheets."""
-
 _FRACTIONS = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 """Fractions that are a single character, such as five eighths."""
 
-_LEAST_SIZE_MM = 20.0
-"""Smallest likely size, mm, of a drawing of a strip."""
-
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
 _SEP = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
-_SEPARATORS = ";\t,"
 _BRACKETS = re.compile(r"(.*?)\s*[\[({<]\s*([^\])}>]*?)\s*[\])}>](.*)", re.DOTALL)
 _BEHIND = re.compile(r"""(.+?)(?:[\s_/:,-]+([^\W\d_]+\.?)|\s*(["'\u2032\u2033\u2019\u201d]+))""")
 _AXIS = re.compile(
@@ -145,7 +138,8 @@ def read_text(path: Path) -> str:
     fractions = _FRACTIONS.sub(
         lambda sign: " " + unicodedata.normalize("NFKC", sign[0]).replace("\u2044", "/"), text
     )
-    return fractions.replace(_MINUS, "-")
+    # typographic minus sign, as in Nordic spreadsheets
+    return fractions.replace("\u2212", "-")
 
 
 def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
@@ -158,7 +152,7 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
         separator = stated[1]
     else:
         outside = [re.sub('"[^"]*"', "", line) for _, line in numbered]
-        often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
+        often = {sign: sum(sign in line for line in outside) for sign in ";\t,"}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
         numbered = [(n, re.sub(r"\s+(?=[\[(])", "", line.strip())) for n, line in numbered]
@@ -383,7 +377,8 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
                 cell=cell,
                 number=cell.replace(sign, ""),
             )
-        elif max(float(cell.replace(sign, ".")) for _, cell in mine["open"]) * scale >= _LEAST_SIZE_MM:
+        elif max(float(cell.replace(sign, ".")) for _, cell in mine["open"]) * scale >= 20:
+            # with a decimal point, the strip has a likely size in mm
             continue
         else:
             unsure = mine["open"]
@@ -448,8 +443,6 @@ LARGEST_GAP = 1.6
 
 # points with a rounding error of at least this, mm, count as measured with a ruler
 RULER_MM = 0.25
-# largest number of numbers whose decimals are counted
-_DIGITS = 20_000
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_: Any) -> DrawnFile:
@@ -473,10 +466,10 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
-    rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
+    rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:20_000])
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
     noise = rounded / np.sqrt(3) if by_rule else 0.0
-    makers: list[tuple[str, int, Callable[[], PlaneCurve]]] = []
+    curves: list[DrawnCurve] = []
     closed: list[str] = []
     for name, rows in table.columns:
         try:
@@ -484,26 +477,22 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None, **_:
         except InputError as problem:
             if len(table.columns) == 1:
                 raise
-            makers.append((name, 0, partial(_raise, problem)))
+            curves.append(DrawnCurve(len(curves) + 1, partial(_raise, problem), name, kinds={"point": 0}))
             continue
         digits = Provenance(rounding=rounded, name=name)
         for block in blocks:
             points = _outline_of(block)
-            makers.append((name, len(block), partial(_fitted, points, fit_tolerance, digits, noise)))
+            make = partial(_fitted, points, fit_tolerance, digits, noise)
+            curves.append(DrawnCurve(len(curves) + 1, make, name, kinds={"point": len(block)}))
             if points is not block:
-                closed.append(f"curve {len(makers)}")
-    message = note(
-        "the numbers were read as inches (fractions, or feet-inches-eighths): set the unit if they are not "
-        "inches"
-    )
-    curves = [
-        DrawnCurve(number, make, name, kinds={"point": count})
-        for number, (name, count, make) in enumerate(makers, start=1)
-    ]
+                closed.append(f"curve {len(curves)}")
     if table.unit:
         known = ReadUnit.requested(unit) if unit else ReadUnit(table.unit, "stated", note("the heading"))
     else:
-        known = ReadUnit("in", "guessed", note=message) if inches else ReadUnit("mm")
+        known = ReadUnit("in", "guessed", note=note(
+            "the numbers were read as inches (fractions, or feet-inches-eighths): set the unit if they are not "
+            "inches"
+        )) if inches else ReadUnit("mm")  # fmt: skip
     remarks = [note(
         "{curves} is closed from the last to the first point, which are as far apart as other points. To keep it "
         "open, add a point between an end and its neighbour",

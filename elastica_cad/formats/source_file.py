@@ -179,11 +179,6 @@ MOST_DEGREE = 25
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-# programs that write a fixed number of significant digits write at least this many digits
-_LEAST_DIGITS = 6
-# if at least this many of the numbers with most digits before the point are no multiples of 10, the decimals of
-# these numbers count
-_LEAST_LARGE_NUMBERS = 2
 
 
 def check_places(points: FloatArray) -> FloatArray:
@@ -288,13 +283,15 @@ def half_last_place(numbers: Iterable[str]) -> float:
         return 0.0
     largest = max(size for size, _, _ in rows)
     plain = [row for row in rows if row[0] > 1e-6 * largest or row[0] == 0]
-    decimals = max(places for _, places, _ in plain)
+    most = decimals = max(places for _, places, _ in plain)
     significant = max(digits for _, _, digits in plain)
     before_point = int(np.floor(np.log10(largest))) + 1 if largest > 0 else 1
     top = [row for row in plain if row[0] >= 10.0 ** (before_point - 1)]
-    if significant >= _LEAST_DIGITS or sum(size % 10 != 0 for size, _, _ in top) >= _LEAST_LARGE_NUMBERS:
+    # programs that write a fixed number of significant digits write at least 6; otherwise the decimals of the
+    # numbers with most digits before the point count if two of them are no multiples of 10
+    if significant >= 6 or sum(size % 10 != 0 for size, _, _ in top) >= 2:
         decimals = max([places for _, places, _ in top], default=decimals)
-        decimals = max(decimals, min(max(places for _, places, _ in plain), significant - before_point))
+        decimals = max(decimals, min(most, significant - before_point))
     return float(0.5 * 10.0 ** -min(max(decimals, 0), 30))
 
 

@@ -25,8 +25,6 @@ from elastica_cad.refusals import Length, Listed, note
 
 _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
-_AFFINITY = "xmlns:serif"
-_ILLUSTRATOR = "Generator: Adobe Illustrator"
 # pattern for classes in files that Illustrator exports for screens
 _EXPORTED_CLASS = re.compile(r"cls-\d+")
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
@@ -39,8 +37,6 @@ _TRANSPARENT = re.compile(
 _LEAST_UNIT = 1e-9
 # condition number of a transform above which a shape is flat
 _FLAT = 1e12
-# limit of numbers, far below the overflow of their products
-_LARGEST = 1e15
 
 
 def read_svg_drawing(
@@ -75,32 +71,6 @@ def read_svg_drawing(
     return replace(drawn, unit=known, remarks=(*drawn.remarks, *reader.remarks()))
 
 
-_IN_POINTS = (
-    "its units are read as points (72 to the inch), because Adobe Illustrator writes points but calls them "
-    "px. If an inch has 96 units, set {field} to px"
-)
-
-
-_OF_AFFINITY = (
-    "its pixels are read as 96 to the inch, but Affinity uses the DPI of its document (Document Setup). If "
-    "the document has other DPI, set 96 and export again. For 72 DPI, setting {field} to pt is enough"
-)
-
-_WITHOUT_UNIT = (
-    "its size has no unit, so its pixels are read as 96 to the inch, as in browsers; if its numbers are "
-    "millimetres, set {field} to mm"
-)
-
-_OF_OTHER_UNIT = (
-    "its size, {size}, is not in a unit of length. Its pixels are read as 96 to the inch, and a font as 16 "
-    "pixels high, as in browsers. If its numbers are millimetres, set {field} to mm"
-)
-
-_OF_INKSCAPE = (
-    "its pixels are read as 90 to the inch, as in Inkscape before 0.92; if that is wrong, set {field} to px"
-)
-
-
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
     """Return the unit of the file, and the size of a pixel, mm, in the program that wrote the file.
 
@@ -108,21 +78,43 @@ def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
     viewBox.
     """
     sizes = [(text, read_length(text)) for text in _size(tree) if text]
-    sized = any(length and length[1] in PHYSICAL for _, length in sizes)
+    sized = [length[1] for _, length in sizes if length and length[1] in PHYSICAL]
     other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
-    if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
-        return ReadUnit("pt", "guessed", note=note(_IN_POINTS, field=UNIT)), _PT
-    if _AFFINITY in tree.head and not sized:
-        return ReadUnit("px", "guessed", note=note(_OF_AFFINITY, field=UNIT)), _PX
+    if not sized and ("Generator: Adobe Illustrator" in tree.head or _is_exported_for_screens(tree)):
+        doubt = note(
+            "its units are read as points (72 to the inch), because Adobe Illustrator writes points but calls them "
+            "px. If an inch has 96 units, set {field} to px",
+            field=UNIT,
+        )
+        return ReadUnit("pt", "guessed", note=doubt), _PT
+    if "xmlns:serif" in tree.head and not sized:
+        doubt = note(
+            "its pixels are read as 96 to the inch, but Affinity uses the DPI of its document (Document Setup). If "
+            "the document has other DPI, set 96 and export again. For 72 DPI, setting {field} to pt is enough",
+            field=UNIT,
+        )
+        return ReadUnit("px", "guessed", note=doubt), _PX
     version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
-        return ReadUnit("px", "guessed", note=note(_OF_INKSCAPE, field=UNIT)), MM_PER_INCH / 90
+        doubt = note(
+            "its pixels are read as 90 to the inch, as in Inkscape before 0.92; if that is wrong, set {field} to "
+            "px",
+            field=UNIT,
+        )
+        return ReadUnit("px", "guessed", note=doubt), MM_PER_INCH / 90
     if sized:
-        name = next(length[1] for _, length in sizes if length and length[1] in PHYSICAL)
-        return ReadUnit(name, "stated", "width and height"), _PX
+        return ReadUnit(sized[0], "stated", "width and height"), _PX
     if tree.root.get(_INKSCAPE) and not other:
         return ReadUnit("px", "guessed"), _PX
-    doubt = note(_OF_OTHER_UNIT, size=quoted(other), field=UNIT) if other else note(_WITHOUT_UNIT, field=UNIT)
+    doubt = note(
+        "its size, {size}, is not in a unit of length. Its pixels are read as 96 to the inch, and a font as 16 "
+        "pixels high, as in browsers. If its numbers are millimetres, set {field} to mm",
+        size=quoted(other), field=UNIT,
+    ) if other else note(
+        "its size has no unit, so its pixels are read as 96 to the inch, as in browsers; if its numbers are "
+        "millimetres, set {field} to mm",
+        field=UNIT,
+    )  # fmt: skip
     return ReadUnit("px", note=doubt), _PX
 
 
@@ -199,7 +191,8 @@ class _Reader:
 
     def _read(self, shape: Shape, to_mm: FloatArray) -> Iterator[Run]:
         element, _, context = shape
-        is_finite = bool(np.all(np.abs(context.matrix) < _LARGEST))
+        # products of larger numbers may overflow
+        is_finite = bool(np.all(np.abs(context.matrix) < 1e15))
         # a shape that is flattened to a line or a point is not displayed
         if element in self.bad or (is_finite and np.linalg.cond(context.matrix[:2, :2]) > _FLAT):
             return

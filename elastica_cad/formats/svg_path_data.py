@@ -34,8 +34,6 @@ _ARGUMENTS = {
 }  # fmt: skip
 # commands after which S and T mirror the handle
 _AFTER = {"S": "CS", "T": "QT"}
-# largest number of commands of a path with all its subpaths
-_MOST_SEGMENTS = 20 * MOST_PIECES
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +63,8 @@ def path_data(text: str) -> PathData:
     runs, written, before = [list[Edge]()], list[str](), ""
     here = start = handle = np.zeros(2)
     for count, (command, words) in enumerate(_commands(text), start=1):
-        check_count(count, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
+        # a path may have subpaths, of which each is a curve
+        check_count(count, 20 * MOST_PIECES, "commands in one path or more", "simplify the path")
         kind, values = command.upper(), np.array([float(word) for word in words])
         if not np.all(np.abs(values) < 1e15):
             odd = next(word for word in words if not abs(float(word)) < 1e15)

@@ -46,7 +46,6 @@ _INHERITED = {
 """Initial values of inherited properties."""
 
 _AREAS = ("clip-path", "mask")
-_LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 _LABELS = (f"{_INKSCAPE}label", "data-name", "{http://www.serif.com/}id")
@@ -150,8 +149,6 @@ class Shape(NamedTuple):
 
 # largest depth of nested elements, including elements of clones
 _DEEPEST = 200
-# largest number of characters of path data, including those of clones
-_MOST_TEXT = 64 * 10**6
 
 
 class SvgShapes:
@@ -223,7 +220,7 @@ class SvgShapes:
             self._empty.add(element)
 
     def _clone(self, element: Element, context: Context) -> None:
-        link = next((text for name in _LINKS if (text := element.get(name))), "")
+        link = element.get("href", "") or element.get("{http://www.w3.org/1999/xlink}href", "")
         target = self._named.get(link[1:]) if link.startswith("#") else None
         if target in self._open:
             self.left_out[element] = "clone of itself"
@@ -240,7 +237,7 @@ class SvgShapes:
         )
         data = _outline(element, context.extent)
         self._text_size += len(data)
-        if self._text_size > _MOST_TEXT:
+        if self._text_size > 64 * 10**6:
             raise InputError("has clones with more than 64 MB of path data in total: remove clones")
         self.elements.add(element)
         if data.strip() and not context.is_hidden:

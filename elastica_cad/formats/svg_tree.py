@@ -41,20 +41,13 @@ _PROPERTIES = frozenset((
 ))  # fmt: skip
 """Properties that affect the visibility and position of curves."""
 
-# CSS values that take the value of the parent element
-_OF_PARENT = ("inherit", "unset")
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 # fonts and images in style sheets
 _EMBEDDED = re.compile(r"""url\(\s*["']?data:[^)]*\)""", re.IGNORECASE)
 
-_GZIP_MARK = b"\x1f\x8b"
-# number of bytes that are read at a time to find the first element
-_HEAD = 4096
 # largest length of an XML entity, characters (the parser expat limits the total length)
 _LONGEST_ENTITY = 1000
-# largest length of a style sheet without its fonts and images, characters
-_LONGEST_SHEET = 10**6
 MOST_ELEMENTS = 5 * MOST_SHAPES
 """Largest number of elements, including groups, texts and elements of clones."""
 
@@ -109,7 +102,7 @@ def check_elements(count: int) -> None:
 
 def _open_svg(path: Path) -> BinaryIO:
     file = path.open("rb")
-    if file.read(2) != _GZIP_MARK:
+    if file.read(2) != b"\x1f\x8b":  # the mark of gzip
         file.seek(0)
         return file
     with file:
@@ -157,7 +150,7 @@ def _read_head(file: BinaryIO) -> str:
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
     # the parser of the whole file reports a file that is not XML
     with suppress(ExpatError, LookupError):
-        while elements < 2 and (data := file.read(_HEAD)):
+        while elements < 2 and (data := file.read(4096)):
             parser.Parse(data)
     file.seek(0)
     return "\n".join(texts)
@@ -206,7 +199,8 @@ def _apply_styles(root: Element) -> list[str]:
     for element, style in styles:
         element.attrib.update(style)
         for name in _PROPERTIES & element.attrib.keys():
-            if element.attrib[name].strip().lower() in _OF_PARENT:
+            # the value of the parent element
+            if element.attrib[name].strip().lower() in ("inherit", "unset"):
                 del element.attrib[name]
     return unread
 
@@ -214,9 +208,7 @@ def _apply_styles(root: Element) -> list[str]:
 def _rules(sheet: Element) -> Iterator[tuple[Any, bool]]:
     """Yield the rules of a style sheet, each with True if it applies on every screen, False if on some."""
     text = _EMBEDDED.sub("none", "".join(sheet.itertext()))
-    check_count(
-        len(text), _LONGEST_SHEET, "characters in a style sheet", "leave out styles that are not used"
-    )
+    check_count(len(text), 10**6, "characters in a style sheet", "leave out styles that are not used")
     media = _applies_on_screen(sheet.get("media", ""))
     pending = [(rule, media) for rule in reversed(parse_stylesheet(text, True, True))]
     while pending:

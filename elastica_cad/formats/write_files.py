@@ -128,14 +128,11 @@ def write_atomically(
     return target
 
 
-EDITED = (".toml", ".csv", ".txt")
-"""Suffixes of texts that users edit. Their byte order mark and line ends are kept when they are overwritten."""
-
-
 def _replace(new: Path, target: Path) -> None:
     """Move a file to `target`. A file that is overwritten keeps its mode and, if it is a text, its form."""
     if target.exists():
-        if target.suffix.lower() in EDITED:
+        # users edit these texts, so their byte order mark and line ends are kept
+        if target.suffix.lower() in (".toml", ".csv", ".txt"):
             before, text = target.read_bytes(), new.read_bytes().removeprefix(BOM_UTF8)
             mark = BOM_UTF8 if before.startswith(BOM_UTF8) else b""
             line_end = b"\r\n" if 2 * before.count(b"\r\n") > before.count(b"\n") else b"\n"
@@ -275,9 +272,6 @@ _LOCK, _FILES = "lock", "files"
 _OURS = b"elastica_cad writes files here\n"
 """Content of a lock file."""
 
-_STALE_S = 24 * 3600
-"""Age, s, above which temporary folders of dead processes are removed."""
-
 
 @contextmanager
 def _workshop(ground: Path, above: Path) -> Iterator[Path]:
@@ -317,7 +311,8 @@ def _remove_stale(home: Path) -> None:
     lock = home / _LOCK
     if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
         return
-    if time.time() - home.stat().st_mtime < _STALE_S or lock.stat().st_size != len(_OURS):
+    # a folder of a dead process is removed after a day
+    if time.time() - home.stat().st_mtime < 24 * 3600 or lock.stat().st_size != len(_OURS):
         return
     with lock.open("r+b") as file:
         if file.read() != _OURS:
