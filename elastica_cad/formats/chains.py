@@ -22,6 +22,7 @@ from elastica_cad.geometry.fairing import (
     smooth_through,
 )
 from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
+from elastica_cad.geometry.path import nearest_by_sampling
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     begun_at,
@@ -406,13 +407,9 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
     line = edge.at(stations)
     nearest = np.array([np.linalg.norm(line - point, axis=1).argmin() for point in points])
     low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
-    rows = np.arange(len(points))
-    for _ in range(10):  # each round quarters the interval
-        t = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, 9)
-        away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
-        best = away.argmin(axis=1)
-        low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, 8)]
-    return away[rows, best], t[rows, best]
+    return nearest_by_sampling(
+        lambda t: edge.at(t.ravel()).reshape(*t.shape, -1), points, low, high, rounds=10
+    )
 
 
 def _sample_points(run: Run) -> FloatArray:

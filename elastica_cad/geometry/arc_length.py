@@ -15,15 +15,6 @@ _DEGREE = 15
 _FINE = 1e-14
 """Last Chebyshev coefficients below this fraction of the mean speed are rounding errors."""
 
-_NOISE_SHARE = 1e-8
-"""Last Chebyshev coefficients below this fraction of the mean speed may be rounding errors.
-
-They are rounding errors if halving the panel does not reduce them.
-"""
-
-_NARROWEST = 2.0**-40
-"""Panels narrower than this fraction of the parameter range are not halved."""
-
 # largest number of Newton steps; three are usual, except where the speed is almost 0
 _NEWTON_STEPS = 40
 
@@ -120,8 +111,10 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
         t = low[:, None] + width[:, None] * (1 + _SITES) / 2
         series = speed(span.repeat(_SITES.size), t.ravel()).reshape(t.shape) @ _TO_SERIES
         mean, tail = series[:, 0], np.abs(series[:, -3:]).max(axis=1)
-        fine = (tail <= _FINE * mean) | ((tail < _NOISE_SHARE * mean) & (tail > 0.3 * before))
-        fine |= width < _NARROWEST * (edges[-1] - edges[0])
+        # smaller last coefficients may be rounding errors: they are if halving the panel does not reduce them
+        fine = (tail <= _FINE * mean) | ((tail < 1e-8 * mean) & (tail > 0.3 * before))
+        # narrower panels are not halved
+        fine |= width < 2.0**-40 * (edges[-1] - edges[0])
         panels.append((low[fine], (series[fine] * width[fine, None] / 2) @ _INTEGRATE))
         span, low, width, before = span[~fine], low[~fine], width[~fine] / 2, tail[~fine]
         span, before, width = np.tile(span, 2), np.tile(before, 2), np.tile(width, 2)

@@ -23,16 +23,9 @@ _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
 
-_FOLLOWED = 1e-13
-"""A polynomial represents a function if its last two Chebyshev coefficients are below this fraction of its size."""
-
-_FOLLOWED_NOISE = 1e-12
-"""Coefficients below this fraction of the size of the function are rounding errors."""
-
 _FLAT = 1e-7
 """A function is zero on an interval if all its values there are below this fraction of its size."""
 
-_MOST_CUTS = 12  # largest number of halvings of an interval, after which errors are rounding errors
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -121,8 +114,10 @@ def function_zero_places(
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
         largest = np.abs(values).max(axis=1)
         # large values have rounding errors above those of the typical size
-        followed = tail <= _FOLLOWED * np.maximum(size, largest)
-        done = followed | (cuts == _MOST_CUTS) | (largest <= _FLAT * size)
+        # the polynomial represents the function if its last two coefficients are small
+        followed = tail <= 1e-13 * np.maximum(size, largest)
+        # after 12 halvings, errors are rounding errors
+        done = followed | (cuts == 12) | (largest <= _FLAT * size)
         pieces.append((low[done], values[done]))
         low, high, cuts = low[~done], high[~done], cuts[~done] + 1
         middle = (low + high) / 2
@@ -132,7 +127,8 @@ def function_zero_places(
     order = starts.argsort()
     starts, values = starts[order], values[order]
     largest = np.abs(values).max(axis=1)
-    flat, noise = largest <= _FLAT * size, _FOLLOWED_NOISE * np.maximum(size, largest)
+    # smaller coefficients are rounding errors
+    flat, noise = largest <= _FLAT * size, 1e-12 * np.maximum(size, largest)
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[starts.searchsorted(edges[1:-1]) - 1] = smooth
     return _places(values @ _TO_BERNSTEIN.T, noise, flat, joined, np.append(starts, edges[-1]))

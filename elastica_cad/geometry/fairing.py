@@ -92,11 +92,7 @@ The smaller limit applies.
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
 _LINEARISATIONS, _MOST_TRIALS = 3, 14
-_RISE = 3.0  # usual relative growth of the distance with the relative growth of the smoothing length
 _CLOSE = 0.004  # the distance is at most this fraction below its limit
-# samples must be within this fraction of the tolerance, because the curve may be farther away between samples
-_USED = 0.96
-_SLIDE = 1e4  # weight of squared distances along the drawn curve; those normal to the curve have the weight 1
 _FINE = 1.5  # least ratio of the smoothing length to the length of a knot span
 _DENSE = 8  # number of points in each knot span at which the distance is measured
 
@@ -181,7 +177,8 @@ def _fitted(
     points, length = problem.start(), guess
     within: FloatArray | None = None
     for _ in range(_LINEARISATIONS):
-        latest, reached = problem.smoothest(problem.slope_rows(points), length, _USED * tolerance)
+        # the curve may be farther away between the samples
+        latest, reached = problem.smoothest(problem.slope_rows(points), length, 0.96 * tolerance)
         if latest is None:
             break
         within = points = latest
@@ -235,7 +232,8 @@ class _Problem:
         self.lower = (row >= column) & (column >= 0)
         self.cells = ((row - column) * size + column)[self.lower]
         self.band = int(self.cells.max()) // size + 1, size
-        slide = np.sqrt(_SLIDE) * along
+        # weight of squared distances along the drawn curve; those normal to the curve have the weight 1
+        slide = np.sqrt(1e4) * along
         self.data_part = self._normal_equations(
             np.concatenate([self._rows(self.across, 0), self._rows(slide, 0)], axis=1),
             np.concatenate([dot(self.data, self.across), dot(self.data, slide)], axis=1),
@@ -309,7 +307,8 @@ class _Problem:
         low, high = np.log(self.width / 4), np.log(self.length)
         trial = float(np.clip(np.log(max(guess, 1e-300)), low, high))
         within: FloatArray | None = None
-        before, rise = None, _RISE
+        # usual relative growth of the distance with the relative growth of the smoothing length
+        before, rise = None, 3.0
         for _ in range(_MOST_TRIALS):
             points = self._solved(slope, float(np.exp(6 * trial)))
             off = np.abs(dot(self._values(points, 0) - self.data, self.across)).max()
@@ -358,17 +357,8 @@ def largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
     return float(distances(Spline(curve), points).max())
 
 
-PER_ROUNDING = 2 * np.sqrt(2.0)
-"""Largest error of the vector between two points, as a multiple of the rounding error of a coordinate."""
-
 CORNER_SHARE = 0.5
 """Fraction of the allowed distance for removing corners. The rest is for smoothing the curvature."""
-
-POLYLINE_SHARE = 0.1
-"""Largest smoothing distance suggested for a polyline, as a fraction of its size."""
-
-WORTH_SHARE = 1e-3
-"""Largest smoothing distance suggested for a spline, as a fraction of its length. It is hardly visible."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
@@ -420,7 +410,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     provenance = curve.provenance
     if provenance is not None and provenance.vertices is not None:
         with suppress(NotConvergedError):
-            needed = round_corners(curve, POLYLINE_SHARE * np.ptp(provenance.vertices, axis=0).max())[1]
+            # a tenth of the size is the largest smoothing distance that is suggested
+            needed = round_corners(curve, 0.1 * np.ptp(provenance.vertices, axis=0).max())[1]
             return _one_figure(1.01 * needed, np.ceil) if needed else None
         return None
     corners = [corner.angle for corner in curve.tangent_breaks]
@@ -428,7 +419,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
         corners.append(curve.seam_turn)
     if not corners or max(map(abs, corners)) > LARGEST_REMOVED_RAD:
         return None
-    most = WORTH_SHARE * curve.length
+    # a smoothing distance that is hardly visible
+    most = 1e-3 * curve.length
     healing = _healed(curve, CORNER_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
@@ -444,6 +436,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
+    # the vector between two points has an error of up to 2 sqrt(2) times that of a coordinate
     return heal_tangents(
-        curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
+        curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / (2 * np.sqrt(2.0))
     )

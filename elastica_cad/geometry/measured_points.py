@@ -31,12 +31,6 @@ SETTLED = 0.7
 Orders k and k + 2 are compared first, because differences of odd orders are 0 across the chord of a circle.
 """
 
-CROWDED_SHARE = 0.1
-"""Noise above which its estimate omits every other point, as a fraction of the point spacing.
-
-With all points, noise could change the order of neighbouring points along the curve.
-"""
-
 REPORTED_MM = 0.01
 """Smallest noise that is reported, mm, because a fit removes smaller noise."""
 
@@ -238,7 +232,8 @@ def estimate_noise(points: FloatArray) -> float:
         pairs = ((gap, *pair) for gap in (2, 1) for pair in zip(sizes, sizes[gap:], strict=False))
         noise = next((higher for gap, lower, higher in pairs if higher > SETTLED**gap * lower), 0.0)
         spacing = lengths_along(points)[-1] / len(points)
-        if noise <= CROWDED_SHARE * spacing or len(points) < 4 * FEWEST:
+        # more noise could change the order of neighbouring points along the curve
+        if noise <= 0.1 * spacing or len(points) < 4 * FEWEST:
             return noise
         points = thinned(points, 2)
 

@@ -54,10 +54,6 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-# speed that counts as zero, as a fraction of the largest speed on the same knot span
-_STANDSTILL_SHARE = 1e-9
-# a knot span is a single point if its speed is below this fraction of the largest speed of the curve
-_STILL_SPAN = 1e-14
 # a tangent cone contains a velocity if its component along the axis of the cone exceeds this fraction of the speed
 _ALONG_SHARE = 1e-9
 # largest number of halvings of a knot span; if the velocities are then not in one half plane, there is a cusp
@@ -147,7 +143,8 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     part, low, width = hodographs, edges[:-1], np.diff(edges)
     size = norm(part)
     largest = size.max(axis=1)
-    still = largest <= _STILL_SPAN * largest.max()
+    # a slower knot span is a single point
+    still = largest <= 1e-14 * largest.max()
     stopped = np.concatenate(
         [low[(size[:, 0] <= 1e-12 * largest) | still], (low + width)[size[:, -1] <= 1e-12 * largest]]
     )
@@ -155,7 +152,8 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         return TangentCones(edges, part, float(stopped.min()))
     starts: list[FloatArray] = []
     cones: list[FloatArray] = []
-    slowest = _STANDSTILL_SHARE * largest
+    # speed that counts as zero
+    slowest = 1e-9 * largest
     for _ in range(_MOST_HALVINGS):
         if not low.size:
             break
@@ -405,13 +403,6 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
     return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
 
 
-SHORT_HANDLE = 1e-3
-"""A handle longer than this fraction of the size of the curve is not a rounding error.
-
-A handle is the vector from the end of a piece to its next control point.
-"""
-
-
 def _refuse_standstill(
     pieces: RationalPieces,
     control_points: FloatArray,
@@ -439,7 +430,8 @@ def _refuse_standstill(
             place=where,
         )
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
-    if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
+    # a longer handle, from the end of a piece to its next control point, is not a rounding error
+    if 2 * np.sqrt(2.0) * rounding > 1e-3 * size:
         raise InputError(
             "after rounding to {rounding}, {cause}, so it is uncertain whether {place}. Save the file with more "
             "decimals, or lengthen the handle of that node",
@@ -459,17 +451,6 @@ SAME_KNOT = 1e-12
 """A parameter closer to a knot than this fraction of the domain counts as the knot.
 
 Without this rule, a knot span could be as short as rounding errors.
-"""
-
-FAR_SIZES = 1e6
-"""A transformed curve is validated again if a coordinate exceeds this multiple of its size.
-
-Such large coordinates lose digits.
-"""
-
-_AHEAD_SHARE = 1e-6
-"""The speed is never zero if all sides of the control polygon advance by more than this fraction of the
-chord.
 """
 
 MOST_TURNS = 100
@@ -521,7 +502,8 @@ class NurbsCurve:
         )
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
+        # the speed is never zero if all sides of the control polygon advance along the chord
+        if self.is_rational or along.min() <= 1e-6 * along.sum():
             _refuse_standstill(self._pieces, self.control_points, format_point, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -787,7 +769,8 @@ class NurbsCurve:
         m = np.asarray(matrix, dtype=float)
         provenance = self.provenance and self.provenance.transformed(m)
         even = not m[2, :2].any()
-        if even and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
+        # larger coordinates lose digits, so the curve is validated again
+        if even and np.abs(points).max() < 1e6 * np.ptp(points, axis=0).max():
             return self._part(knots, points, weights, provenance)
         return type(self)(knots, points, self.degree, weights, provenance)
 

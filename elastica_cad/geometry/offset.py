@@ -15,9 +15,6 @@ from elastica_cad.geometry.plane_points import angle_of, left_of, norm, place, t
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_tolerance_mm, trim_segment
 from elastica_cad.refusals import Length
 
-_LOST_OFFSETS = 4.0
-"""An offset is refused if it removes a part of the path that is longer than this multiple of the offset."""
-
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
     """Return the offset of a path by `distance` mm, exact for lines and arcs, within `tolerance` for splines.
@@ -176,7 +173,8 @@ def _lost_element(
     run = 0.0
     for k in range(first, first + n):
         run = 0.0 if k % n in alive else run + elements[k % n].source_length
-        if run > _LOST_OFFSETS * abs(distance):
+        # shorter parts may be lost
+        if run > 4 * abs(distance):
             return elements[k % n]
     return None
 

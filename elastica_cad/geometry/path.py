@@ -1,6 +1,6 @@
 """Paths: open or closed chains of lines, arcs and splines, and their distance from points."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import dist
 
@@ -39,8 +39,6 @@ _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # rounding error of a distance from a curve, as a fraction of its length
 # Newton's method stops at a step below this fraction of the domain
 _SETTLED = 1e-12
-_UNSETTLED = 1e-7  # Newton's method failed if its last step exceeds this fraction of the domain
-_SEARCHES = 20  # number of rounds of sampling, each of which reduces an interval to a quarter or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -124,25 +122,45 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
             break
     low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
     # Newton's method failed: it left the chord, did not converge, or found a point beyond the chord's distance
-    failed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
+    failed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > 1e-7 * (t1 - t0))
     failed |= best > chord[rows, i] + flat
     if failed.any():
-        best[failed] = np.minimum(best[failed], _distances_by_sampling(p[failed], curve, *spans[:, failed]))
+        found, _ = nearest_by_sampling(
+            lambda t: curve.evaluate(t.clip(t0, t1)), p[failed], *spans[:, failed], rounds=20
+        )
+        best[failed] = np.minimum(best[failed], found)
     least = np.full(count, np.inf)
     np.minimum.at(least, rows, best)
     return least
 
 
-def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Return least distances by repeated sampling, where Newton's method fails because of an uneven speed."""
-    rows, least = np.arange(len(p)), np.full(len(p), np.inf)
-    for _ in range(_SEARCHES):
+def nearest_by_sampling(
+    at: Callable[[FloatArray], FloatArray],
+    points: FloatArray,
+    low: FloatArray,
+    high: FloatArray,
+    *,
+    rounds: int,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the least distances (n,) of points (n, d) from a curve, and the nearest parameters (n,).
+
+    Each round of sampling reduces the interval of a point to a quarter or less. This succeeds where Newton's method
+    fails because of an uneven speed.
+
+    Parameters
+    ----------
+    at : callable
+        Function of parameters (n, 9) that returns points (n, 9, d) of the curve.
+    low, high : (n,) array
+        Interval in which the nearest parameter of each point is.
+    """
+    rows = np.arange(len(points))
+    for _ in range(rounds):
         t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
-        gap = norm(curve.evaluate(t.clip(*curve.domain)) - p[:, None, :])
+        gap = np.linalg.norm(at(t) - points[:, None], axis=2)
         k = gap.argmin(axis=1)
-        least = np.minimum(least, gap[rows, k])
         low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]
-    return least
+    return gap[rows, k], t[rows, k]
 
 
 JOIN = 1e-6

@@ -18,9 +18,6 @@ from elastica_cad.refusals import BareLength, Length
 
 IndexArray: TypeAlias = NDArray[np.intp]
 
-_CHORD_TOLERANCE_MM = 1e-3
-"""Largest distance, mm, between a segment and the chords from which Newton's method starts."""
-
 
 @dataclass(frozen=True, eq=False)
 class Chords:
@@ -36,7 +33,8 @@ class Chords:
     @classmethod
     def of(cls, segment: Segment) -> "Chords":
         """Return the chords of a segment."""
-        return cls(segment, *chords(segment, _CHORD_TOLERANCE_MM))
+        # the chords are only starts for Newton's method
+        return cls(segment, *chords(segment, 1e-3))
 
 
 def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:

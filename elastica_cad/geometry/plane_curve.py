@@ -135,9 +135,6 @@ The tolerance allows for lengths of four digits that users copy from reports, an
 a rod.
 """
 
-ROUNDED_ZERO_SHARE = 1e-6
-"""Rounding error of a zero of the curvature, as a fraction of its knot span."""
-
 _ROUNDING = 1e-10  # rounding error of an angle, as a fraction of the angle
 
 
@@ -394,7 +391,8 @@ class PlaneCurve(NurbsCurve):
         _, d1, d2, d3 = self._pieces.within(index, u, 3)
         with np.errstate(divide="ignore", invalid="ignore"):
             better = t - curvature(d1, d2) / (curvature_slope(d1, d2, d3) * norm(d1))
-        near = np.abs(better - t) < ROUNDED_ZERO_SHARE * self._pieces.spans.widths[index]
+        # rounding error of a zero of the curvature
+        near = np.abs(better - t) < 1e-6 * self._pieces.spans.widths[index]
         near &= (edges[index] < better) & (better < edges[index + 1])
         places = list(zero_places)
         for i, at in zip(np.array(crossing)[near], better[near].tolist(), strict=True):

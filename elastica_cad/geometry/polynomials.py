@@ -323,12 +323,6 @@ ORDER = 12  # number of Gauss nodes of a panel
 DENSE_PARTS = 24
 """Number of parts of a panel. The ends of the parts are the samples at which bounds are checked first."""
 
-EXTREME_STEPS = 2
-"""Number of steps of Halley's method from the nearest sample to a local extreme.
-
-Each step reduces the error to about its third power.
-"""
-
 _REACH = 0.15  # largest distance, in the panel coordinate, between a local extreme and its nearest sample
 # an extreme is computed if it differs from the largest or smallest sample by less than this fraction of the
 # difference between these two samples
@@ -430,7 +424,8 @@ class PanelFunction:
         coefficients, start = self.coefficients[panel], _DENSE[sample]
         x, slopes = start, _DENSE_SLOPES[sample]
         lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
-        for step in range(EXTREME_STEPS):
+        # each step of Halley's method reduces the error to about its third power
+        for step in range(2):
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T

@@ -38,9 +38,6 @@ _FARTHEST_MM = 1e9
 The ends of such an arc are not accurate to 1e-6 mm.
 """
 
-RATIONAL_NODES = 32
-"""Number of Gauss nodes for the area of a rational piece, so many that a quarter circle is exact."""
-
 
 @dataclass(frozen=True, eq=False)
 class Line:
@@ -322,7 +319,8 @@ class Spline:
         """
         origin = point(origin, "origin")
         edges, _ = self.curve.bezier_table
-        x, w = gauss_rule(RATIONAL_NODES if self.curve.is_rational else self.curve.degree)
+        # with 32 nodes, the area of a rational quarter circle is exact
+        x, w = gauss_rule(32 if self.curve.is_rational else self.curve.degree)
         half = np.diff(edges)[:, None] / 2
         p, d = self.curve.derivatives((edges[:-1, None] + half * (1 + x)).ravel(), 1)
         return float(0.5 * ((half * w).ravel() * cross(p - origin, d)).sum())

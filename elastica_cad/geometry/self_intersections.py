@@ -26,7 +26,6 @@ from elastica_cad.geometry.polynomials import (
 _MOST_HALVINGS = 40
 """Largest number of halvings of a piece, which is then as short as rounding errors."""
 
-_NEWTON_SHARE = 1e-4  # pieces smaller than this fraction of the extent are starts for Newton's method
 _MOST_PAIRS = 1000
 """Largest number of pairs of pieces that may meet.
 
@@ -50,7 +49,8 @@ def find_self_intersections(
     motion : callable
         Function of parameters (n,) that returns positions and velocities d/dt, (n, 2) each.
     """
-    small = _NEWTON_SHARE * float(np.ptp(project(bezier), axis=(0, 1)).max())
+    # smaller pieces are starts for Newton's method
+    small = 1e-4 * float(np.ptp(project(bezier), axis=(0, 1)).max())
     part, low, high = bezier, edges[:-1], edges[1:]
     first, second = np.triu_indices(low.size)
     guesses: list[FloatArray] = []

@@ -437,24 +437,13 @@ _ALIKE = 1e-7
 # a knot span that is this many times wider than a neighbour with a large error is divided too
 _WIDER_TIMES = 8.0
 
-_REFINED_SHARE = 0.05
-"""Knot spans with an error above this fraction of the largest error are divided."""
-
 _CORRECTIONS = 2
 """Number of corrections for each knot vector. A correction moves all parameters to the nearest curve points."""
 
-_POINTS_EACH = 4  # least number of points per control point for a fit within a third of the tolerance
 # least number of points from which noise is separated from shape
 _ENOUGH_FOR_NOISE = 100
-_MOST_INTERPOLATED = 1000
-"""Largest number of points that are interpolated by a dense linear system."""
-
-# largest move of a parameter, as a fraction of the distance to the next parameter, to keep the order
-_STRIDE_SHARE = 0.4
 # penalty that has no visible effect, but determines the coefficients where there are no data
 _LEAST_PENALTY = 1e-11
-# factor by which the root mean square distance may increase in exchange for a smoother curve
-_ALLOWED_INCREASE = 1.1
 
 
 def adaptive_spline(
@@ -513,7 +502,7 @@ def adaptive_spline(
         error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
         # a steep part causes errors beside it, so divide the worst spans first
-        bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
+        bad = error > max(accepted, 0.05 * float(error.max()))
         if not bad.any():
             return full, coefficients
         _refuse_endless(edges, bad, error, tolerance)
@@ -637,7 +626,8 @@ def fit_spline(
         error = problem.distance(control, t)
         worst, alike = error.max(), problem.likeness(control, t)
         if worst <= tolerance:
-            ample = len(data) >= _POINTS_EACH * len(control)
+            # enough points for each control point for a fit within a third of the tolerance
+            ample = len(data) >= 4 * len(control)
             aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
         if worst <= aim or (smoothing and worst > 0.95 * before):
             break
@@ -648,14 +638,16 @@ def fit_spline(
         if not added.size or crowded or noisy:
             if worst <= tolerance:
                 break
-            if many and (alike < 0.2 or len(data) > _MOST_INTERPOLATED):
+            # the linear system of an interpolation is dense
+            if many and (alike < 0.2 or len(data) > 1000):
                 raise NotConvergedError(_scatter(data, error, tolerance))
             return _through(data, degree)
         before = worst
         inner = np.concatenate([inner, added])
     if smoothing is None and alike <= 0.5:
         mean = float(np.sqrt((problem.distance(control, t) ** 2).mean()))
-        control = _smoothed(problem, control, t, tolerance, _ALLOWED_INCREASE * mean)
+        # a smoother curve may be a little farther from the points
+        control = _smoothed(problem, control, t, tolerance, 1.1 * mean)
     return problem.knots, control
 
 
@@ -682,12 +674,6 @@ A spline near few points follows a part of their noise. A spline near many point
 were less than the noise.
 """
 
-FINE_SHARE = 0.02
-"""Smallest mean distance of a closed spline from its points, as a fraction of the tolerance."""
-
-_CROWDED_SHARE = 0.1
-"""Mean distance from the points, as a fraction of their spacing, above which points are left out."""
-
 
 def closed_spline(
     points: FloatArray, degree: int, tolerance: float, noise: float = 0.0
@@ -702,10 +688,12 @@ def closed_spline(
 
     count = len(points) - 1
     noise *= np.sqrt(NOISE_SPARE * count / (count + FREEDOM))
-    mean = max(noise, tolerance * min(FINE_SHARE, 1 / np.sqrt(count)))
+    # a closer curve would hardly be better
+    mean = max(noise, tolerance * min(0.02, 1 / np.sqrt(count)))
     first = int(np.lexsort(points[:-1].T)[0])  # a start that depends on the shape alone
     around = begun_at(points, first)
-    crowd = ceil(mean / _CROWDED_SHARE * count / lengths_along(points)[-1])
+    # points are left out if the mean distance from them is more than a tenth of their spacing
+    crowd = ceil(mean / 0.1 * count / lengths_along(points)[-1])
     step = max(1, min(crowd, count // FEWEST_AROUND))
     some = thinned(around, step)
     (periodic, places), *_ = splprep(
@@ -768,7 +756,8 @@ class _Problem:
         moved = t + step
         if (np.diff(moved) > 0).all() and moved[0] >= 0 and moved[-1] <= 1:
             return np.asarray(moved)
-        reach = _STRIDE_SHARE * np.diff(t, prepend=0.0, append=1.0)
+        # parameters must keep their order
+        reach = 0.4 * np.diff(t, prepend=0.0, append=1.0)
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:

@@ -13,15 +13,9 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, turn_between, unit_vectors
 from elastica_cad.geometry.splines import elevate_degree, is_clamped, knot_runs
 
-ANYWAY = 1e-9
-"""Smallest angle of a corner that is removed, rad."""
-
 LARGEST_REMOVED_RAD = np.radians(5.0)
 """Largest angle of a corner, rad, that is removed by default if rounding explains it."""
 
-# a control point closer to a chord than this fraction of the chord is on the chord
-_STRAIGHT = 1e-12
-_CLOSED = 1e-9  # ends of a spline closer than this fraction of its size coincide
 _SHORT = 1e-12  # control points closer than this fraction of the extent of both pieces coincide
 
 
@@ -104,7 +98,8 @@ def heal_tangents(
     if _closes(knots, control_points, degree, weights):
         around = _control_points_at_seam(control_points, degree)
         turns.append(_turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding))
-    explained = [turn for turn in turns if ANYWAY < turn.angle <= turn.bound]
+    # smaller corners, in rad, are harmless
+    explained = [turn for turn in turns if 1e-9 < turn.angle <= turn.bound]
     undecided = tuple(turn for turn in explained if turn.angle > LARGEST_REMOVED_RAD)
     removable = {turn.t for turn in explained if turn.angle <= LARGEST_REMOVED_RAD}
     if not removable:
@@ -162,7 +157,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
         is_clamped(knots, degree)
         and even
         and len(points) > degree + 1
-        and norm(points[-1] - points[0]) <= _CLOSED * size
+        and norm(points[-1] - points[0]) <= 1e-9 * size
     )
 
 
@@ -189,4 +184,4 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
 def _is_straight(piece: FloatArray) -> bool:
     chord = piece[-1] - piece[0]
     across = (piece - piece[0]) @ left_of(chord)
-    return bool(np.abs(across).max() <= _STRAIGHT * max(float(chord @ chord), 1e-300))
+    return bool(np.abs(across).max() <= 1e-12 * max(float(chord @ chord), 1e-300))
