@@ -13,7 +13,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, half_last_place
-from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.plane_points import is_straight, left_of
 
 # the flags of an arc (f) need no separator
 _PARTS = {"n": rf"((?>{NUMBER}))[\s,]*+", "f": r"([01])[\s,]*+"}
@@ -125,15 +125,9 @@ def _bezier_edge(points: FloatArray) -> Edge | None:
     """Return the edge of a Bezier piece: a line if it is straight, None if it has no length."""
     if not np.any(points != points[0]):
         return None
-    is_line = len(points) == 2 or _is_straight(points)
+    # a straight piece whose handles point backward is no line
+    is_line = is_straight(points) and np.all(np.diff(points, axis=0) @ (points[-1] - points[0]) >= 0)
     return Edge.polyline(points[[0, -1]]) if is_line else Edge.bezier(points)
-
-
-def _is_straight(points: FloatArray) -> bool:
-    chord = points[-1] - points[0]
-    along = (points - points[0]) @ chord
-    across = (points - points[0]) @ left_of(chord)
-    return bool(np.abs(across).max() <= 1e-12 * along[-1] and np.all(np.diff(along) >= 0))
 
 
 def _arc_edge(

@@ -25,6 +25,12 @@ def cross(u: FloatArray, v: FloatArray) -> FloatArray:
     return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
 
 
+def is_straight(points: FloatArray) -> bool:
+    """Return True if points (n, 2) are on the line through the first and the last point, but for rounding."""
+    chord = points[-1] - points[0]
+    return bool(np.abs(cross(chord, points - points[0])).max() <= 1e-12 * max(float(chord @ chord), 1e-300))
+
+
 def unit(v: FloatArray) -> FloatArray:
     """Return vectors (..., 2) divided by their lengths. A vector of length 0 does not change."""
     length = norm(v)[..., None]

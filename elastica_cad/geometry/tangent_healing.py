@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.plane_points import angle_of, left_of, norm, turn_between, unit_vectors
+from elastica_cad.geometry.plane_points import angle_of, is_straight, norm, turn_between, unit_vectors
 from elastica_cad.geometry.splines import elevate_degree, is_clamped, knot_runs
 
 LARGEST_REMOVED_RAD = np.radians(5.0)
@@ -171,17 +171,11 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
     inward, onward = float(norm(into)), float(norm(out))
     share = onward / (inward + onward)
     straight = (
-        _is_straight(points[node - degree : node + 1]),
-        _is_straight(points[node : node + degree + 1]),
+        is_straight(points[node - degree : node + 1]),
+        is_straight(points[node : node + degree + 1]),
     )
     if straight[0] != straight[1]:
         share = 0.0 if straight[0] else 1.0
     along = unit_vectors(angle_of(into) + share * turn_between(into, out))
     points[before] = points[node] - inward * along
     points[after] = points[node] + onward * along
-
-
-def _is_straight(piece: FloatArray) -> bool:
-    chord = piece[-1] - piece[0]
-    across = (piece - piece[0]) @ left_of(chord)
-    return bool(np.abs(across).max() <= 1e-12 * max(float(chord @ chord), 1e-300))
