@@ -212,7 +212,6 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
             tuple(places[name].values()) or (hand,) for name, hand in zip(names, by_hand, strict=True)
         )
         before = [min(j.members) for j in model.joints if max(j.members) == i]
-        mates = tuple(dict.fromkeys(model.single_name_of(k) for k in before))
         steps.append(
             AssemblyStep(
                 i + 1,
@@ -221,7 +220,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
                 (first, last),
                 (short, long),
                 _motions_in_space(model.placed[i]),
-                mates,
+                tuple(dict.fromkeys(model.single_name_of(k) for k in before)),
             )
         )
     return tuple(steps)

@@ -114,8 +114,7 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
     """
     if strip.layout.stack:
         return LeafStack(strip).cut_list.csv
-    table = _bench_table(strip, stations)
-    *sizes, (_, strain), safety = table.items()
+    *sizes, (_, strain), safety = _bench_table(strip, stations).items()
     columns = dict([*sizes, ("strain_percent", 100 * strain), safety])
     rounded = {name: column.round(DECIMALS[name.rsplit("_", 1)[-1]]) for name, column in columns.items()}
     return csv_text(rounded).replace(",inf", ",")

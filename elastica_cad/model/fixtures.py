@@ -77,14 +77,13 @@ class PlacedTab:
         tab, end_width = strip.ends[k], strip.end_widths[k]
         if name is not None:
             require_record(name, str, "the name of a tab", "a text")
-        called = name or strip.number or strip.label or "strip"
         return cls(
             Frame(origin, out, sign * place.z_axis),
             tab.length,
             tab.width or end_width,
             strip.end_thicknesses[k],
             tab,
-            tab_name(called, end),
+            tab_name(name or strip.number or strip.label or "strip", end),
             end_width,
         )
 
@@ -222,13 +221,13 @@ class EndFixture(EqualByValue):
             )
         if self.engrave is None:
             object.__setattr__(self, "engrave", self.tab.name)
-        if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
-            lean = np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis))))
+        lean = abs(float(self.ground.z_axis @ self.tab.frame.y_axis))
+        if lean > LEVEL:
             raise InputError(
                 "{who}: the strip leans by {lean:.3g}, but a block on a floor needs an upright "
                 "strip. Leave out the floor; the block is then at right angles to its tab",
                 who=who,
-                lean=Angle(lean),
+                lean=Angle(np.arcsin(min(1.0, lean))),
             )
         if self.lowest < -LEVEL:
             raise InputError(
@@ -349,8 +348,7 @@ class EndFixture(EqualByValue):
     @property
     def seat(self) -> TabSeat:
         """Walls of the pocket between which the tab can move."""
-        pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
-        return pocket.moved(*self.lean)
+        return TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance).moved(*self.lean)
 
     @cached_property
     def solid(self) -> PrismSolid:

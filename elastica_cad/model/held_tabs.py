@@ -48,8 +48,7 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
     # the z axis of the tab points away from the upper side of the strip, to the right of the curve
-    walls = met[..., [0, 2]] * (1.0, -1.0)
-    return [(*which, wall) for which, wall in zip(through, walls, strict=True)]
+    return [(*which, wall) for which, wall in zip(through, met[..., [0, 2]] * (1.0, -1.0), strict=True)]
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:

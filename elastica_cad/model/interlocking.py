@@ -93,8 +93,7 @@ def _bent_slot_width(
 
 def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
     points, tangents = strip.in_plane(flat[:, 0])
-    left = left_of(tangents)
-    return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
+    return strip.frame.point(points + height * left_of(tangents)) + flat[:, 1:] * strip.axis
 
 
 Fit = Literal["exact", "paper"]
@@ -316,8 +315,7 @@ class _Cutter:
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
         if low < TOUCHING_RAD:
-            s = float(points.first[int(points.angle.argmin()), 0])
-            raise InputError(self._touch(members, s))
+            raise InputError(self._touch(members, float(points.first[int(points.angle.argmin()), 0])))
         slots, middle = [], np.zeros(3)
         for which, last in enumerate(self._cut_ends(members, crossing)):
             p = crossing.at(crossing.evenly(crossing.middle, last, 1.5))
@@ -328,8 +326,7 @@ class _Cutter:
                 sheets = _turned(crossing.strips, which)
                 bent = _bent_slot_width(*sheets, rows, mates, thickness=(thickness, other))
                 widths = np.maximum(widths, bent + self.clearance)
-            strip = self.strips[members[which]]
-            if self.clearance >= float(strip.width(rows[0, 0])):
+            if self.clearance >= float(self.strips[members[which]].width(rows[0, 0])):
                 raise InputError(
                     "a clearance of {clearance:g} is more than the width of {names} at {rows:.6g} from its "
                     "start: reduce the clearance",
@@ -355,13 +352,12 @@ class _Cutter:
             ways.append([np.inf if x is None else x for x in exits])
             costs.append(sum(abs(x - end) for x, end in zip(ways[-1], ends, strict=True)))
         if not np.isfinite(min(costs)):
-            s = crossing.at(np.array([0.5])).first[0, 0]
             raise InputError(
                 "{names} and {names_2} cross {s:.6g} from the start of {names}, but one of these strips ends too "
                 "close to the crossing for a slot. Shorten, move or turn one of the strips",
                 names=self.names[members[0]],
                 names_2=self.names[members[1]],
-                s=Length(s),
+                s=Length(crossing.at(np.array([0.5])).first[0, 0]),
             )
         # the costs are fractions of the length of the crossing
         if abs(costs[0] - costs[1]) > 0.5:
@@ -421,11 +417,10 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
         width = max(
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
         )
-        angle = Angle(min(joint.angle[0] for joint in group))
         messages.append(note(
             "{a} and {b} cross at an angle of {degrees:.3g}, {places} from the start of {a}, so the slots "
             "are up to {width} wide: increase the angle for a better hold",
-            a=a, b=b, degrees=angle, places=places, width=Length(width),
+            a=a, b=b, degrees=Angle(min(joint.angle[0] for joint in group)), places=places, width=Length(width),
         ))  # fmt: skip
     order = _order_message(names, joints) if joints else note("no strips cross, so no slots were cut")
     return (*messages, order)

@@ -305,7 +305,6 @@ def _drawing(
         x, y = start[::-1] if upright else start
         laid.append(piece.drawing.transformed(_placement(piece, box.turned, x + margin, y + margin)))
     merged = Drawing.merged(f"{name}-{sheet.name}", laid)
-    rows = max(y + box.wide for box, _, y in places)
     return NestedSheet(
         merged.name,
         (LayeredPath(SHEET, Path.rectangle(*size)), *merged.paths),
@@ -313,7 +312,7 @@ def _drawing(
         sheet=sheet,
         sheet_size=size,
         pieces=tuple(piece.name for piece in placed),
-        used=rows * usable,
+        used=max(y + box.wide for box, _, y in places) * usable,
         filled=sum(box.long * box.wide for box, _, _ in places),
         share=sum(piece.area for piece in placed) / (size[0] * size[1]),
     )

@@ -233,9 +233,8 @@ class BasePlate:
         called += [] if self.opening is None else [note("the opening")]
         drilled = [hole_name(hole) for hole in self.holes]
         _refuse_overlaps(self, called, drilled)
-        widths = [(slot.name, slot.size[1], slot.through) for slot in self.slots]
         faults = (
-            *find_slot_faults(self.name, widths),
+            *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
             *find_plate_faults(
                 self.name, self.sheet, self.outline, self._inner_loops, options.shop, called, drilled
             ),
@@ -642,7 +641,6 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> N
     for i, j in np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1)).tolist():
         if not _overlap(corners[i], corners[j]):
             continue
-        middle = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
             "{name}: the slots of {tabs} overlap near {place:.1f}. Give the strips narrower tabs."
             if in_ring
@@ -650,7 +648,7 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str, *, in_ring: bool) -> N
             "the strips apart.",
             name=name,
             tabs=both_names(slots[j].name, slots[i].name),
-            place=Point(middle),
+            place=Point((corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2),
         )
 
 

@@ -145,12 +145,11 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
     least, _ = width.extremes
     if least <= 0:
         s = np.linspace(0.0, curve.length, 2001)
-        at = float(s[int(np.argmin(half(s)))])
         raise InputError(
             "with a gap of {gap:g}, {name} would be only {least:.4g} wide at {at:.6g} from its start: reduce "
             "the gap, or end the strip before this place",
             name=name,
-            at=Length(at),
+            at=Length(float(s[int(np.argmin(half(s)))])),
             least=Length(least),
             gap=Length(gap),
         )

@@ -115,8 +115,7 @@ def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
-    ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
-    return midpoints(ends)
+    return midpoints(np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1))
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
@@ -223,9 +222,7 @@ class Curl:
 
     def on(self, rod: Rod) -> Rod:
         """Return `rod` with a stiffness that depends on the curvature and is unchanged in the designed shape."""
-        below = rod.law
-        if isinstance(below, CurlingLaw):
-            below = below.below
+        below = rod.law.below if isinstance(rod.law, CurlingLaw) else rod.law
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
 
@@ -637,8 +634,7 @@ class StripAsMade:
         )
         if not bends:
             return jumps
-        moments = -loaded.stiffness[:, None] * np.column_stack([*bends.values()])
-        moved = shape_responses(loaded, moments)
+        moved = shape_responses(loaded, -loaded.stiffness[:, None] * np.column_stack([*bends.values()]))
         return jumps | {
             cause: deviation_from(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
         }

@@ -376,11 +376,10 @@ def _fit_spline(
             return knots, rows
         # a curve that needs more spans in a face is refused
         if edges.size > 4000:
-            at = float(edges[:-1][bad][0])
             raise NotConvergedError(
                 "the bent strip cannot follow its curve {at:.6g} from the start, because the curvature "
                 "changes too fast there: smooth the curve",
-                at=Length(at),
+                at=Length(float(edges[:-1][bad][0])),
             )
         # the error is proportional to (length of the span) ** (DEGREE + 1), with a margin of 10 %
         parts = np.where(bad, np.clip(np.ceil(1.1 * excess ** (1 / (DEGREE + 1))), 2, 4), 1)

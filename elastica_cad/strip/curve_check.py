@@ -39,11 +39,10 @@ def common_request(
     curvature = np.abs(curve.survey.curvature).max()
     thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
     # without a given width, the strip is 12 times as long as wide
-    width = float(np.clip(round(curve.length / 12), 8.0, 120.0))
     return StripSpec(
         curve,
         next(thin, TRIED_SHEETS[-1]),
-        max_width=width,
+        max_width=float(np.clip(round(curve.length / 12), 8.0, 120.0)),
         supports=supports or Supports(),
         natural_curvature=natural_curvature,
         between=between,

@@ -414,8 +414,7 @@ def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
         # the nearest place at least the width of a bridge from corners, or the middle if there is none
         for shift in np.linspace(0.0, step / 4, 41):
             for at in (middle + shift, middle - shift):
-                away = np.abs((corners - at + length / 2) % length - length / 2)
-                if not np.any(away < tabs.width):
+                if not np.any(np.abs((corners - at + length / 2) % length - length / 2) < tabs.width):
                     return float(at)
         return middle
 

@@ -3,7 +3,7 @@
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby, pairwise
+from itertools import count, groupby, pairwise
 from math import ceil
 from operator import itemgetter
 
@@ -270,7 +270,7 @@ class _Cutter:
     loops: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
     chains: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
-    count: int = 0
+    numbers: Iterator[int] = field(default_factory=count)
 
     def add(self, path: Path, *, backward: bool) -> None:
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
@@ -281,7 +281,7 @@ class _Cutter:
         pieces: list[tuple[int, SegmentPart]] = []
         for (segment, a, b, forward), (i, j) in zip(parts, pairwise(corners), strict=True):
             self.points.append(on_segment(segment, np.array(a if forward else b)))
-            piece = SegmentPart(segment, a, b, forward, i, j, self._next())
+            piece = SegmentPart(segment, a, b, forward, i, j, next(self.numbers))
             pieces.append((self._interval(piece), piece))
         intervals = [interval for interval, _ in pieces]
         if len(set(intervals)) == 1:
@@ -306,10 +306,6 @@ class _Cutter:
                 "slots there apart"
             )
         return CutPattern(points, tuple(regions))
-
-    def _next(self) -> int:
-        self.count += 1
-        return self.count - 1
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
         """Yield the parts of a segment between stations; at least two if the segment is `alone` in its loop."""
@@ -379,7 +375,7 @@ class _Cutter:
     def _seam(self, start: int, end: int, upward: bool) -> SegmentPart:
         low, high = (start, end) if upward else (end, start)
         if (low, high) not in self.seams:
-            self.seams[low, high] = self._next(), Line(self.points[low], self.points[high])
+            self.seams[low, high] = next(self.numbers), Line(self.points[low], self.points[high])
         number, line = self.seams[low, high]
         return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 

@@ -154,7 +154,12 @@ def cut_layers(
         return (base,)
     drawn = layout.backing.width
     held = fix_tab_widths(width, ends_held)
-    reaching = [slot for slot in slots if _reaches(slot, width, drawn)]
+    inner_ends = [slot.center_line(width)[0][0] for slot in slots]
+    reaching = [
+        slot
+        for slot, (x, y) in zip(slots, inner_ends, strict=True)
+        if abs(y) < drawn(np.clip(x, 0.0, drawn.length)) / 2
+    ]
     holes = end_holes(drawn, held)
     rim = cut_slots(flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing")
     return base, Layer(layout.backing.sheet, rim, holes, "backing", layout.sheet.thickness)
@@ -190,26 +195,23 @@ def draw_layers(
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (
-            *_marks_across(layout, width, ends, lap),
-            *(() if i else _guides_outside_slots(layout.guides, layer)),
-        )
-        if layout.stack is not None:
-            marks = _leaf_marks(layer, layers)
+        if layout.stack is None:
+            marks = _marks_across(layout, width, ends, lap)
+            texts = (
+                _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
+            )
+            if i == 0:
+                marks += _guides_outside_slots(layout.guides, layer)
+                pairs = [*zip(slots, layer.slots, strict=True)]
+                texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
+        else:
+            marks, texts = _leaf_marks(layer, layers), (_leaf_text(engraved or name, layer),)
         paths = cut_paths(layer.outline, layer.holes, marks)
-        texts = _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
-        if layout.stack is not None:
-            texts = (_leaf_text(engraved or name, layer),)
-        elif i == 0:
-            pairs = [*zip(slots, layer.slots, strict=True)]
-            texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
 
 
 def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    if not guides:
-        return ()
     open_cuts = [rim.line for rim in layer.slots]
     loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
     return tuple(part for guide in guides for part in trim_off(guide, loops))
@@ -227,11 +229,6 @@ def _leaf_text(name: str, layer: Layer) -> Text:
     words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
     center = ((left + right) / 2, (low + high) / 2)
     return fit_label(words, center, angle=0.0, room=right - left, across=high - low)
-
-
-def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    points, _ = slot.center_line(outer)
-    return bool(abs(points[0, 1]) < inner(np.clip(points[0, 0], 0.0, inner.length)) / 2)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:

@@ -147,8 +147,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
             break
         drift = best.rod.position - design.position
         target = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
-        coefficients = best.coefficients + step * (target - best.coefficients)
-        trial = _correct(strip, basis, coefficients)
+        trial = _correct(strip, basis, best.coefficients + step * (target - best.coefficients))
         if trial is None or trial.deviation >= best.deviation:
             step /= 2
             continue
@@ -260,7 +259,6 @@ class Splice:
                 pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         lost = len(self.strip.holes) - len(self._holes)
-        places = Listed(map(Mm, self.plates.joints))
         return note(
             "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates stiffen "
             "the strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
@@ -268,7 +266,7 @@ class Splice:
             else "Cut in {count} pieces, joined {places} from the start by plates {lap:g} long. The plates "
             "stiffen the strip and move its shape by {far:.2g}.",
             count=len(self.plates.joints) + 1,
-            places=places,
+            places=Listed(map(Mm, self.plates.joints)),
             lap=Mm(self.plates.lap),
             lost=lost,
             far=Mm(self.deviation),

@@ -179,11 +179,10 @@ class Measuring:
             causes[cause] = (*causes.get(cause, ()), change)
         shape = points_at(np.linspace(0, n - 1, 61), np.arange(float(n)), design.position)
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
-        uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
             tuple(share * design.length for share in MARKS),
             expected,
-            uncertain,
+            dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off)),
             causes,
             tuple((x, y) for x, y in shape.tolist()),
             distance_of_tips(held_ends(strip)),

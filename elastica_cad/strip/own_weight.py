@@ -69,9 +69,8 @@ def weight_warning(strip: Strip, gravity: Gravity) -> Refusal | None:
     """
     rod = strip.rod
     limit = LIGHT_CLAMPED if rod.supports.clamped else LIGHT
-    if (rod.length / gravity.length) ** 3 <= limit or rod.supports.is_free or strip.layout.stack is not None:
-        return None
-    if rod.discrete.unstable_modes:
+    light = (rod.length / gravity.length) ** 3 <= limit
+    if light or rod.supports.is_free or strip.layout.stack is not None or rod.discrete.unstable_modes:
         return None
     if reason := not_tried(rod.curve):
         return note(

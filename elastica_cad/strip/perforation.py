@@ -121,10 +121,9 @@ class DiamondPattern:
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         length = self.width.length
         within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
-        rows = filter(None, (row.within(*within) for row in self._rows))
         clear = [
             (part, part.loop(j))
-            for row in rows
+            for row in filter(None, (row.within(*within) for row in self._rows))
             for j in range(row.across)
             for part in self._divide_at_slots(row, j, cuts)
         ]

@@ -147,8 +147,7 @@ class FlatShape:
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         # turning a pre-bent strip reverses its curvature or the order of its ends
-        ways = FLIPS if self.bent is None else FLIPS[:1]
-        return any(self._covers(other, signs) for signs in ways)
+        return any(self._covers(other, signs) for signs in (FLIPS if self.bent is None else FLIPS[:1]))
 
     @cached_property
     def size_of_loops(self) -> FloatArray:

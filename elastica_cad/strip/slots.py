@@ -173,53 +173,35 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     beyond : float
         Length of the straight extension of the sides beyond the end of the centre line, mm.
     """
-    right, left = _sides(slot, width)
-    first, last = right.points[0], left.points[0]
-    end = Arc.from_bulge(first, last, -1.0) if slot.relief == "round" else Line(first, last)
-    inward = [segment.reversed() for segment in reversed(right.drawn(beyond))]
-    return Path([*inward, end, *left.drawn(beyond)])
-
-
-@dataclass(frozen=True, eq=False)
-class _Side:
-    """A side of a slot as points (n, 2), mm, from its inner end to the edge.
-
-    `direction` is the tangent at the edge. `bent` is the spline of a curved side, or None for a straight side.
-    """
-
-    points: FloatArray
-    direction: FloatArray
-    bent: Spline | None = None
-
-    def drawn(self, beyond: float) -> list[Segment]:
-        onward = self.points[-1] + self.direction * beyond / norm(self.direction)
-        if self.bent is None:
-            return [Line(self.points[0], onward)]
-        return [self.bent, Line(self.points[-1], onward)]
-
-
-def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
-    """Return the right and left side of a slot, seen from its inner end. `width` is the width of the strip."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
     degree = min(3, len(points) - 1)
     tangents = spline_through(t, points, degree)(t, 1)
     aside = (widths / 2 / norm(tangents))[:, None] * left_of(tangents)
-    right, left = points - aside, points + aside
-    sides = spline_through(t, np.hstack([right, left]), degree)
-    controls = np.hsplit(sides.coefficients, 2)
-    return _side(right, sides.knots, controls[0]), _side(left, sides.knots, controls[1])
+    both = points - aside, points + aside  # seen from the inner end, the right and the left side
+    sides = spline_through(t, np.hstack(both), degree)
+    right, left = (
+        _side(side, sides.knots, controls, beyond)
+        for side, controls in zip(both, np.hsplit(sides.coefficients, 2), strict=True)
+    )
+    first, last = both[0][0], both[1][0]
+    end = Arc.from_bulge(first, last, -1.0) if slot.relief == "round" else Line(first, last)
+    return Path([*(segment.reversed() for segment in reversed(right)), end, *left])
 
 
-def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
+def _side(points: FloatArray, knots: FloatArray, controls: FloatArray, beyond: float) -> list[Segment]:
+    """Return a side of a slot through `points` (n, 2), mm, from its inner end to `beyond` mm outside the edge."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / norm(chord)
     # such a side is drawn as a line
-    if len(points) == 2 or np.abs(off).max() < 1e-7:
-        return _Side(points, chord)
-    if len(points) < 4:
+    straight = len(points) == 2 or np.abs(off).max() < 1e-7
+    if not straight and len(points) < 4:
         raise InputError("a bent slot has too few points along its centre line: give four or more")
-    return _Side(points, controls[-1] - controls[-2], Spline(PlaneCurve(knots, controls, 3)))
+    ahead = chord if straight else controls[-1] - controls[-2]
+    onward = points[-1] + ahead * beyond / norm(ahead)
+    if straight:
+        return [Line(points[0], onward)]
+    return [Spline(PlaneCurve(knots, controls, 3)), Line(points[-1], onward)]
 
 
 FLAT_MM = 1e-3
@@ -333,8 +315,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
     (i, u), (j, v) = start, end
     if i == j and u <= v:
         return _piece(chain[i], u, v)
-    following = range(i + 1, j + (len(chain) if j <= i else 0))
-    middle = [chain[k % len(chain)] for k in following]
+    middle = [chain[k % len(chain)] for k in range(i + 1, j + (len(chain) if j <= i else 0))]
     return [*_piece(chain[i], u, 1.0), *middle, *_piece(chain[j], 0.0, v)]
 
 

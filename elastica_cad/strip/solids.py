@@ -298,12 +298,11 @@ class BentSolid:
         joints: Mapping[str, tuple[float, float, int]] = _joint_places(strip)
         thick = centred_thickness(strip)
         for layer in strip.layers:
-            faces = (layer.low - thick / 2, layer.high - thick / 2)
             yield cls.wrapped(
                 strip.rod,
                 layer.outline,
                 layer.holes,
-                heights=faces,
+                heights=(layer.low - thick / 2, layer.high - thick / 2),
                 frame=frame,
                 joints=joints,
                 between=thick,

@@ -248,8 +248,7 @@ def _mark_on_backing(curvature: FloatArray) -> str:
     added. For a straight strip, return an empty string.
     """
     # up to this curvature, the strip counts as straight at a point
-    small = 1e-6 * float(np.abs(curvature).max(initial=0.0))
-    bent = curvature[np.abs(curvature) > small]
+    bent = curvature[np.abs(curvature) > 1e-6 * np.abs(curvature).max(initial=0.0)]
     if not bent.size:
         return ""
     word = "OUTSIDE" if bent[0] > 0 else "INSIDE"
@@ -326,11 +325,10 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
     for cut, layer in zip(layers, strains, strict=False):
         least = cut.sheet.published_radius
         if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + PRINTED_ACCURACY:
-            at = bends.place(tightest)
             yield note(
                 "The radius is {radius} at {at} from the start. Plywood {thickness:g} thick needs at least "
                 "{least} {grain} the face grain ({source}). Use a thinner sheet or a gentler curve.",
-                radius=Length(rounded_down(1 / bend[tightest], 3)), at=Length(at),
+                radius=Length(rounded_down(1 / bend[tightest], 3)), at=Length(bends.place(tightest)),
                 thickness=Length(cut.sheet.thickness), least=Length(least),
                 grain=note(cut.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
             )  # fmt: skip
@@ -458,24 +456,27 @@ class Strip:
             )
         if self.rod.follows_bend:
             object.__setattr__(self, "rod", as_bent(self.rod))
-        object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
         for name in ("max_width", "min_width"):
             value = getattr(self, name)
             if value is not None:
                 require_positive(value, name)
-        object.__setattr__(self, "label", require_name(self.label, "the label"))
         if self.engrave is not None:
             require_engravable(self.engrave)
         require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
-        object.__setattr__(self, "ends", pair_of_tabs(self.ends, self.rod.supports))
         slots = several("slots", self.slots, Slot, "Slot")
         for slot in slots:
             slot.require_rad()
         missing = [notch for cut in element_cuts(self.rod) for notch in cut.missing_from(slots)]
-        vars(self).update(slots=(*slots, *missing), creep=require_creep(self.creep))
+        vars(self).update(
+            sheet=Sheet.of(self.sheet),
+            label=require_name(self.label, "the label"),
+            ends=pair_of_tabs(self.ends, self.rod.supports),
+            slots=(*slots, *missing),
+            creep=require_creep(self.creep),
+        )
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
             if self.layout.backing is not None or self.layout.size is not None:
@@ -508,9 +509,8 @@ class Strip:
             "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
         }.items():  # fmt: skip
             columns[physical] = B * columns.pop(name)
-        bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
         worst = max(
-            self.layout.strains(Bends(bent, self.rod.s)),
+            self.layout.strains(Bends(np.abs(self.rod.curvature - self.rod.natural_curvature), self.rod.s)),
             key=lambda layer: layer.largest / layer.limit,
         )
         more = {f"{name}_mm": size(self.rod.s) for name, size in self.tapered.items()}
@@ -1094,10 +1094,9 @@ def require_placed(placed: object) -> tuple[Placed, ...]:
     for strip in {id(member.strip): member.strip for member in members}.values():
         if strip.engrave is None and strip.label != marks[strip.label]:
             numbered[id(strip)] = replace(strip, engrave=marks[strip.label])
-    new = (numbered.get(id(member.strip)) for member in members)
     return tuple(
-        member if strip is None else member.with_strip(strip)
-        for member, strip in zip(members, new, strict=True)
+        member.with_strip(numbered[id(member.strip)]) if id(member.strip) in numbered else member
+        for member in members
     )
 
 

@@ -288,8 +288,7 @@ def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator
     try:
         yield
     except (NotRealizable, InputError) as problem:
-        refused = isinstance(problem, NotRealizable) or curve.has_corners
-        if refused and not may_change:
+        if (isinstance(problem, NotRealizable) or curve.has_corners) and not may_change:
             problem.add_note(
                 "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve "
                 "then is."

@@ -94,10 +94,10 @@ def strip_rows(
         *([Row(note("Accuracy"), LATER)] if quick else _slow_rows(strip)),
     ]
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
-    others = [text for text in strip.warnings if text not in reported]
     rows += [
         warning_row(text, note("Warning")) if is_reported(text) else Row(note("Note"), text)
-        for text in others
+        for text in strip.warnings
+        if text not in reported
     ]
     return in_order(rows)
 
@@ -116,7 +116,6 @@ def size_row(strip: Strip) -> Row:
     tabs = sum(tab.length for tab in strip.ends)
     length = strip.rod.length
     ratio = note("The largest stiffness of the strip is {ratio:.4g} times the least.", ratio=strip.rod.ratio)
-    backing = [strip.backing_side] if strip.backing_side else []
     return Row(
         note("Size"),
         note(
@@ -126,19 +125,18 @@ def size_row(strip: Strip) -> Row:
             length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
             mass=Mass(strip.mass),
         ),
-        (ratio, *backing),
+        (ratio, *([strip.backing_side] if strip.backing_side else [])),
     )  # fmt: skip
 
 
 def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
     if near is None:
         return
-    far = near.deviation > FAR_SHARE * strip.rod.length
     yield Row(
         note("Curve"),
         note("at most {far} from the drawn curve", far=Length(near.deviation)),
         (note(near.status.value),),
-        "warning" if far else "note",
+        "warning" if near.deviation > FAR_SHARE * strip.rod.length else "note",
     )
     if advice := near.advice:
         yield Row(note("Change"), advice[0], advice[1:])
@@ -430,8 +428,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
 def _rounded_move(mm: float, most: float) -> Length | Refusal:
     if mm > most:
         return note("more than {limit}", limit=about(most))
-    small = note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))
-    return about(mm) if mm >= SMALLEST_MOVE_MM else small
+    return about(mm) if mm >= SMALLEST_MOVE_MM else note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))
 
 
 def _element_text(action: ElementForce, rod: Rod, force: Force) -> Refusal:

@@ -88,11 +88,10 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
-        at = float(strip.rod.s[tight.argmax()])
         raise InputError(
             "{at:.4g} from its start the strip bends to a radius below half its thickness: draw a gentler "
             "curve, or allow less thickness",
-            at=Length(at),
+            at=Length(float(strip.rod.s[tight.argmax()])),
         )
 
     def face(s: FloatArray) -> FloatArray:
@@ -254,7 +253,6 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
     weights[[0, -1]] = 1e6  # large weights, because both halves of the cross section must meet exactly
-    fitted = make_lsq_spline(u, unit_vectors(np.pi * u), knots, DEGREE, w=weights)
-    cosines, sines = fitted.c.T.copy()
+    cosines, sines = make_lsq_spline(u, unit_vectors(np.pi * u), knots, DEGREE, w=weights).c.T.copy()
     cosines[[0, -1]], sines[[0, -1]] = (1.0, -1.0), 0.0
     return knots, cosines, sines

@@ -192,15 +192,13 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
         other, hole = (cuts[number] for number in sorted(loops))
         narrow = float(width[k])
         if hole is not other and isinstance(circle := hole.segments[0], Arc) and circle.is_circle:
-            narrow = _distance(circle.center, [_facing(other, middle[k])]) - circle.radius
+            here = middle[k]
+            faced = min(other.segments, key=lambda segment: _distance(here, [segment]))
+            narrow = _distance(circle.center, [faced]) - circle.radius
         if narrow < least * (1 - SEEN_APART):
             x, y = middle[k].tolist()
             places.append(ThinPlace(x, y, narrow, loops))
     return tuple(sorted(places, key=lambda place: place.width))
-
-
-def _facing(path: Path, point: FloatArray) -> Segment:
-    return min(path.segments, key=lambda segment: _distance(point, [segment]))
 
 
 def _distance(point: FloatArray, segments: Iterable[Segment]) -> float:
@@ -726,5 +724,4 @@ def _too_large(
                 field=FieldName("shop.lap"),
             )
             # from about 12 thicknesses on, the glue joint is as strong as the sheet
-            lap = Change("lap", float(round(20 * sheet.thickness)))
-            yield Fault(name, what, cure, (lap,))
+            yield Fault(name, what, cure, (Change("lap", float(round(20 * sheet.thickness))),))
