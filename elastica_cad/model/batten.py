@@ -95,7 +95,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None) -> dict[str, FloatArr
     tips = -first, strip.rod.length + last
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, 21)])
     s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
-    bent = np.clip(s, 0.0, strip.rod.length)
+    bent = s.clip(0.0, strip.rod.length)
     section, sizes = strip.layout.section_at(bent)
     (layer,) = section.strains(np.abs(strip.rod.bend_at(bent)), sizes)
     strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
@@ -224,8 +224,9 @@ class BattenSpec:
                 field=FieldName("full"),
                 most=100 * LARGEST_FULL_FRACTION,
             )
-        stocks = ThicknessLaw | RoundLaw
-        require_record(self.stock, stocks, "the stock of the batten", "a ThicknessLaw or a RoundLaw")
+        require_record(
+            self.stock, ThicknessLaw | RoundLaw, "the stock of the batten", "a ThicknessLaw or a RoundLaw"
+        )
         if self.lying not in (None, "up", "down"):
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 

@@ -121,7 +121,7 @@ class Body:
         # three Newton steps suffice, because the stations are close together
         for _ in range(3):
             place, tangent = self.ruled.in_plane(s)
-            s = np.clip(s + dot(points - place, tangent), 0.0, self.ruled.length)
+            s = (s + dot(points - place, tangent)).clip(0.0, self.ruled.length)
         return s, *self.ruled.in_plane(s)
 
     @cached_property
@@ -136,7 +136,7 @@ class Body:
         for rim in self._slot_polygons:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
             left, down = s[:, None] - x, across[:, None] - y
-            where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
+            where = ((left * dx + down * dy) / (dx**2 + dy**2)).clip(0.0, 1.0)
             off = np.hypot(where * dx - left, where * dy - down).min(axis=1)
             # a ray from a point inside a polygon crosses an odd number of sides
             beside = ((down >= 0) != (down >= dy)) & ((left * dy < down * dx) == (dy > 0))
@@ -206,7 +206,7 @@ def _deepest_sample(
             depth[inner] = np.minimum(
                 depth[inner], body.distance_from_slots(x[inner], y[inner]) - slot_distance + inset
             )
-    k = int(np.argmax(depth))
+    k = int(depth.argmax())
     if depth[k] <= least:
         return None
     return Collision((float(s[k]), float(foot[k])), float(depth[k]), b.ruled.frame.point(local[k]))
@@ -355,7 +355,7 @@ def self_contact(strip: Strip) -> Places | None:
     # samples a quarter of the thickness apart, or farther apart on a long strip
     count = min(20_000, int(long / (0.25 * thickness)) + 2)
     s = np.linspace(-start, rod.length + end, count)
-    inner = np.clip(s, 0.0, rod.length)
+    inner = s.clip(0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
     middle = np.column_stack([x, y]) + (s - inner)[:, None] * unit_vectors(angle)
     pairs = np.transpose(near_pairs(middle, middle, max(thickness, long / count)))

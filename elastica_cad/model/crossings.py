@@ -300,7 +300,7 @@ class Branch:
                 break
             # the divisor is limited, because both slopes are 0 where the surfaces touch
             step = gap / np.maximum(f**2 + g**2, 1e-14)
-            s_a, s_b = np.clip(s_a - step * f, 0.0, h.a.length), np.clip(s_b + step * g, 0.0, h.b.length)
+            s_a, s_b = (s_a - step * f).clip(0.0, h.a.length), (s_b + step * g).clip(0.0, h.b.length)
             on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
         return h.common(s_a, s_b, on_curves)
 
@@ -346,9 +346,9 @@ def _branches_of_constant_height(
     The arc length on the other stretch is then constant.
     """
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
-        yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
+        yield _arc_lengths_at(s_a, c_a, c_b[:1]).repeat(s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
-        yield s_a, np.repeat(_arc_lengths_at(s_b, c_b, c_a[:1]), s_a.size)
+        yield s_a, _arc_lengths_at(s_b, c_b, c_a[:1]).repeat(s_a.size)
 
 
 def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
@@ -501,7 +501,7 @@ class Crossing:
     def middle(self) -> float:
         """Parameter x at half the length of the crossing."""
         x, along, _ = self.course
-        k = int(np.searchsorted(along, along[-1] / 2)) - 1
+        k = int(along.searchsorted(along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         half = along[-1] / 2 - along[k]
         middle = float(x[k]) + pace * half
@@ -537,7 +537,7 @@ class Crossing:
         outside = np.flatnonzero(m.min(axis=1) < 0)
         if not outside.size:
             return None
-        i, side = int(outside[0]), int(np.argmin(m[outside[0]]))
+        i, side = int(outside[0]), int(m[outside[0]].argmin())
         sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
         root = float(_edge_crossings(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
         return (root - self.start) / (self.end - self.start)

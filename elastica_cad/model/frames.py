@@ -243,7 +243,7 @@ class _RailPlan:
         n = self.frame.z_axis
         along = np.cross(n, across)
         along = along / np.linalg.norm(along)
-        order = np.argsort(centers @ across)
+        order = (centers @ across).argsort()
         side = float(np.interp(station, (centers @ across)[order], (centers @ along)[order]))
         height = float(self.frame.origin @ n)
         return Frame(station * across + side * along + height * n, along, np.cross(n, along))
@@ -330,7 +330,7 @@ def _with_tongue(
         outward = -left_of(side)
         off, along = (base - p) @ outward, (base - p) @ side
         if np.abs(off).max() < 1e-6 and along.min() > 0 and along.max() < norm(q - p):
-            a, b = base[np.argsort(along)]
+            a, b = base[along.argsort()]
             (low, high), inset = np.multiply.outer(heights, outward), step * side
             stepped = [a + low, a + low + inset] if step else []
             back = [b + low - inset, b + low] if step else []

@@ -232,10 +232,13 @@ class Model:
     plates: tuple[Ring | Rib, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "placed", require_placed(self.placed))
-        object.__setattr__(self, "plates", numbered(self.placed, self.plates))
-        object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
-        object.__setattr__(self, "name", require_name(self.name, "the model's name"))
+        placed = require_placed(self.placed)
+        vars(self).update(
+            placed=placed,
+            plates=numbered(placed, self.plates),
+            reports=several("reports", self.reports, str, "text"),
+            name=require_name(self.name, "the model's name"),
+        )
         if not self.placed:
             raise InputError(f"the model {self.name!r} has no strips: add at least one strip")
 

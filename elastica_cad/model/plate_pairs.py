@@ -429,7 +429,7 @@ def _moved_slot(
         half = loose / 2 * out
         middle = walls[0] + half if pressed[0] else walls[1] - half
     else:
-        half = np.clip((walls[1] - walls[0])[0] @ out, tight, loose) / 2 * out
+        half = ((walls[1] - walls[0])[0] @ out).clip(tight, loose) / 2 * out
     return replace(slot, corners=np.concatenate([middle - half, (middle + half)[::-1]]))
 
 
@@ -454,9 +454,9 @@ def _refuse_short(first: BasePlate, needed: Mapping[Key, float], cures: Cures) -
 def _bent_length(tab: PlacedTab, lean: Lean, ground: Frame) -> float:
     slopes, places, left = lean.resting
     heights = ground.local(tab.frame.point(np.column_stack([places, np.zeros(places.size), -left])))[:, 2]
-    lengths = np.append(0.0, np.cumsum(lean.piece * np.hypot(1.0, slopes)))
+    lengths = np.append(0.0, (lean.piece * np.hypot(1.0, slopes)).cumsum())
     # the tab is straight beyond its last bent piece
-    k = min(int(np.searchsorted(-heights, 0.0)), slopes.size) - 1
+    k = min(int((-heights).searchsorted(0.0)), slopes.size) - 1
     return float(lengths[k] + heights[k] * (lengths[k + 1] - lengths[k]) / (heights[k] - heights[k + 1]))
 
 
@@ -546,7 +546,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
     known[0] = True
     while not known.all():
         steps = np.where(known[:, None] & ~known, np.minimum(alike, turned), np.inf)
-        old, new = np.unravel_index(np.argmin(steps), steps.shape)
+        old, new = np.unravel_index(steps.argmin(), steps.shape)
         # the ends are clearly nearer to those of the neighbour if the strip is reversed
         opposite[new] = opposite[old] ^ (turned[old, new] < (1 - 1e-6) * alike[old, new])
         known[new] = True

@@ -382,7 +382,7 @@ class BasePlate:
                 x, y = axes @ cuts.T
                 y = np.sort(y[np.abs(x) <= half + CLEAR_MM])
                 room = np.diff(y) - height - below - 2 * CLEAR_MM
-                for k in np.argsort(-room)[: np.count_nonzero(room > 0)]:
+                for k in (-room).argsort()[: np.count_nonzero(room > 0)]:
                     low = y[k] + room[k] / 2 + CLEAR_MM + below
                     point = self._middle + low * axes[1]
                     if encloses(edge, point) and not any(encloses(loop, point) for loop in loops):

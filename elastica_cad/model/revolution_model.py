@@ -149,7 +149,7 @@ def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name:
             "with a gap of {gap:g}, {name} would be only {least:.4g} wide at {at:.6g} from its start: reduce "
             "the gap, or end the strip before this place",
             name=name,
-            at=Length(float(s[int(np.argmin(half(s)))])),
+            at=Length(float(s[int(half(s).argmin())])),
             least=Length(least),
             gap=Length(gap),
         )

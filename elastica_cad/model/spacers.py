@@ -395,9 +395,9 @@ def _far_apart(places: FloatArray, thinned: list[int], count: int) -> list[int]:
     The first place has the largest sum of distances from the others.
     """
     apart = np.linalg.norm(places[thinned, None, :2] - places[thinned, :2], axis=-1)
-    chosen = [int(np.argmax(apart.sum(axis=1)))]
+    chosen = [int(apart.sum(axis=1).argmax())]
     while len(chosen) < count:
-        chosen.append(int(np.argmax(apart[:, chosen].min(axis=1))))
+        chosen.append(int(apart[:, chosen].min(axis=1).argmax()))
     return [thinned[k] for k in chosen]
 
 
@@ -427,7 +427,7 @@ def _spread(
             others = np.delete(chosen, k, axis=0)
             least = np.linalg.norm(free[:, None, :2] - others[:, :2], axis=-1).min(axis=1)
             extent = np.maximum(reaches, reach(others).max(axis=0)).min(axis=1)
-            chosen[k] = free[np.argmax(np.where(least >= apart, extent + least, -np.inf))]
+            chosen[k] = free[np.where(least >= apart, extent + least, -np.inf).argmax()]
         if np.array_equal(before, chosen):
             break
     extent = 0.0 if count == 2 else ((np.concatenate(slots) - middle) @ towards).max(axis=0).min()

@@ -150,7 +150,7 @@ def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> Floa
     A cut is given as (position, added length), mm.
     """
     at, lengths = np.array(added_lengths).T
-    node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
+    node = (at / rod.length).clip(0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
     after = node - before
     added = np.bincount(before, lengths * (1 - after), rod.s.size)

@@ -379,16 +379,16 @@ def _fit_spline(
             raise NotConvergedError(
                 "the bent strip cannot follow its curve {at:.6g} from the start, because the curvature "
                 "changes too fast there: smooth the curve",
-                at=Length(float(edges[:-1][bad][0])),
+                at=Length(edges[:-1][bad][0]),
             )
         # the error is proportional to (length of the span) ** (DEGREE + 1), with a margin of 10 %
-        parts = np.where(bad, np.clip(np.ceil(1.1 * excess ** (1 / (DEGREE + 1))), 2, 4), 1)
+        parts = np.where(bad, np.ceil(1.1 * excess ** (1 / (DEGREE + 1))).clip(2, 4), 1)
         edges = _divide_spans(edges, parts)
 
 
 def _divide_spans(edges: FloatArray, counts: FloatArray) -> FloatArray:
     parts = counts.astype(int)
-    width = np.repeat(np.diff(edges) / parts, parts)
+    width = (np.diff(edges) / parts).repeat(parts)
     return np.append(edges[:-1].repeat(parts) + numbers_in_groups(parts) * width, edges[-1])
 
 

@@ -169,7 +169,7 @@ def _corners(
         target = x[open_] + np.column_stack([cross(gap, w), cross(gap, v)]) / determinant[:, None]
         outside = (target < 0) | (target > 1)
         turned_back[open_] += outside.any(axis=1)
-        halfway = (x[open_] + np.clip(target, 0.0, 1.0)) / 2
+        halfway = (x[open_] + target.clip(0.0, 1.0)) / 2
         # a step that would pass the end of a side is shortened; after six such steps the side is too short
         given_up = turned_back[open_] > 6
         x[open_] = np.where(outside & ~given_up[:, None], halfway, target)

@@ -146,9 +146,8 @@ class Drawing:
         Texts that would be mirrored or skewed are replaced by paths.
         """
         m = require_affine(matrix)
-        even = is_similarity(m)
         paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
-        if even and np.linalg.det(m[:2, :2]) > 0:
+        if is_similarity(m) and np.linalg.det(m[:2, :2]) > 0:
             scale, turn, _ = similarity_of(m)
             texts = []
             for text in self.texts:
@@ -282,7 +281,7 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
     for k, i in enumerate(order):
         rest = order[k + 1 :]
-        rest = rest[: np.searchsorted(low[rest, 0], high[i, 0], side="right")]
+        rest = rest[: low[rest, 0].searchsorted(high[i, 0], side="right")]
         for j in rest[(low[rest, 1] <= high[i, 1]) & (high[rest, 1] >= low[i, 1])]:
             crossing = polylines_cross(outline(int(i)), outline(int(j)))
             if crossing is not None:

@@ -269,13 +269,13 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
             continue
         gaps = np.interp(along[between], (0, 1), width(action.s) - 2 * notch)
         if np.any(gaps <= wide):
-            k = np.argmin(gaps - wide)
+            k = (gaps - wide).argmin()
             yield note(
                 "The two cords in the notches from {start} to {end} cross the strip {at} from its start, because "
                 "they are {gap:.1f} apart there and the strip is {wide:.1f} wide. Tie them to bars across the "
                 "strip, longer than {apart}, instead of notches.",
-                start=Length(action.s[0]), end=Length(action.s[1]), at=Length(float(crossings[k])),
-                gap=BareLength(float(gaps[k])), wide=Length(float(wide[k])), apart=Length(apart),
+                start=Length(action.s[0]), end=Length(action.s[1]), at=Length(crossings[k]),
+                gap=BareLength(gaps[k]), wide=Length(wide[k]), apart=Length(apart),
                 severity="warning",
             )  # fmt: skip
 

@@ -112,7 +112,7 @@ class Layer:
         first = at.searchsorted(np.minimum(x, x1))
         count = at.searchsorted(np.maximum(x, x1)) - first
         line = np.arange(x.size).repeat(count)
-        station = numbers_in_groups(count) + np.repeat(first, count)
+        station = numbers_in_groups(count) + first.repeat(count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
         # the outline counts as positive and holes as negative, whether a loop is clockwise or not
@@ -132,7 +132,7 @@ class Layer:
         which, points = chords_of_all([line for loop in loops for line in loop.segments], 1e-4)
         same_loop = np.append(which[1:] == which[:-1], False)
         loop = np.arange(len(loops)).repeat([len(line.segments) for line in loops])[which[same_loop]]
-        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
+        begins, points = loop.searchsorted(np.arange(len(loops))), points[same_loop]
         ends = np.roll(points, -1, axis=0)
         ends[np.append(begins[1:], loop.size) - 1] = points[begins]
         return loop, points.T, ends.T

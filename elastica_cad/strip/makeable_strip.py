@@ -136,7 +136,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
     # largest |log(factor on the width)|
     clip = min(0.5, largest)
-    guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
+    guess = np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0].clip(-clip, clip)
     drawn, guessed = (_correct(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
     best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.deviation, default=None)
     if best is None:

@@ -1,6 +1,6 @@
 """Outline of a flat strip: its long sides, tabs and holes."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from math import hypot
@@ -311,11 +311,10 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     pieces = _parts_between_jumps(width)
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
-    start, end = _end_widths(width)
-    near_tab, far_tab = _without_small_shoulders(ends[0], start), _without_small_shoulders(ends[1], end)
-    at_end, at_start = _tab_to_strip(width.length, 1), _tab_to_strip(0.0, -1)
-    far = [segment.transformed(at_end) for segment in far_tab.corners(end)]
-    near = [segment.transformed(at_start) for segment in near_tab.corners(start)]
+    near, far = (
+        [segment.transformed(to_strip) for segment in _without_small_shoulders(tab, wide).corners(wide)]
+        for tab, wide, to_strip in _placed_tabs(width, ends)
+    )
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
@@ -328,10 +327,11 @@ def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
 
 def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
     """Return the round holes of both tabs as closed loops in the coordinates of the strip."""
-    start, end = _end_widths(width)
-    first = [path.transformed(_tab_to_strip(0.0, -1)) for path in ends[0].hole_paths(start)]
-    last = [path.transformed(_tab_to_strip(width.length, 1)) for path in ends[1].hole_paths(end)]
-    return (*first, *last)
+    return tuple(
+        path.transformed(to_strip)
+        for tab, wide, to_strip in _placed_tabs(width, ends)
+        for path in tab.hole_paths(wide)
+    )
 
 
 def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
@@ -421,6 +421,7 @@ def _end_widths(width: Profile) -> tuple[float, float]:
     return float(width.coefficients[0]), float(width.coefficients[-1])
 
 
-def _tab_to_strip(x: float, direction: int) -> FloatArray:
-    """Return the (3, 3) map from a tab's coordinates to the strip; `direction` is -1 at the start, else 1."""
-    return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])
+def _placed_tabs(width: Profile, ends: Ends) -> Iterator[tuple[Tab, float, FloatArray]]:
+    """Yield each tab, the width (mm) of the strip beside it, and the (3, 3) map from the tab to the strip."""
+    for tab, wide, x, direction in zip(ends, _end_widths(width), (0.0, width.length), (-1, 1), strict=True):
+        yield tab, wide, np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

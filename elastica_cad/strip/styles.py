@@ -332,7 +332,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
         raise InputError(
             "{name} is {given:.4g} at {at:.4g} from the start: give numbers above 0 everywhere",
             name=name,
-            given=Length(float(profile(at))),
+            given=Length(profile(at)),
             at=Length(at),
         )
     return profile

@@ -152,11 +152,10 @@ class TabSeat:
 
     def bends(self, shift: float, turn: float, sign: int) -> FloatArray:
         """Return the second derivatives (k, 2, 2) of `gaps` with respect to shift and turn."""
-        cos, sin = np.cos(turn), np.sin(turn)
-        into, left, side = self.edges
+        _, _, side = self.edges
         second = np.zeros((side.size, 2, 2))
-        second[:, 0, 1] = second[:, 1, 0] = sin * side
-        second[:, 1, 1] = side * (sign * into * sin - (left - shift) * cos)
+        second[:, 0, 1] = second[:, 1, 0] = np.sin(turn) * side
+        second[:, 1, 1] = -self.thickness / 2 - self.gaps(shift, turn, sign)
         return second
 
     @cached_property

@@ -91,7 +91,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
         raise InputError(
             "{at:.4g} from its start the strip bends to a radius below half its thickness: draw a gentler "
             "curve, or allow less thickness",
-            at=Length(float(strip.rod.s[tight.argmax()])),
+            at=Length(strip.rod.s[tight.argmax()]),
         )
 
     def face(s: FloatArray) -> FloatArray:
