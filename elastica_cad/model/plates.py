@@ -669,13 +669,6 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
             raise _overlap_error(plate.name, names[k], met[0])
 
 
-def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
-    """Refuse a hole in a seat, which is the area (four corners) where a tab is glued to the plate."""
-    for hole in holes:
-        if any(_overlap(hole.points(FLAT_MM), seat) for seat in seats):
-            raise _overlap_error(name, hole_name(hole), note("the seat of a tab"))
-
-
 def _overlap_error(name: str, hole: str, other: str) -> InputError:
     return InputError(
         "{name}: {hole} and {other} overlap. Use smaller holes, place them farther apart, or "
@@ -829,7 +822,9 @@ def ring_plate(
     )
     inner, outer = around(seats, np.zeros(2), ring_options.border)
     opening, further = _opening_and_holes(ring_options, np.zeros(2), inner)
-    _refuse_holes_in_seats(name, further, seats)
+    for hole in further:
+        if any(_overlap(hole.points(FLAT_MM), seat) for seat in seats):
+            raise _overlap_error(name, hole_name(hole), note("the seat of a tab"))
     ring = Ring(
         sheet, frame, Path.circle(np.zeros(2), outer), (), name, (), opening, (*holes, *further),
         seats=tuple(map(Path.polygon, seats)), seated=tuple(tab.name for tab in tabs),

@@ -338,13 +338,7 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
         spans = _divide_spans(edges, np.maximum(np.ceil(turns / 0.2), 2))
         knots, rows = _fit_spline(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
-    _refuse_tight(maps, reach)
-    return tuple(maps)
-
-
-def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
-    for bent in maps:
-        s, kappa = bent.curvature
+        s, kappa = maps[-1].curvature
         i = np.abs(kappa).argmax()
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
@@ -354,6 +348,7 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
                 given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
             )
+    return tuple(maps)
 
 
 def _fit_spline(
