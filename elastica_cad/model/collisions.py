@@ -118,7 +118,7 @@ class Body:
 
         The search starts at the arc lengths `s`.
         """
-        # three Newton steps suffice, because the stations are close together
+        # three Newton steps, which start at near stations
         for _ in range(3):
             place, tangent = self.ruled.in_plane(s)
             s = (s + dot(points - place, tangent)).clip(0.0, self.ruled.length)

@@ -37,7 +37,7 @@ def _least_turn(rod: Rod, error: float) -> tuple[float, str] | None:
 
     The rod is bent with one clamp turned by `error` to either side. Rods with rails, pins or ties are left out.
     """
-    # above this margin the effect of turned clamps is small; the arches of the examples have 80 to 110
+    # above this margin no clamp is turned; the arches of the examples have margins of 80 to 110
     if rod.between or rod.supports.is_free or closes(rod) or not 0 < stability(rod).margin <= 60.0:
         return None
     snaps: list[tuple[float, str]] = []

@@ -34,7 +34,8 @@ def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     """
     sheet = Sheet.of(sheet)
     require_positive(max_overhang, "max_overhang")
-    # at w L^3 / (E I) = 5, the tip sags by half the length L; the sag then is most sensitive to the modulus E
+    # if w L^3 / (E I) is 5, where w is the weight per length, the tip of a clamped level strip sags by half its
+    # length L, and the sag is most sensitive to E
     best = 5.0 ** (1 / 3) * sheet.elasto_gravity_length
     return float(max(TICK_MM, TICK_MM * np.floor(min(best, max_overhang) / TICK_MM)))
 

@@ -198,7 +198,7 @@ class _Bump:
 
         from scipy.optimize import brentq
 
-        # even a hole as wide as the strip needs less than ten times the width
+        # even a hole as wide as the strip needs a smaller relative widening than 9
         peak: float = brentq(lack, 0.0, 9.0)
         return peak
 

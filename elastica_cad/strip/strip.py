@@ -302,7 +302,7 @@ def _warn_of_strains(
 
 def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
     start, end = width([0.0, length]).tolist()
-    # a smaller step at the joint is not visible
+    # a smaller step at the joint needs no warning
     if closed and abs(end - start) > 0.05:
         yield note(
             "The ends of the closed strip do not fit together: one is {start:.3g} wide, the other {end}. Choose "

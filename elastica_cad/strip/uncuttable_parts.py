@@ -468,7 +468,8 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
     """Return a fault if slots are too wide for their tabs. Each slot is (name, slot width, tab thickness), mm."""
 
     def widest(through: float) -> float:
-        # 2.4 mm hold a thin tab with glue on both sides; a plate of 3 mm can hold a tab of 0.8 mm at 32 degrees
+        # a slot of 2.4 mm can hold a thin tab with glue on both sides; eight times its thickness lets a plate of
+        # 3 mm hold a tab of 0.8 mm at 32 degrees
         return max(2.4, 8.0 * through)
 
     wide = [each for each in slots if each[1] > widest(each[2])]
