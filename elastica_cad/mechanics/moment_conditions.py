@@ -298,24 +298,15 @@ class StiffnessFamily:
         """True if the offset is 0, so that every multiple of a stiffness is in the family."""
         return not self.columns.coefficients[..., -1].any()
 
-    @property
-    def side_conditions(self) -> tuple[FloatArray, FloatArray]:
-        """Rows (k, d) and offsets (k,) of the side conditions."""
-        return _rows_and_offset(self.conditions)
-
-    def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows (n, d) and offsets (n,) at n points with the coordinates x on the panels `panel`."""
-        return _rows_and_offset(self.columns.at(panel, x))
-
     @cached_property
-    def dense(self) -> tuple[FloatArray, FloatArray]:
-        """Rows and offsets at the sample points `Panels.dense_places`."""
-        return _rows_and_offset(self.columns.dense)
+    def dense(self) -> FloatArray:
+        """Values (n, d + 1) of the columns at the sample points `Panels.dense_places`."""
+        return self.columns.dense
 
-    def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows and offsets at the extremes of the stiffness for parameters y, and at the samples nearby."""
+    def extremes(self, y: FloatArray) -> FloatArray:
+        """Return the columns at the extremes of the stiffness for parameters y, and at the samples nearby."""
         K = self.columns.combined(np.append(y, 1.0))
-        return self.at(*K.extreme_places)
+        return self.columns.at(*K.extreme_places)
 
 
 def _rows_and_offset(columns: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -337,15 +328,14 @@ def least_ratio(
     its bounds by at most the relative `tolerance`.
     """
     if places is not None:
-        rows, offset = family.at(*places)
+        samples = family.columns.at(*places)
     elif family.freedom == 0 or (family.freedom == 1 and family.is_homogeneous and not family.sides):
         # a single free parameter only scales the stiffness, so the extremes have fixed positions
-        rows, offset = family.dense
-        more, more_offset = family.extremes(np.ones(family.freedom))
-        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
+        samples = np.concatenate([family.dense, family.extremes(np.ones(family.freedom))])
     else:
         return _continuous_ratio(family, tolerance, most)
-    side_rows, side_offset = family.side_conditions
+    rows, offset = _rows_and_offset(samples)
+    side_rows, side_offset = _rows_and_offset(family.conditions)
     solution = minimax_ratio(rows, offset=offset, side_rows=side_rows, side_offset=side_offset)
     return None if solution is None else (solution.x, solution.ratio)
 
@@ -353,10 +343,10 @@ def least_ratio(
 def _continuous_ratio(
     family: StiffnessFamily, tolerance: float, most: float
 ) -> tuple[FloatArray, float] | None:
-    rows, offset = family.dense
+    rows, offset = _rows_and_offset(family.dense)
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(np.concatenate([rows, *sides]), most=most)
-    program.hold(*family.side_conditions)
+    program.hold(*_rows_and_offset(family.conditions))
     program.demand(rows, offset, rows, offset)
     for side in sides:
         program.hold(side, np.zeros(len(side)))
@@ -366,7 +356,7 @@ def _continuous_ratio(
         if answer is None:
             return None
         y, ratio = answer
-        rows, offset = family.extremes(y)
+        rows, offset = _rows_and_offset(family.extremes(y))
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
@@ -411,19 +401,20 @@ def _smoothest(
     bend = in_panels(_SLOPES_AT_NODES, slopes.coefficients) * WEIGHTS[:, None]
     before, after = slopes.where_panels_meet
     bends, bend_offset = _rows_and_offset(np.concatenate([bend.reshape(count * order, -1), after - before]))
-    pins, pin_offset = np.zeros((0, family.freedom)), np.zeros(0)
+    pins = np.zeros((0, family.freedom + 1))
     if keep_largest:
-        pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
-        pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
+        pins = family.extremes(start) if places is None else family.columns.at(*places)
+        pins = pins[pins @ np.append(start, 1.0) > ratio * (1 - BOUNDED)]
         # at these places, the stiffness must be at least that for `start`
-        pin_offset = 1.0 - pins @ start
+        pins[:, -1] = 1.0 - pins[:, :-1] @ start
 
-    def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
-        rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
-        return least_variation(rows, offset, bends, bend_offset, ratio, start, family.side_conditions)
+    def smoothest(samples: FloatArray) -> FloatArray:
+        rows, offset = _rows_and_offset(np.concatenate([samples, pins]))
+        sides = _rows_and_offset(family.conditions)
+        return least_variation(rows, offset, bends, bend_offset, ratio, start, sides)
 
     return (
-        smoothest(*family.at(*places))
+        smoothest(family.columns.at(*places))
         if places is not None
         else _bounded(family, ratio, smoothest, tolerance)
     )
@@ -431,29 +422,29 @@ def _smoothest(
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
     """Return the parameters y that maximise number @ y for a stiffness rows @ y between 1 and `ratio`."""
-    sides, _ = family.side_conditions
-    return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio, sides))
+    sides = family.conditions[:, :-1]
+    return _bounded(family, ratio, lambda samples: largest_number(samples[:, :-1], number, ratio, sides))
 
 
 def _bounded(
     family: StiffnessFamily,
     ratio: float,
-    best: Callable[[FloatArray, FloatArray], FloatArray],
+    best: Callable[[FloatArray], FloatArray],
     tolerance: float = BOUNDED,
 ) -> FloatArray:
     """Return the parameters y from `best` for which the stiffness K is between 1 and `ratio` on the whole curve.
 
-    The function `best` keeps K = rows @ y + offsets within the bounds at samples. Extremes of K are added as
+    The function `best` keeps K = samples @ (y, 1) within the bounds. Extremes of K are added as
     samples until K exceeds its bounds by at most the relative `tolerance`.
     """
-    rows, offset = (samples[:: METHOD.first_step] for samples in family.dense)
+    samples = family.dense[:: METHOD.first_step]
     for _ in range(METHOD.most_rounds):
-        y = best(rows, offset)
-        more, more_offset = family.extremes(y)
-        K = more @ y + more_offset
+        y = best(samples)
+        more = family.extremes(y)
+        K = more @ np.append(y, 1.0)
         if K.min() >= 1 - tolerance and K.max() <= ratio * (1 + tolerance):
             return y
-        rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
+        samples = np.concatenate([samples, more])
     raise unsettled(ratio)
 
 
@@ -467,7 +458,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     from scipy.optimize import linprog
 
     panel, x = family.panels.dense_places()
-    rows, offset = family.dense
+    rows, offset = _rows_and_offset(family.dense)
     s = family.panels.arc_length(panel, x)
     d = family.freedom
     if d == 0:
@@ -479,7 +470,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     # maximise the least stiffness, scaled at each sample, over parameters y from -1 to 1; samples with a
     # multiplier other than 0 limit it
     scaled = rows / size[:, None]
-    sides, side_offset = family.side_conditions
+    sides, side_offset = _rows_and_offset(family.conditions)
     matrix = np.column_stack([-np.concatenate([scaled, sides]), np.repeat([1.0, 0.0], [len(s), len(sides)])])
     bounds = [(-1.0, 1.0)] * d + [(None, None)]
     right = np.concatenate([offset / size, side_offset])
@@ -752,8 +743,7 @@ class ConditionedRows:
         Return None if no stiffness exists. The result can also be None if the ratio is above `most`.
         """
         if numbers.family.freedom > 0:
-            rows, _ = numbers.family.dense
-            sizes = np.abs(rows).sum(axis=1)
+            sizes = np.abs(numbers.family.dense[:, :-1]).sum(axis=1)
             if not sizes.max() < WIDEST_RATIO * sizes.min():
                 return None
         return least_ratio(numbers.family, self.places, tolerance, most)

@@ -491,7 +491,7 @@ def _best_numbers_near(
     The root mean square change of the values is at most `reach`. If there is no solution, this limit is increased
     up to 64 times.
     """
-    rows, _ = family.dense
+    rows = family.dense[:, :-1]
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
     # the norm of moves @ (parameters - here) is the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))

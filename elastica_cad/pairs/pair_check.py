@@ -417,7 +417,7 @@ class PairedPanels:
         Return None if no stiffness in the family is positive everywhere. The default is `self.family`.
         """
         family = family or self.family
-        sizes = np.abs(family.dense[0]).sum(axis=1)
+        sizes = np.abs(family.dense[:, :-1]).sum(axis=1)
         if not sizes.max() < WIDEST_RATIO * sizes.min():
             return None
         result = least_ratio(family)
