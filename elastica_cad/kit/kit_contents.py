@@ -143,8 +143,9 @@ def kit_contents(
         messages += _tip_notes(request.kind, plates)
     for (_, _, nesting), parts in shared.items():
         names = "-".join(name for name, _ in parts)
-        laid = [piece for _, cut in parts for piece in cut]
-        nests += _nest(laid, nesting, spec, f"{model.name}-{names}-nest")
+        nests += _nest(
+            [piece for _, cut in parts for piece in cut], nesting, spec, f"{model.name}-{names}-nest"
+        )
     messages += crowded_blocks([holder for holder in holders if isinstance(holder, EndFixture)], model.placed)
     messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}

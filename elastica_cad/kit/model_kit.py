@@ -110,8 +110,9 @@ def model_kit(
         replace(row, file=f"{PARTS}/{row.file}" if step else "not written")
         for row in contents.cut_list.printed
     )
-    rows = tuple(_rows_in_files(contents, parts=parts))
-    listed = replace(contents.cut_list, rows=rows, printed=tuple(blocks))
+    listed = replace(
+        contents.cut_list, rows=tuple(_rows_in_files(contents, parts=parts)), printed=tuple(blocks)
+    )
     csv, txt, json, page = _list_names(name)
     if pictures:
         from elastica_cad.plot.assembly_sheet import save_assembly_sheet

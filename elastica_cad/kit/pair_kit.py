@@ -62,8 +62,7 @@ class MadePair:
             from elastica_cad.plot.canvas import draw_file
             from elastica_cad.plot.pair_pictures import pair_sheet
 
-            picture = partial(draw_file, partial(pair_sheet, part, self.spec.faired))
-            files.append(File(f"{name}.png", picture))
+            files.append(File(f"{name}.png", partial(draw_file, partial(pair_sheet, part, self.spec.faired))))
         files.append(text_file(f"{name}-force.csv", part.force_csv()))
         matched = self.spec.matched
         report = {

@@ -407,8 +407,9 @@ def _step(
         rows, right = conditions[:, :-1], conditions[:, -1]
         # the linear conditions have larger penalties than the bounds
         penalty, one_sided = np.full(right.size, 10.0), np.ones(right.size, dtype=bool)
-        program = QuadraticProgram(H, g, lower, upper, rows, right, penalty, one_sided)
-        solution = solve_quadratic(program, accuracy=1e-12)
+        solution = solve_quadratic(
+            QuadraticProgram(H, g, lower, upper, rows, right, penalty, one_sided), accuracy=1e-12
+        )
         u, c, s = solution.x[:r], solution.x[r], solution.x[r + 1]
         compliances = C + dC @ u
         low = _peaks(c - aim.ratio * (compliances + s), above=1e-8)
@@ -417,8 +418,7 @@ def _step(
             break
         conditions = np.concatenate([conditions, soft[low], stiff[high]])
     promised = 0.5 * float(((J @ u + offsets) ** 2).sum()) + _PENALTY * float(solution.x[r + 1 :].sum())
-    points = (changes.basis[:-3] @ u).reshape(-1, 2) * length
-    return points, float(np.abs(u).max()), promised
+    return (changes.basis[:-3] @ u).reshape(-1, 2) * length, float(np.abs(u).max()), promised
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:

@@ -201,8 +201,10 @@ def _pages(
             _print(figure, (paper[0] - MARGIN, 0.5 * MARGIN), f"{k + 1} / {len(further) + 1}", ha="right")
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
-            count = counted(len(model.placed), "strip")
-            summary = note("{count}; assembled {size} mm (x, y, z)", count=count, size=size_text(view.size))
+            summary = note(
+                "{count}; assembled {size} mm (x, y, z)",
+                count=counted(len(model.placed), "strip"), size=size_text(view.size),
+            )  # fmt: skip
             _print(figure, (MARGIN, top + 12.0), words.sentence(summary))
             picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
             top -= picture[1]
@@ -419,8 +421,8 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
         cells = []
         for tab, end in zip(tabs, held_ends(member.strip), strict=True):
             cells += [_point(tab.frame.origin), angle_in_space(member, end.tilt)]
-        distance = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
-        yield model.single_name_of(i), *cells, f"{distance:.1f}"
+        apart = tabs[1].frame.origin - tabs[0].frame.origin
+        yield model.single_name_of(i), *cells, f"{np.linalg.norm(apart):.1f}"
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
@@ -455,8 +457,8 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
             if element.is_between_bars:
                 at = note("{place} (middle between two bars)", place=at)
             if contact is not None:
-                side = side_in_space(member.frame.direction(element.outward[0]))
-                at = note("{text} (bar {side})", text=at, side=side)
+                outward = member.frame.direction(element.outward[0])
+                at = note("{text} (bar {side})", text=at, side=side_in_space(outward))
             if others:
                 length = f"{np.linalg.norm(points[-1] - points[0]):.1f}"
             else:
@@ -692,8 +694,10 @@ class View:
                 paint_patches(axes, self.patches[run] @ to_points, self.colors[run], rasterized=True)
                 continue
             loops, _, fills = zip(*(self.outlines[k - len(self.patches)] for k in run), strict=True)
-            polygons = [loop @ to_points for loop in loops]
-            paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
+            paint_polygons(
+                axes, [loop @ to_points for loop in loops],
+                facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True,
+            )  # fmt: skip
         for line in self.leads:
             axes.plot(*(line @ to_points).T, color=LEAD, linewidth=0.5, linestyle=":")
         for points, tip in self.elements:

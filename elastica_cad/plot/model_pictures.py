@@ -214,9 +214,8 @@ def model(
     size = float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, 0.0015 * size, faces) for placed in model.placed]
     # small patches can be sorted by depth
-    holding = holder_patches(held_by, 0.02 * size)
-    painted = [*strips, *((part, lit(part) * color) for part, color in holding)]
-    patches, colors = map(np.concatenate, zip(*painted, strict=True))
+    holding = ((part, lit(part) * color) for part, color in holder_patches(held_by, 0.02 * size))
+    patches, colors = map(np.concatenate, zip(*strips, *holding, strict=True))
     drawn = [(placed.strip, part) for placed, (part, _) in zip(model.placed, strips, strict=True)]
     extent = np.ptp(assembled_box(drawn, held_by), axis=0)
     title = f"{fill(model.name, 90)}\n{counted(len(model.placed), 'strip')}"

@@ -515,11 +515,9 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
         case "lap":
             return [strip | {"shop": strip.get("shop", design.get("shop", {})) | {"lap": change.value}}]
         case "between":
-            present = strip.get("between", design.get("between", []))
-            return [strip | {"between": [*present, suggestion.table]}]
+            return [strip | {"between": [*strip.get("between", design.get("between", [])), suggestion.table]}]
         case "sheet" if "thickness" in {**design, **strip}:
-            thickness = Sheet.named(change.value).thickness
-            return [strip | {"sheet": change.value, "thickness": thickness}]
+            return [strip | {"sheet": change.value, "thickness": Sheet.named(change.value).thickness}]
     return [strip | {change.field: suggestion.table}]
 
 
@@ -851,8 +849,9 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     else:
         cutting, strip_spec = _design(tables).kit.cutting, _spec(request)
         rod = solve_rod(strip_spec.rod_spec)
-        paper = "A4" if kind == "pdf" else None
-        files = StripFiles(cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
+        files = StripFiles(
+            cutting, "A4" if kind == "pdf" else None, step=kind == "step", pictures=False, stl=kind == "stl"
+        )
         strip = replace(strip_spec.make(rod), unmarked=cutting.service)
         kit = StripResult(strip_spec, rod, strip, name).kit(files)
     written = kit.write(folder / name)

@@ -125,12 +125,11 @@ class Studio:
         if path is not None and path.exists():
             # report an invalid design in the terminal before the page opens
             open_design(path)
-        file = None if path is None else path.name
         self._hello = page_words() | {
             "do": "hello",
             "starts": start_designs(),
             "version": installed_version("elastica-cad") or "from a checkout",
-            "file": file,
+            "file": None if path is None else path.name,
         }
         self._workers = Workers(path)
         self._pages = count(1)

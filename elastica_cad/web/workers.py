@@ -89,8 +89,8 @@ class Workers:
                         reason = (
                             "The request took longer than {seconds} s. Use fewer strips, samples or holes."
                         )
-                    problem = InputError(reason, seconds=round(seconds))
-                    kind, content = b"text", text_answer(question, refused(problem))
+                    refusal = refused(InputError(reason, seconds=round(seconds)))
+                    kind, content = b"text", text_answer(question, refusal)
                 # the page may have been closed meanwhile
                 with suppress(Exception):
                     await send(kind, content)
