@@ -117,9 +117,12 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 
 def _scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
     """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least value."""
-    if not profile.is_positive:
-        raise InputError("the stiffness of the rod is not positive everywhere: give numbers above 0")
     K = profile(s)
+    if not profile.is_positive:
+        at = Mm(s[K.argmin()])
+        raise InputError(
+            f"the stiffness of the rod is not positive near {at:.6g} from its start: give numbers above 0"
+        )
     return profile.scaled(1 / K.min()), K / K.min()
 
 
