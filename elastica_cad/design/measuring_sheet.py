@@ -12,9 +12,8 @@ import numpy as np
 from elastica_cad._toml import parse_toml
 from elastica_cad.design.toml_text import toml_key
 from elastica_cad.errors import InputError, toml_slip
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Line, Path
 from elastica_cad.geometry.plane_points import points_at
-from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import MARKS, heights_of_marks
 from elastica_cad.strip.lettering import Text, engravable

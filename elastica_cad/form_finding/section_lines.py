@@ -17,7 +17,7 @@ from elastica_cad._values import (
 )
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import distances, polyline_distances
+from elastica_cad.geometry.path import Spline, distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     begun_at,
@@ -28,7 +28,6 @@ from elastica_cad.geometry.plane_points import (
     points_at,
     turn_between,
 )
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet

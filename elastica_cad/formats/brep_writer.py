@@ -11,8 +11,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.bent_boundary import (
     Boundary,

@@ -20,9 +20,9 @@ from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import check_target, write_atomically
 from elastica_cad.geometry.fairing import two_sided_distance
+from elastica_cad.geometry.path import Arc, Line, Spline
 from elastica_cad.geometry.path import Path as Chain
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath

@@ -20,9 +20,8 @@ from elastica_cad.formats.drawing_style import (
 )
 from elastica_cad.formats.dxf_drawing import encode_dxf
 from elastica_cad.formats.write_files import check_target, write_atomically
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Arc, Line, Path, Segment
 from elastica_cad.geometry.plane_points import project
-from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.strip.drawing import LAYERS, MARK, Drawing, HoldingTabs, add_holding_tabs, compensate_kerf
 
 _DECIMALS, _EXACT_DECIMALS = 6, 12

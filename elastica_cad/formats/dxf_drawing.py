@@ -22,8 +22,7 @@ from elastica_cad.formats.drawing_style import (
     shape_paths,
     style_layers,
 )
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Arc, Segment, Spline, trim_segment
+from elastica_cad.geometry.path import Arc, Path, Segment, Spline, trim_segment
 from elastica_cad.strip.drawing import SHEET, Drawing
 
 DxfVersion: TypeAlias = Literal["R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018"]

@@ -25,4 +25,4 @@ from elastica_cad.geometry.plane_curve import (
 )
 from elastica_cad.geometry.profile import Profile as Profile
 from elastica_cad.geometry.projective_maps import four_point_map as four_point_map
-from elastica_cad.geometry.segments import Arc as Arc, Line as Line, Segment as Segment, Spline as Spline
+from elastica_cad.geometry.path import Arc as Arc, Line as Line, Segment as Segment, Spline as Spline

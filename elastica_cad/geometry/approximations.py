@@ -9,11 +9,17 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path import (
+    Path,
+    Segment,
+    Spline,
+    distances,
+    require_tolerance_mm,
+    segment_from_bulge,
+)
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.plane_points import norm, place, project, turn_between
 from elastica_cad.geometry.polynomials import raise_degree
-from elastica_cad.geometry.segments import Segment, Spline, require_tolerance_mm, segment_from_bulge
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, kinks, solved
 from elastica_cad.refusals import Length
 
@@ -195,7 +201,7 @@ def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
 
     Examples
     --------
-    >>> from elastica_cad.geometry.segments import Arc
+    >>> from elastica_cad.geometry.path import Arc
     >>> from elastica_cad.geometry.plane_curve import PlaneCurve
     >>> arch = Path([Spline(PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)]))])
     >>> all(isinstance(piece, Arc) for piece in as_arcs(arch, 0.05).segments)

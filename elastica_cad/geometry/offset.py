@@ -9,10 +9,20 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
-from elastica_cad.geometry.path import JOIN, Path, distances, meets
+from elastica_cad.geometry.path import (
+    JOIN,
+    Arc,
+    Line,
+    Path,
+    Segment,
+    Spline,
+    distances,
+    meets,
+    require_tolerance_mm,
+    trim_segment,
+)
 from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
 from elastica_cad.geometry.plane_points import angle_of, left_of, norm, place, turn_between, unit
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_tolerance_mm, trim_segment
 from elastica_cad.refusals import Length
 
 

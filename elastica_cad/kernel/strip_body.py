@@ -11,8 +11,7 @@ from elastica_cad._text import printable
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.path import Path, Spline
 from elastica_cad.kernel.occt import face_frame, make_face, make_sheets, make_wire, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, kernel
 from elastica_cad.mechanics.bending import bend

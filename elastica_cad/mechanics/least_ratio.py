@@ -11,11 +11,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError, rounded_up
+from elastica_cad.geometry.path import point
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm
 from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import point
 from elastica_cad.mechanics.bracing import SLACK_SHARE, slack_elements
 from elastica_cad.mechanics.cross_sections import LeavesLaw, Section, require_section
 from elastica_cad.mechanics.discrete_rod import edge_forces, nodal_forces

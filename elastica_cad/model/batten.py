@@ -13,11 +13,10 @@ from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import FaultError, InputError, NotConvergedError
 from elastica_cad.form_finding.leaf_ends import LeafedRod, lay_leaves
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Line, Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import norm, unit
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.cross_sections import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.loads import Gravity, Supports, Weight

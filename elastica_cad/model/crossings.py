@@ -23,11 +23,11 @@ import numpy as np
 from elastica_cad._cached_property import cached_property
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Spline
 from elastica_cad.geometry.path_intersections import segment_crossings
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import distinct, left_of, lengths_along, unit
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
 
 InPlane = tuple[FloatArray, FloatArray]

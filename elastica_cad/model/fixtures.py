@@ -14,9 +14,8 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import POCKET_CLEARANCE
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Arc, Path, Segment
 from elastica_cad.geometry.plane_points import left_of, points_at, unit, unit_vectors
-from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
 from elastica_cad.refusals import Angle, BareLength, Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes

@@ -9,9 +9,8 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Arc, Line, Path, Segment
 from elastica_cad.geometry.plane_points import unit_vectors
-from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.refusals import Either, FieldName, Length, Point, note
 
 Side: TypeAlias = Literal["bottom", "top", "start", "end"]

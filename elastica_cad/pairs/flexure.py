@@ -31,7 +31,7 @@ from elastica_cad.errors import (
     rounded_up,
 )
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Line, Path, Spline
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
     angle_of,
@@ -42,7 +42,6 @@ from elastica_cad.geometry.plane_points import (
     norm,
     unit_vectors,
 )
-from elastica_cad.geometry.segments import Line, Spline
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
 from elastica_cad.mechanics.cross_sections import at_stations

@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import counted, is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Line, Path
 from elastica_cad.geometry.plane_points import (
     at_sign_changes,
     box_about,
@@ -19,7 +19,6 @@ from elastica_cad.geometry.plane_points import (
     numbers_in_groups,
     unit_vectors,
 )
-from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Color, sheet_color
 from elastica_cad.model.assembly import HOLDERS, Holder, require_model, single_holders

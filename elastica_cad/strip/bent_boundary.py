@@ -12,9 +12,9 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Arc, Line, Segment, Spline
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of, norm, numbers_in_groups, turns_along
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
     clamped_knots,

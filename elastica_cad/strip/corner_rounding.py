@@ -8,9 +8,8 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Arc, Path, Segment, SegmentTable, Spline, chord_points, trim_segment
 from elastica_cad.geometry.plane_points import cross, left_of, norm, place, turn_between
-from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, chord_points, trim_segment
 from elastica_cad.refusals import Length
 
 CLOSE_MM = 1e-9

@@ -15,7 +15,7 @@ from elastica_cad._values import is_number, require_number, require_record, seve
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.offset import offset_path
-from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path import Path, Segment, Spline, distances, trim_segment
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import (
     box_around,
@@ -28,7 +28,6 @@ from elastica_cad.geometry.plane_points import (
     transform_points,
     turn_between,
 )
-from elastica_cad.geometry.segments import Segment, Spline, trim_segment
 from elastica_cad.mechanics.sheets import require_name
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.lettering import Text, text_strokes

@@ -11,11 +11,10 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Arc, Line, Path, Segment, Spline
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
 from elastica_cad.geometry.plane_points import cross, norm
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import (
     SplineFunction,
     adaptive_spline,

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Path, Spline
 from elastica_cad.geometry.plane_points import angle_of, cross, left_of, norm, points_at, unit_vectors
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.mechanics.elements import (
     NOUNS,
     ElementForce,

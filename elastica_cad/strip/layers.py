@@ -9,11 +9,10 @@ from elastica_cad._cached_property import cached_property
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Line, Path, chords_of_all
 from elastica_cad.geometry.path_intersections import trim_off
 from elastica_cad.geometry.plane_points import numbers_in_groups
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Line, chords_of_all
 from elastica_cad.mechanics.cross_sections import LaidLeaves
 from elastica_cad.mechanics.laminated_section import stack_stiffness
 from elastica_cad.mechanics.rod import Rod, cell_edges

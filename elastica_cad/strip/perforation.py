@@ -12,10 +12,9 @@ from elastica_cad._values import SEEN_APART, counted, distinct_digits
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.approximations import as_arcs
-from elastica_cad.geometry.path import JOIN, Path, distances
+from elastica_cad.geometry.path import JOIN, Path, Segment, Spline, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Segment, Spline
 from elastica_cad.geometry.splines import SplineFunction, adaptive_spline, over_knots
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange

@@ -12,10 +12,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame, frame_or_plain
-from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path import Path, Spline
 from elastica_cad.geometry.path_intersections import clip_across
 from elastica_cad.geometry.plane_points import cross
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction, knot_runs
 from elastica_cad.mechanics.cross_sections import RoundLaw
 from elastica_cad.mechanics.rod import Rod

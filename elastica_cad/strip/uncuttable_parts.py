@@ -10,7 +10,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import SEEN_APART, and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, FaultError, rounded_down, rounded_up
-from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path import Arc, Path, Segment, distances
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import (
     blocks_of_near_pairs,
@@ -21,7 +21,6 @@ from elastica_cad.geometry.plane_points import (
     norm,
     numbers_in_groups,
 )
-from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import BareLength, FieldName, Length, Listed, Point, both_names, note, sentences

@@ -8,8 +8,7 @@ import pytest
 from elastica_cad import PlaneCurve, StripSpec, check_equilibrium, read_curves
 from elastica_cad.files import read_drawing
 from elastica_cad.geometry.measured_points import estimate_noise
-from elastica_cad.geometry.path import distances
-from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.path import Spline, distances
 from tests.command_line import run, suggested_commands
 
 pytestmark = pytest.mark.core

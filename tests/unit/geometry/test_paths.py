@@ -5,9 +5,9 @@ import pytest
 
 from elastica_cad import InputError, Path, PlaneCurve
 from elastica_cad.geometry import Arc, Line, Spline
+from elastica_cad.geometry.path import trim_segment
 from elastica_cad.geometry.path_intersections import clip_across, self_crossing, trim_across
 from elastica_cad.geometry.plane_curve import clamp_ends
-from elastica_cad.geometry.segments import trim_segment
 from elastica_cad.strip.outline import graph
 
 pytestmark = pytest.mark.core

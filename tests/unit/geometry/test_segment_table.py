@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastica_cad.geometry.path import Arc, Line, SegmentTable, Spline, chord_points, chords_of_all
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc, Line, SegmentTable, Spline, chord_points, chords_of_all
 
 pytestmark = pytest.mark.core
 

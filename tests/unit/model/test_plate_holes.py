@@ -9,7 +9,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import InputError, Tab
 from elastica_cad.design import read_design
-from elastica_cad.geometry.segments import Arc
+from elastica_cad.geometry.path import Arc
 from elastica_cad.model import PlateHoles, base_plate
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.plot.model_pictures import holder_patches
