@@ -118,10 +118,10 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 def _scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
     """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least value."""
     K = profile(s)
-    if not profile.is_positive:
+    if (K <= 0).any():
         at = Mm(s[K.argmin()])
         raise InputError(
-            f"the stiffness of the rod is not positive near {at:.6g} from its start: give numbers above 0"
+            f"the stiffness of the rod is not positive {at:.6g} from its start: give numbers above 0"
         )
     return profile.scaled(1 / K.min()), K / K.min()
 
@@ -513,6 +513,8 @@ class Rod:
         require_positive(length, "rod length")
         require_number(angle, "the angle of a rod", "rad")
         profile, n = _stiffness_profile_of(stiffness, length, samples)
+        if not profile.is_positive:
+            raise InputError("the stiffness of the rod is not positive everywhere: give numbers above 0")
         s = np.linspace(0.0, length, n)
         profile, K = _scaled_to_least(profile, s)
         tangent = unit_vectors(angle)
