@@ -424,7 +424,11 @@ def _converged_balance(load: WeightedPanels, section: Section) -> BalancedStiffn
         problem = load.carrying(*tangent, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
-        except NotConvergedError as error:  # the weight is the cause, because `light` has a solution
+        except (NotConvergedError, NotRealizable) as error:
+            # the weight is the cause, because `light` has a solution; a stiffness that still grows many times over
+            # says nothing about the curve
+            if isinstance(error, NotRealizable) and not 10 < change < np.inf:
+                raise
             raise _unsettled(section, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal

@@ -180,8 +180,6 @@ def test_a_mass_that_no_rod_of_the_section_bears_is_reported_as_too_heavy(grams)
 def test_a_hair_that_is_too_heavy_from_the_first_is_reported_so_without_a_number():
     """0.1 mm over half a metre: no program comes to an answer at all."""
     hair = RoundLaw(ACRYLIC, 0.1035e-2, 0.10354824746533017)
-    with pytest.raises(
-        (NotConvergedError, NotRealizable), match=r"stiffer or lighter|lighter or stiffer"
-    ) as result:
+    with pytest.raises((NotConvergedError, NotRealizable), match=r"stiffer or lighter material") as result:
         optimal_rod(ARCH, Gravity(1.0), section=hair)
     assert "inf" not in str(result.value)
