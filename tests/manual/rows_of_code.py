@@ -59,7 +59,7 @@ def _modules(row, _):
     """The test compares the tables with what `docs/plan.py` writes."""
     proved_by("tests/house/test_imports.py::test_the_drawing_of_the_packages_is_of_these_imports")
     (name,) = quoted(row[0])
-    assert list((ROOT / "elastica_cad").glob(f"*/{name}.py"))
+    assert [file for tree in TREES for file in tree.rglob(f"{name}.*") if file.suffix in (".py", ".js")]
 
 
 @asks("docs/architecture.md", "door", "where it checks")

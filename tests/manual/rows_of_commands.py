@@ -8,6 +8,8 @@ from pathlib import Path
 import ezdxf
 
 from elastica_cad.cli.commands import elastica
+from elastica_cad.declared import declared
+from elastica_cad.design.revolution_table import RevolutionTable
 from tests.manual.found_in_pages import ROOT, blocks_of, quoted
 from tests.manual.proofs import ARCH, PLY, QUICK, asks, proved_by, typed
 
@@ -107,6 +109,19 @@ def _curves(row, folder):
         assert row[0] == "a drawing on standard input"
         command = quoted(row[1])[0].removeprefix("elastica ").split(" < ")
         assert "can take" in typed(folder, *command[0].split(), stdin=(folder / command[1]).read_text())
+
+
+@asks(f"{HOW_TO}/models.md", "key", "effect")
+def _keys_of_a_surface(row, _):
+    """The keys are declared, and act."""
+    keys = {name.partition(" ")[0] for name in quoted(row[0])}
+    assert keys <= {field.name for field in declared(RevolutionTable)}
+    tests = "tests/unit/design/test_revolution_in_design_files.py"
+    proved_by(
+        f"{tests}::test_a_drawn_profile_is_smoothed"
+        if keys == {"smooth"}
+        else f"{tests}::test_keys_of_a_strip_act_at_the_top_and_below_the_heading"
+    )
 
 
 @asks(f"{HOW_TO}/cutting.md", "layer", "line", "do")
