@@ -861,9 +861,7 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
         return Download(f"{name}.zip", packed.getvalue())
     path = folder / name / cutting.file_name(name, kind)
     if path not in written:
-        raise InputError(
-            "A part with two states has no file {file} on this page. Choose another file.", file=kind
-        )
+        raise InputError("This page makes no file {file} of this design. Choose another file.", file=kind)
     return Download(path.name, path.read_bytes())
 
 
