@@ -173,9 +173,10 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]") -> float:
     def change(length: float) -> float:
         return sum(curve.change(length) for curve in drawn)
 
-    best = minimize_scalar(
-        change, bounds=(low, high), method="bounded", options={"xatol": 1e-4 * (high - low)}
-    )
+    with np.errstate(invalid="ignore"):  # the parabola through infinite values
+        best = minimize_scalar(
+            change, bounds=(low, high), method="bounded", options={"xatol": 1e-4 * (high - low)}
+        )
     length = min((float(best.x), low, high), key=change)
     if not np.isfinite(change(length)):
         raise InputError(

@@ -224,10 +224,12 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: 
 def empty_figure(size: tuple[float, float]) -> Figure:
     """Return a figure of the given width and height, inches, which draws names as they are.
 
-    Matplotlib would draw the text between two signs $ as a formula.
+    Matplotlib would draw the text between two signs $ as a formula. Letters that its font lacks are underscores, as
+    on the sheets.
     """
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
+        from matplotlib.font_manager import findfont, get_font
         from matplotlib.text import Text
     except ImportError as error:
         raise missing_library("pictures need matplotlib", "matplotlib") from error
@@ -238,6 +240,9 @@ def empty_figure(size: tuple[float, float]) -> Figure:
         def draw(self, renderer: Any) -> None:
             for text in self.findobj(Text):
                 text.set_parse_math(False)
+                known = get_font(findfont(text.get_fontproperties())).get_charmap()
+                words = text.get_text()
+                text.set_text("".join(c if c == "\n" or ord(c) in known else "_" for c in words))
             super().draw(renderer)
 
         def _repr_png_(self) -> bytes:

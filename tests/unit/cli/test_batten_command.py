@@ -239,7 +239,6 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         ),
         (("--stock", 25, 8, "--bore", 0.5), "--bore has no effect without --rod"),
         (("--stock", 25, 8, "--every", 0.1), r"--every is 0.1 mm\. Choose [\d.]+ mm to [\d.]+ mm,"),
-        (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves has no effect without --stock"),
         (("--stock", 25, 8, "--leaves", 4, "--stations", 5), "--stations has no effect beside --leaves"),
         (("--stock", 25, 8, "--full", 95), "full size over 95 % of its length. Set --full to 0 to 80 %"),
