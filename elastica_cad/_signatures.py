@@ -61,7 +61,7 @@ def _plain(signature: inspect.Signature) -> inspect.Signature:
 
 
 def _plain_type(hint: Any) -> Any:
-    """Return a type annotation as text, without names of modules and without `Annotated`."""
+    """Return a type annotation as text, without names of modules and `Annotated`; in a union, None is last."""
     if hint is inspect.Signature.empty:
         return hint
     kind, parts = get_origin(hint), get_args(hint)

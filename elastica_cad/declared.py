@@ -1,4 +1,5 @@
-"""Declaration of options on the fields of records. All front ends use these declarations.
+"""Declaration of options on the fields of records, with the sentence that help and forms show. All front ends use
+these declarations.
 
 A field, or a parameter of a function, is declared by an annotation:
 `ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
@@ -221,7 +222,8 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
     """Return True if a value has the kind and is within the bounds of the option.
 
-    Values of the kinds "names" and "either" are not checked.
+    Values of the kinds "names" and "either" are not checked. Of a list without a given size, only the length is
+    checked, because the reader of the field checks its items.
     """
     match kind.name:
         case "number" | "count":

@@ -1,4 +1,4 @@
-"""`elastica check`: check whether a flat strip can take a curve."""
+"""`elastica check`: check whether a flat strip can take a curve, and name sheets that fit."""
 
 from collections.abc import Sequence
 from contextlib import suppress

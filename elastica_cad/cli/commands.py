@@ -324,7 +324,7 @@ def _complete(command: click.Command) -> click.Command:
         for parameter in command.params
     )
 
-    def behind(**chosen: Any) -> None:
+    def run_with_root_options(**chosen: Any) -> None:
         root_options = click.get_current_context().find_root().params
         watched = bool(root_options.get("watch"))
         voice().quiet = bool(root_options.get("quiet"))
@@ -342,6 +342,7 @@ def _complete(command: click.Command) -> click.Command:
             try:
                 _run_once(run, chosen, notes)
             except click.exceptions.Exit:
+                # the run has concluded with an exit code; continue to watch the files
                 pass
             except ElasticaError as problem:
                 _refuse(problem)
@@ -352,7 +353,7 @@ def _complete(command: click.Command) -> click.Command:
 
         remake_on_change(make, partial(echo, err=True))
 
-    command.callback = behind
+    command.callback = run_with_root_options
     return command
 
 

@@ -124,6 +124,10 @@ def elements_of(chosen: Chosen, names: Iterable[str]) -> tuple[Any, ...]:
 
 
 def _values(name: str, values: Any) -> dict[str, Any]:
+    """Return the required fields of a record by name, from the values of its option.
+
+    A field of the kind list takes two values, X and Y. A place given as X,Y is a tuple and becomes a list.
+    """
     fields = _fields(name)
     remaining = iter([values] if len(fields) == 1 else values)
     row: dict[str, Any] = {}

@@ -257,7 +257,11 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 def spec_from_options(
     curve: PlaneCurve, label: str, table: Mapping[str, Any], read_curves: CurveReader = read_curves_with_note
 ) -> StripSpec:
-    """Return the `StripSpec` that the table of the options defines. Errors name the options."""
+    """Return the `StripSpec` that the table of the options defines. Errors name the options.
+
+    The keys `curve`, `cut` and `files` of the table are no fields of a strip: the command reads the curve and
+    writes the files.
+    """
     keys = {
         "label": label,
         **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},

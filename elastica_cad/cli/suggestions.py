@@ -1,4 +1,4 @@
-"""The command as the user typed it, and suggestions how to change it after an error."""
+"""The command as the user typed it, and the text of the changes that `strip/suggestions` found."""
 
 import shutil
 import sys

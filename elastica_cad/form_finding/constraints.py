@@ -160,7 +160,7 @@ class EndForce(Constraint):
         """Return the index and the derivatives of the scaled force: see `Constraint.rows`."""
         weights = np.zeros_like(sensitivities.rod.tangents)
         weights[-1, self.axis] = 1
-        row = sensitivities.along_forces(weights)
+        row = sensitivities.of_weighted_forces(weights)
         row += sensitivities.last_load_row(self.axis)
         return _all_rows(row[None] / self.scale)
 
@@ -270,7 +270,7 @@ class MiddleOfMirror(Constraint):
                 [
                     normal @ sensitivities.position[nodes].mean(axis=0),
                     sensitivities.angles[1:-1][edges].mean(axis=0),
-                    sensitivities.along_forces(weights),
+                    sensitivities.of_weighted_forces(weights),
                 ]
             )
         )
@@ -374,7 +374,7 @@ class MarginLimit(Constraint):
         """Return the index and the derivatives of the scaled margin: see `Constraint.rows`."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
-        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
+        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.of_weighted_forces(d.force)
         by_stiffness, by_moment = self.chained(rod, d.stiffness)
         if by_moment is not None:
             row += by_moment @ sensitivities.moments

@@ -168,6 +168,7 @@ class _Search:
 
     @property
     def turned(self) -> list[int]:
+        """Indices (0: start, 1: end) of the clamped ends whose angle is optimised."""
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
@@ -178,8 +179,9 @@ class _Search:
             first_rod = self._bent(start, self.relaxed)
         except (InputError, NotConvergedError):
             return None
-        shape = [first_rod]
-        missed = partial(self._missed, shape=shape)
+        # `_missed` puts each solved rod here, as the initial guess of the next rod
+        latest = [first_rod]
+        missed = partial(self._missed, latest=latest)
         if not start.size:
             return self._record(start, first_rod, settled=True)
         is_place = np.arange(start.size) < self.places.size
@@ -189,19 +191,19 @@ class _Search:
             missed, start, bounds=bounds, diff_step=1e-4, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
             max_nfev=60, x_scale="jac",
         )  # fmt: skip
-        return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
+        return self._record(optimum.x, self._bent(optimum.x, latest[0]), settled=optimum.status > 0)
 
-    def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
+    def _missed(self, x: FloatArray, latest: list[Rod]) -> FloatArray:
         """Return scaled offsets from `drawn`.
 
         The sum of their squares is the mean squared distance / length^2. The offsets are large if the stack
         has no rest shape.
         """
         try:
-            rod = self._bent(x, shape[0])
+            rod = self._bent(x, latest[0])
         except (InputError, NotConvergedError):
             return np.ones(2 * NODES)
-        shape[0] = rod
+        latest[0] = rod
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _separated(self, places: FloatArray) -> FloatArray:

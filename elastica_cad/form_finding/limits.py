@@ -211,17 +211,17 @@ class Box:
         vars(self).update(lower=tuple(lower.tolist()), upper=tuple(upper.tolist()))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the signed distances (n,) of points (n, 2) from the nearest side, and their gradients (n, 2).
+        """Return the signed distances (n,) of points (n, 2) from the box, and their gradients (n, 2).
 
-        Distances are positive outside the box.
+        They are positive outside the box. Inside, they are minus the distance from the nearest side.
         """
         below, above = self.lower - points, points - self.upper
         off = np.maximum(below, above)
-        deepest = off.max(axis=1, keepdims=True)
-        outward = np.where(deepest > 0, np.maximum(off, 0), off == deepest)
+        outermost = off.max(axis=1, keepdims=True)
+        outward = np.where(outermost > 0, np.maximum(off, 0), off == outermost)
         size = norm(outward)
         gradient = np.where(above > below, 1.0, -1.0) * outward / size[:, None]
-        return np.where(deepest[:, 0] > 0, size, deepest[:, 0]), gradient
+        return np.where(outermost[:, 0] > 0, size, outermost[:, 0]), gradient
 
 
 Row: TypeAlias = tuple[float, ...]

@@ -303,8 +303,12 @@ class Sensitivities:
     moments: FloatArray
     position: FloatArray
 
-    def along_forces(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives, by p unknowns, of the sum of `weights` (n, 2) times the forces in the n edges."""
+    def of_weighted_forces(self, weights: FloatArray) -> FloatArray:
+        """Return the derivatives, by p unknowns, of the sum of `weights` (n, 2) times the forces in the n edges.
+
+        The force in edge i is lambda - L e sums_i, with the force lambda at the start, the length L, and the weight
+        sums_i of a rod of length 1 up to node i (see `CarriedWeight`).
+        """
         grid = self.grid
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.force] = weights.sum(axis=0)

@@ -126,6 +126,7 @@ def _joined_runs(
             continue
         forward = _follow_joints(first, 1, partner, used)
         backward = _follow_joints(first, 0, partner, used)
+        # each run, with the end at which the chain leaves it: 1, or 0 (its start) if the run is reversed
         walk = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
         chains.append(tuple(e for i, side in walk for e in (runs[i] if side else reverse_run(runs[i]))))
         gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(walk)]
@@ -154,7 +155,7 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
 
 
 def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Return True if a circle is on a line, with its centre at most a tenth of the diameter aside."""
+    """Return True if a whole circle is between the ends of a line, at most a tenth of its diameter aside."""
     chord, out = edge.end - edge.start, centre - edge.start
     length = float(np.linalg.norm(chord))
     unit = chord / max(length, 1e-300)
@@ -575,6 +576,11 @@ def _polyline(points: FloatArray) -> PlaneCurve:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float, noise: float) -> list[PlaneCurve]:
+    """Return a smooth curve through points, cut at turns of more than 5 degrees if it misses the polyline.
+
+    It misses the polyline if it is farther than `allowed`, mm, from its sides. `allowed` is infinite if the points
+    are not vertices of a drawn polyline, or are noisy.
+    """
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance, noise)]
     curve, distance = fit_polyline(points, tolerance, noise)
@@ -583,6 +589,7 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float, noise: 
         _require_distance(distance, allowed)
         return [curve]
     cuts = sorted({0, *corners, len(points) - 1})
+    # only closed curves use the noise, and these pieces are open; without sharp turns they follow the polyline
     return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
 
 

@@ -1,4 +1,4 @@
-"""Reader of curves in DXF files. Arcs and splines are read without approximation."""
+"""Reader of curves in DXF files: arcs and splines without approximation, and the unit, stated or assumed."""
 
 import re
 import struct

@@ -1,4 +1,4 @@
-"""Reader of curves in SVG files: Bezier curves and arcs unchanged, and the size of a pixel by drawing program."""
+"""Reader of curves in SVG files: Bezier curves and arcs unchanged, and the unit, stated or guessed."""
 
 import re
 from collections import Counter

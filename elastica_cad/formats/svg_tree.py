@@ -352,6 +352,10 @@ def transform_matrix(element: Element, around: Extent) -> FloatArray:
 
 
 def _argument(word: Any, whole: float) -> float:
+    """Return an argument of a transform: an angle in degrees, a length in user units, or a plain number.
+
+    The result is NaN for other words. 100 % is `whole`.
+    """
     if word.type == "percentage":
         return float(word.value) * whole / 100
     if word.type not in ("number", "dimension"):

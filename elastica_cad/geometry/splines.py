@@ -664,7 +664,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     _check_options(degree, tolerance, None)
     t = _chord_parameters(data)
     problem = _Problem(_knots_for(t, degree), degree, data)
-    return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
+    return problem.knots, _smoothed(problem, problem.fitted(t, _LEAST_PENALTY), t, tolerance, np.inf)
 
 
 NOISE_SPARE, FREEDOM = 1.3, 18
@@ -720,17 +720,22 @@ class _Problem:
 
     def solved(self, t: FloatArray, weight: float) -> tuple[FloatArray, FloatArray]:
         """Fit the control points, and correct the parameters `_CORRECTIONS` times."""
-        control = self.at(t, weight)
+        control = self.fitted(t, weight)
         for _ in range(_CORRECTIONS):
             t = self.feet(control, t)
-            control = self.at(t, weight)
+            control = self.fitted(t, weight)
         return control, t
 
-    def at(self, t: FloatArray, weight: float) -> FloatArray:
+    def fitted(self, t: FloatArray, weight: float) -> FloatArray:
+        """Return the control points (m, 2) of the least-squares spline for data at parameters t (n,).
+
+        The spline passes through the first and the last point. `weight` is the factor of the penalty.
+        """
         basis = self._basis(t)
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
-        # least squares alone would be inaccurate in the first and last knot span
+        # Least squares alone would be inaccurate in the first and last knot span. A weight that increases towards
+        # the ends as the Chebyshev weight does, 1 / sqrt(distance), makes the errors there as small as elsewhere.
         weighted = basis.T * (1 / np.sqrt(from_ends.clip(1e-3, 1.0)))
         normal = weighted @ basis + weight * self.penalty
         ends = self.data[[0, -1]]
@@ -781,7 +786,7 @@ def _smoothed(
     for _ in range(12):
         middle = (low + high) / 2
         try:
-            candidate = problem.at(t, 10.0**middle)
+            candidate = problem.fitted(t, 10.0**middle)
         except np.linalg.LinAlgError:
             high = middle
             continue

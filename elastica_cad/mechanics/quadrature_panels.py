@@ -333,11 +333,13 @@ class CutCurve:
     def for_weight(self, gravity: Gravity) -> "CutCurve":
         """Return the curve with more cuts for a strip with weight, whose stiffness varies within long panels.
 
-        A panel is divided if it is longer than 2 sqrt(kappa l_eg^3), with its largest curvature kappa and the
-        elasto-gravity length l_eg.
+        With weight, (K kappa)'' is about K / l_eg^3, with the elasto-gravity length l_eg, so K changes by a factor
+        e over the length sqrt(kappa l_eg^3). A panel is divided if it is longer than twice this length for its
+        largest curvature, because the curvature is 0 where panels end at zeros.
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
+        # an almost straight panel would need any number of parts
         parts = np.ceil(np.diff(panels.edge_s) * steep / 2).clip(1, 50).astype(int)
         edges = panels.edges
         inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]

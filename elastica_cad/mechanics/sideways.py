@@ -409,9 +409,10 @@ def stations_of_sideways(rod: Rod) -> FloatArray:
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
-    """Return the stability margin of a rod against tipping.
+    """Return the stability margin of a rod against tipping; it is positive if the rod is stable.
 
-    `edgewise` and `torsion` (n,) are the stiffnesses at equal distances, divided by the least bending stiffness.
+    See `SidewaysStability.margin`. `edgewise` and `torsion` (n,) are the stiffnesses at equal distances, divided by
+    the least bending stiffness.
 
     Examples
     --------
@@ -431,9 +432,10 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
         (rod.discrete.force * rod.discrete.edge_length).cumsum(axis=0, out=whole[1:])
         force = np.diff(at_stations(whole.T, rod.s, s)).T / edge
     free = [end.is_free for end in rod.supports.ends]
-    lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
-                  edgewise, torsion, free)  # fmt: skip
-    return _lowest(lower, *_braces(rod, unit_vectors(angle), free)) / edge * rod.length**2
+    lower_band = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
+                       edgewise, torsion, free)  # fmt: skip
+    # per length instead of per edge, and in units of 1 / length^2
+    return _lowest(lower_band, *_braces(rod, unit_vectors(angle), free)) / edge * rod.length**2
 
 
 def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> tuple[FloatArray, FloatArray]:

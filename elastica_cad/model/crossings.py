@@ -317,6 +317,7 @@ _Extreme: TypeAlias = tuple[str, int, int]
 
 def _level_set(heights: _Heights) -> list[_Course]:
     """Return the curves of equal height on both strips, each as arc lengths on strip a and on strip b."""
+    # each stretch has arc lengths s and heights c
     first = _monotone_stretches(heights, heights.a)
     second = _monotone_stretches(heights, heights.b)
     pieces: list[_Course] = []
@@ -393,21 +394,28 @@ def _extreme_at_end(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: flo
 def _joined(
     pieces: list[_Course],
     ends: list[list[_Extreme | None]],
-    first: int,
-    second: int,
+    count_a: int,
+    count_b: int,
 ) -> list[_Course]:
-    counts = {"a": first, "b": second}
-    homes: dict[_Extreme, list[int]] = {}
+    """Join the pieces that meet at a height extreme of a strip.
+
+    `ends` has the extremes at the low and the high end of each piece. `count_a` and `count_b` are the numbers of
+    stretches of the strips a and b.
+    """
+    counts = {"a": count_a, "b": count_b}
+    pieces_at: dict[_Extreme, list[int]] = {}
     for i, pair in enumerate(ends):
         for key in pair:
+            # before the first and after the last stretch the strip ends, so nothing continues
             if key is not None and 0 < key[1] < counts[key[0]]:
-                homes.setdefault(key, []).append(i)
+                pieces_at.setdefault(key, []).append(i)
     unused = set(range(len(pieces)))
 
     def pieces_beyond(i: int, key: _Extreme | None) -> list[_Course]:
+        """Return the pieces that continue piece i beyond its end `key`, the last first, directed towards i."""
         chain: list[_Course] = []
         while key is not None:
-            after = [j for j in homes.get(key, []) if j != i and j in unused]
+            after = [j for j in pieces_at.get(key, []) if j != i and j in unused]
             if not after:
                 break
             i = after[0]

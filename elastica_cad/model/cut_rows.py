@@ -241,7 +241,10 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
 
 
 def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
-    """Return the name of an earlier piece with the same shape. If there is none, store this piece and return ""."""
+    """Return the name of an earlier piece with the same shape. If there is none, store this piece and return "".
+
+    Pieces with several outlines, and planed or turned pieces, are neither compared nor stored.
+    """
     outer = piece.drawing.on(CUT_OUTER)
     # the drawing does not show the shape of a planed or turned piece
     if len(outer) != 1 or piece.worked is not None:

@@ -106,6 +106,11 @@ def _feet_fit(plates: Sequence[BasePlate]) -> bool:
 
 
 def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
+    """Return True if printed blocks fit at the strip of a tab and at the two strips nearest to it.
+
+    Other strips are not compared, because a block overlaps first with its nearest neighbours.
+    """
+
     def distance(member: Placed) -> float:
         origins = [PlacedTab.of(member.strip, end, member.frame).frame.origin for end in ENDS]
         return min(float(np.linalg.norm(origin - tab.frame.origin)) for origin in origins)

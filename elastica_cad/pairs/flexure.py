@@ -1,4 +1,6 @@
-"""Part with two rest shapes, cut from a sheet: outline, pads, holder, strain, and path between the shapes."""
+"""Part with two rest shapes, cut from a sheet: thickness, outline, pads, holder, strain, and path between the
+shapes.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace

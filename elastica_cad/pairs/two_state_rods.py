@@ -1,4 +1,4 @@
-"""Rods that have two drawn curves as rest shapes.
+"""Rods that have two drawn curves as rest shapes: their stiffness and natural curvature.
 
 The rod with the least stiffness ratio and bend, or with the largest least thickness, is selected.
 """

@@ -723,10 +723,11 @@ class View:
 
 
 def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
+    """Draw a dimension line (2, 2) with its text, and return the box (2, 2) around the text, in points."""
     center, way = line.mean(axis=0), line[1] - line[0]
     draw_arrow(axes, line[0], line[1], INK, 0.6, "<|-|>")
     turned = abs(way[1]) > abs(way[0])
-    # if a line is too short for its text, the text is beside the line
+    # a line that is too short for its text and two arrow heads has the text beside it
     if norm(way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
         center = center - LABEL_HIGH * np.array([turned, not turned])
     axes.text(*center, text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",

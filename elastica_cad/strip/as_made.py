@@ -1,4 +1,6 @@
-"""Model of the finished strip: effects of slots, tabs and curling, and its shape in its holders."""
+"""Model of the finished strip: effects of slots, tabs and curling, its shape in its holders, and the causes of its
+deviation from the design, the largest first (row *Accuracy*).
+"""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

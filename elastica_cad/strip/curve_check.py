@@ -1,4 +1,6 @@
-"""Check whether a strip can take a drawn curve, and changes that make an impossible curve possible."""
+"""Check whether a strip can take a drawn curve, and changes that make an impossible curve possible, tried with a
+common sheet and width.
+"""
 
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING

@@ -171,6 +171,10 @@ def _joints(speed: float, places: list[float], ramp: float) -> Iterator[tuple[fl
 
 
 def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
+    """Return a clamped curve without weights, its end polynomials continued to the parameters `first` and `last`.
+
+    The parts on both sides of a ramp between kinks then meet in its middle.
+    """
     if (first, last) == curve.domain:
         return curve
     degree, knots = curve.degree, curve.knots.copy()

@@ -1,4 +1,6 @@
-"""Reactions of a mounted strip, its shape in the holders, and the expected deviation from its design."""
+"""Records of a mounted strip: reactions, shape and expected deviation; effects of sheet, cut and clamps on the
+deviation.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

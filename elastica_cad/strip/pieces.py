@@ -87,8 +87,8 @@ class EqualStrips:
 def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     """Return groups of equal strips, in the order of their first members.
 
-    Strips are equal if sheet and label are equal, and all cut loops coincide after the part is rotated or turned
-    over.
+    Strips are equal if their sheets, shapes (see `FlatShape.equals`), labels and engravings are equal, including
+    the names beside slots.
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}

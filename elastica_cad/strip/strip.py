@@ -219,6 +219,11 @@ class Shoulder:
 def _overstrained_tabs(
     layout: Layout, ends: Ends, strains: Sequence[LayerStrain], rooms: tuple[float, float]
 ) -> tuple[Shoulder, ...]:
+    """Return the tabs, narrower than their strip, whose strain is not allowed.
+
+    `rooms` are the widths, mm, of the widest tabs that fit into the holders at start and end.
+    """
+    # a strip of varying thickness or diameter is as wide in its tabs
     if layout.size is not None:
         return ()
     shoulders = []
@@ -230,6 +235,7 @@ def _overstrained_tabs(
         glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
         section, parameter = layout.section_of(widths, glued)
         wide, narrow = section.bending_stiffness(parameter).tolist()
+        # strip and tab have the same moment, so the strain grows as the stiffness decreases
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow, room)
             for layer in strains

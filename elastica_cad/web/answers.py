@@ -1,4 +1,4 @@
-"""Answers to the requests of the page, as JSON records."""
+"""Answers to the requests of the page: JSON records, and the files to download."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -549,6 +549,10 @@ def _sheet_rows(request: Mapping[str, Any]) -> Record:
 
 
 def _bending_frames(request: Mapping[str, Any]) -> Record:
+    """Return the shapes for the page's slider: from nearly flat (part 0) over the design (1) to pressed ends.
+
+    Beyond the design, part - 1 is the reduction of the distance of the ends, as a fraction.
+    """
     strip = _spec(request).make()
     if strip.rod.acting:
         raise InputError(
@@ -562,6 +566,7 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     out = np.arctan2(chord[1], chord[0])
     flat = start + NEARLY_FLAT * strip.rod.length * unit_vectors(out)
     clamped_ends = [support.angle for support in strip.rod.supports.ends]
+    # direction of the chord, with the full turns of the end angles
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def bend_keywords(part: float, there: FloatArray, turn: float) -> Record:

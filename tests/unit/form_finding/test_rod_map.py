@@ -65,11 +65,11 @@ def test_forces_have_gradients():
     for j in range(z.size):
         h = 1e-5 * np.eye(z.size)[j]
         edge = (np.sum(weights * g.shoot(z + h).force) - np.sum(weights * g.shoot(z - h).force)) / 2e-5
-        np.testing.assert_allclose(d.along_forces(weights)[j], edge, atol=1e-6)
+        np.testing.assert_allclose(d.of_weighted_forces(weights)[j], edge, atol=1e-6)
         one = np.zeros((EDGES, 2))
         one[-1, 1] = 1
         last = (g.shoot(z + h).all_forces[-1, 1] - g.shoot(z - h).all_forces[-1, 1]) / 2e-5
-        np.testing.assert_allclose((d.along_forces(one) + d.last_load_row(1))[j], last, atol=1e-6)
+        np.testing.assert_allclose((d.of_weighted_forces(one) + d.last_load_row(1))[j], last, atol=1e-6)
 
 
 @pytest.mark.parametrize("e", [(0.0, 0.0), (3.0, -7.0)])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The card over a 3D view with the result of the check, a legend, and a button for the nearest curve."""
+"""The card over a 3D view: a verdict of `solving/verdicts`, a legend, and a button for the nearest curve."""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
