@@ -120,6 +120,10 @@ def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
 
 
 def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
+    """Return the contribution of a taut rail, across which the strip cannot move.
+
+    The linear forms are the turn of the strip and its displacement against the tangent.
+    """
     s = float(action.s[0])
     moves, turn = edges.moves(s), edges.edge_length * edges.covered(s, 1)
     tangent = unit(turn @ edges.tangents)

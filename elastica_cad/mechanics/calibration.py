@@ -266,6 +266,11 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
+    """Return the mean of values with the weights 1 / errors^2, and its standard error.
+
+    The error is the larger of the propagated error and the scatter of the values. If an error is 0, all weights
+    are equal.
+    """
     exact = np.any(errors == 0)
     weights = np.ones(values.shape) if exact else errors**-2
     mean = float(np.average(values, weights=weights))

@@ -375,6 +375,10 @@ def shoot(
 def _shoot_in_python(
     bends: FloatArray, rests: FloatArray, across: FloatArray, along: FloatArray, M: float, alpha: float
 ) -> tuple[FloatArray, FloatArray]:
+    """Return the angles and moments of a rod from its start, as `_native.shoot` does.
+
+    A node adds bends M + rests to the angle; an edge adds across cos(angle) + along sin(angle) to the moment M.
+    """
     n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
     pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]

@@ -328,6 +328,8 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
 
 
 def _foot(curve: PlaneCurve, point: FloatArray) -> float:
+    """Return the arc length, mm, of the point of the curve nearest to `point`."""
+
     def at(s: float) -> tuple[FloatArray, ...]:
         here = curve.at(s)
         tangent = unit_vectors(here.angle[0])

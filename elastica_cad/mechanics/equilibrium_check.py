@@ -56,6 +56,7 @@ ADDED_INFLECTIONS = 2
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
+    """Return an undecided verdict if another fit of the measured points contradicts the check, or None."""
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
@@ -188,6 +189,10 @@ def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck)
 def _free_ends_near_zeros(
     excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports
 ) -> Iterable[float]:
+    """Yield the parameters of bent ends that are free to turn, but are meant to be unbent.
+
+    A zero of the curvature is near such an end, or its curvature is small; see `MEANT_SHARE`.
+    """
     unbent = {z.t for z in check.zeros if z.kind == "end"}
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
         if support.angle or t in unbent:
@@ -239,6 +244,7 @@ class SeparatingLine:
 def _check_line(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
+    """Return the check with the line on which the moment is 0, or a refused check if there is no such line."""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
@@ -255,6 +261,7 @@ def _check_line(
 
 
 def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
+    """Return the check with a line that meets the curve only at its inflection, or a refused check."""
     zero = check.zeros[0]
     lines = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=lines.line, off_line=((zero.s, 0.0),))
@@ -318,6 +325,7 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
+    """Return the check of the curve with its inflections moved onto `line`, or None if they cannot be moved."""
     # moving control points would open a closed curve
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
         return None
@@ -338,6 +346,10 @@ def _moved_onto(
 def _refuse_extreme_ratio(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
+    """Return the check, refused if the stiffness ratio exceeds `_WIDEST_RATIO`.
+
+    A line through a single inflection may turn by `spare` rad in both directions.
+    """
     if check.line is None or not check.realizable:
         return check
     at = _place_of_extreme_ratio(

@@ -204,6 +204,7 @@ class LaminatedSection(EqualByValue, Section):
         return [(self.base, base_width), (self.backing, backing_width)]
 
     def _widths(self, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return the widths of base and backing, mm, in one shape. Refuse a backing wider than the base."""
         w1, w2 = matched(positive(self.base_width, "base width"), numbers(backing_width, "backing width"))
         fits = (w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))
         if not fits.all():

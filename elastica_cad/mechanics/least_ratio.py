@@ -116,6 +116,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
+        """Return K at arc lengths, with a ramp instead of each step."""
         values = K(s)
         for step in steps:
             inside = np.abs(s - step) < half
@@ -174,6 +175,11 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
+        """Return the inner knots of a cubic spline through the stiffness with an error of about `tolerance`.
+
+        Between two `breaks`, the number of knots up to a place is the integral of the density that the fourth
+        derivative requires.
+        """
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
@@ -381,6 +387,7 @@ def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight 
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:
+    """Refuse a free end of a strip with weight, unless a mass, an element or a force acts on this end."""
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
     acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
@@ -415,6 +422,7 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
+    """Return the uniform rod of a curve that any stiffness fits, or refuse a load that would bend it."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -449,6 +457,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 
 def _uniform_rod(rod: Rod, section: Section) -> Rod:
+    """Return the rod with the deciding limit of the section (its largest or least size) everywhere."""
     bent = section.bent(0.0)
     size = bent.deciding_limit
     scale, newtons = float(bent.bending_stiffness(size)), float(bent.weight_per_length(size))
@@ -458,6 +467,7 @@ def _uniform_rod(rod: Rod, section: Section) -> Rod:
 
 
 def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
+    """Return the rod with a balanced stiffness, divided by its least value, and with warnings."""
     check, nodes = request.check, request.nodes
     panel, x = balance.panels.locate(nodes.t)
     functions = (balance.stiffness, balance.moment, balance.force)
@@ -505,6 +515,7 @@ KINK_SHARE = 0.005
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
+    """Return the cautions of the check, without those about kinks that rails, pins and ties cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
     jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]
@@ -714,6 +725,7 @@ class _Base:
 
     @classmethod
     def under(cls, rod: Rod, layers: LaminateLayers) -> "_Base":
+        """Return the base under the backing of a rod."""
         width = layers.base_width
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)

@@ -233,6 +233,7 @@ class MinimaxProgram:
 
 
 def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
+    """Return the x for which the least of row x is 1, or None if the row has a zero or both signs."""
     low, high = row.min(), row.max()
     if low <= 0 <= high:
         return None

@@ -343,6 +343,7 @@ def least_ratio(
 def _continuous_ratio(
     family: StiffnessFamily, tolerance: float, most: float
 ) -> tuple[FloatArray, float] | None:
+    """Return what `least_ratio` returns on the continuous curve."""
     rows, offset = _rows_and_offset(family.dense)
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(np.concatenate([rows, *sides]), most=most)

@@ -299,6 +299,7 @@ def _positions(shape: "PlaneCurve | ShapeOfRod", s: FloatArray) -> FloatArray:
 
 
 def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfRod") -> ElementForce:
+    """Return a force with a mount of its element: by default, the mount at the present shape."""
     if action.mount is not None:
         return action
     places = _positions(shape, action.s)
@@ -312,6 +313,11 @@ def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfR
 def _new(
     element: Element, before: ElementForce | None, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfRod"
 ) -> ElementForce:
+    """Return the initial force and the mount of an element that the rod does not have yet.
+
+    `before` is the element that it replaces. An element of the same type passes on its force, and the side of a
+    one-sided rail.
+    """
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):

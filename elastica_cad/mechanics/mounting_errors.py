@@ -98,6 +98,10 @@ def spare_pieces(rod: Rod) -> tuple[SparePiece | None, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
+    """Yield, for each element, the largest displacement of the rod, mm, per mm of its mounting error.
+
+    A pin may be off in all directions, a rail only across the strip, and a cord only in its length.
+    """
     shape = shape_of(state)
     places = len(state.system.held) + state.system.elements.first_unknowns
     for action, at in zip(acting, places.tolist(), strict=True):

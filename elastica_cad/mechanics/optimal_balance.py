@@ -86,6 +86,10 @@ def ratio_within(request: RodRequest, most: float) -> float | None:
 
 
 def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
+    """Return the conditions of a rod without weight, their solutions, and the finally cut curve.
+
+    With rails, pins and ties, the curve is cut until the stiffness is resolved.
+    """
     cut = request.cut
     for _ in range(REFINEMENTS):
         problem = ConditionedRows(request, cut.panels, moment_rows(cut.panels, request.units_on(cut.panels)))
@@ -240,6 +244,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
+    """Return tau, 1/(N mm2), by a search, because with `beta` the ratio is not a linear program in tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -296,6 +301,9 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
+    """Return the error of a load that needs more stiffness than `most`, with the factor for the sheet's
+    thickness.
+    """
     bound = max(least, LEAST_SHARE * problem.load_stiffness)
     numbers = problem.at_compliance(1 / bound)
     needed = problem.ratio(numbers)
@@ -410,6 +418,10 @@ def tangent_weight(section: Section, bending_stiffness: FloatArray) -> tuple[Flo
 
 
 def _converged_balance(load: WeightedPanels, section: Section) -> BalancedStiffness:
+    """Return the stiffness in equilibrium with the weight per length of a section, which is not linear in E I.
+
+    Each round replaces the weight by its tangent at the E I of the round before.
+    """
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)

@@ -215,6 +215,10 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
 
 
 def _stability_matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
+    """Return the matrices (n + 1, m, m) whose determinants show conjugate points.
+
+    Row 0 has the `fields` at the end of each part of the rod; the other rows have the `integrals` up to there.
+    """
     n, _, m = integrals.shape
     Z = np.empty((n + 1, m, m))
     Z[:, 0] = fields[1:]

@@ -441,6 +441,10 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
+    """Return the changes to try for a refused curve: noisy points are smoothed more before the curve is changed.
+
+    There is none for points with an outlier, which must be corrected first.
+    """
     points = None if curve.provenance is None else curve.provenance.measured
     nearest = Change("nearest", True)
     if points is None or points.noise < REPORTED_MM:

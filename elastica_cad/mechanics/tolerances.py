@@ -178,6 +178,10 @@ def _stiffened(rod: Rod, K: FloatArray) -> Rod:
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
+    """Return the rod with the weight, and the stiffness that this weight bends, of the imperfect sheet.
+
+    Without a `weight`, gravity acts through the elasto-gravity length, which does not depend on the width.
+    """
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -462,6 +466,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _outcomes_of(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
+    """Return the outcome of each imperfection. Imperfections that have the same effect are computed once."""
     effective = [_without_ineffective_changes(rod, v) for v in todo]
     different = list(dict.fromkeys(effective))
     bent = partial(_outcome, rod, max_width)
@@ -471,6 +476,10 @@ def _outcomes_of(
 
 
 def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:
+    """Return an imperfection without the changes that do not move the rod.
+
+    Equal imperfections are computed once.
+    """
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)

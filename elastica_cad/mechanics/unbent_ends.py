@@ -178,6 +178,7 @@ def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
 
 
 def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
+    """Return the curve, extended by a straight tail at the end of the curve `tail.end` (0: start, 1: end)."""
     curve = clamp_ends(curve)
     p, t = curve.degree, curve.domain[tail.end]
     velocity = curve.evaluate(t, 1)
@@ -195,6 +196,11 @@ def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
 
 
 def _reasons(tail: FreeTail, off: float, allowed: float, reach: float) -> Iterator[Refusal]:
+    """Yield why a free end does not fit the curve.
+
+    `off` is the distance, mm, of the curve from its straight tail. An element or load that is farther than
+    `reach`, mm, inside the straight part would bend it.
+    """
     straight = None if tail.straight is None else Length(round(tail.straight, 6))
     inside = tail.straight is not None and (tail.straight - tail.station) * (1 - 2 * tail.end) > reach
     if inside:
