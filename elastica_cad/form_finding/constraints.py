@@ -187,6 +187,11 @@ class Through(Constraint):
         return rod.remembered(self, lambda: self._find_foot(rod.position))
 
     def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
+        """Return the point of the rod nearest to the target: weights of four nodes, these nodes, and the unit
+        normal.
+
+        The rod is a cubic through these nodes. The point is within 0.15 of `place`.
+        """
         n = len(position) - 1
         window = np.arange(n + 1)
         window = window[np.abs(window / n - self.place) < 0.15]

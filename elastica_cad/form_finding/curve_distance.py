@@ -230,6 +230,7 @@ def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray
 
 
 def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+    """Return the offsets (n+1, 2) of the nodes from the target, and the normals (n+1, 2) there."""
     n = len(rod.position) - 1
     feet = target.feet(rod.position, even_steps(n + 1))
     position, direction = target.at(feet)
@@ -270,6 +271,10 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
+    """Return the largest distance of points from a polyline.
+
+    Each point is compared with the two sides beside its nearest vertex.
+    """
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)

@@ -228,6 +228,11 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
+    """Return the errors (n,) of a curve, each as a multiple of its tolerance.
+
+    They are the largest of the errors of position, of the least and largest stiffness, and of the stiffness
+    elsewhere. The stiffness is that with which a rod of this curve has the moments of the given rod.
+    """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = norm(curve.evaluate(s) - shape.position) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

@@ -121,6 +121,7 @@ class Smoothing:
         return sum(zero.changes_sign for zero in ExcessCurvature(curve, self.natural_curvature).zeros)
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
+        """Return True if a smoothed curve adds no inflection, and hardly increases the stiffness ratio."""
         if self._inflections(curve) > self._inflections(self.drawn):
             return False
         if self._rod_as_drawn is None:
@@ -271,6 +272,7 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
+    """Return whether start and end must stay unbent: the end can turn, and is drawn almost straight."""
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
@@ -281,6 +283,10 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
 
 
 def _smoothed(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
+    """Return the curve with rounded corners, and smoothed within the rest of `smooth`, mm.
+
+    A curve fitted to points is already smooth.
+    """
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
     if measured_points(curve) is not None:

@@ -172,6 +172,7 @@ class _Search:
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
+        """Return the nearest rod of glued plies, or None if the initial stack has no rest shape."""
         from scipy.optimize import least_squares
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
@@ -207,6 +208,7 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _separated(self, places: FloatArray) -> FloatArray:
+        """Return positions in increasing order, moved apart so that each ply has a least length."""
         m = places.size
         # least distance between two ply ends, and least length of a ply, as a fraction of the rod's length
         clearance = min(0.01, 0.5 / (m + 1))
@@ -215,6 +217,10 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
+        """Return the rest shape of the stack for the unknowns x.
+
+        These are the positions of the ply ends, as fractions of the length, and the angles of the `turned` ends.
+        """
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
@@ -261,6 +267,9 @@ class _Search:
         return cuts, len(self.first) + np.append(0, self.steps[:, 1].cumsum())
 
     def _record(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
+        """Return the record for the unknowns x, with the rod bent anew on a finer grid with steps of the
+        stiffness.
+        """
         places, length = self._separated(x[: self.places.size]), rod.length
         began = dict.fromkeys(self.first, 0.0)
         leaves = []

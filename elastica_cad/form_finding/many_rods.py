@@ -135,6 +135,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
+    """Yield the index and the result of each task when it is complete, at most `ahead` tasks at a time."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 

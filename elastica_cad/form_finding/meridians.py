@@ -173,6 +173,7 @@ class _Equations:
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
+        """Return the unknowns for other nodes of the pieces, at `stations` from -1 to 1."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
@@ -183,6 +184,7 @@ class _Equations:
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
+        """Return the residuals: balance at the nodes, ends of the pieces, joints, and turning at the axis."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)
@@ -199,6 +201,7 @@ class _Equations:
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
+        """Return the derivatives of the residuals `off` by the unknowns, and by the coordinates of the points."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -254,6 +257,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
+    """Return the shortest solution through the points, for several guesses of a and b, or None."""
     # a meridian that is much longer than a smooth curve through the points makes extra turns
     best, shortest = None, 1.5 * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
@@ -273,6 +277,7 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
+    """Return the solution from a guess, by Newton's method with shortened steps, or None."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = np.linalg.norm(missed)
@@ -328,6 +333,7 @@ def _nearest(
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
+    """Return the least step that solves a linear system with at least as many unknowns as rows."""
     try:
         if len(system) == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
@@ -649,6 +655,10 @@ def _integrated(
 
 
 def _refuse_winding(p: FloatArray) -> None:
+    """Refuse a meridian that may make more than `MOST_TURNS` turns.
+
+    Its parameters p are a, b (2), the start (2), the angle there, and the length.
+    """
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]

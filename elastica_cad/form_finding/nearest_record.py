@@ -246,6 +246,7 @@ def _step(binding: ActiveLimit) -> tuple[str | Length, float]:
 
 
 def _violation_sentence(near: NearestRod, binding: ActiveLimit) -> str:
+    """Return the sentence on a limit that the rod violates, and by how much."""
     if binding.sentence is not None:
         return binding.sentence(binding.limit, near.rod)
     missed = note(binding.name)

@@ -232,6 +232,7 @@ def _continued_search(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
+    """Return the optimum near the result of the search before, or None if it is not a good start."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -287,6 +288,7 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
+    """Yield other optima that are almost as near to the target as the best rod, and differ from each other."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )

@@ -303,6 +303,7 @@ class SearchPoint:
 
 
 def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
+    """Return two points, mm, of the line on which the inflections must be, or None if there is no such request."""
     line, curve = keep.line, request.curve
     if not line:
         return None
@@ -323,6 +324,7 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
 
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
+    """Return the weights of the distance at the nodes, with mean 1. `size` is the length of the curve, mm."""
     if weights is None:
         return np.ones(nodes)
     values = values_along(weights, even_steps(nodes), size, "weights")

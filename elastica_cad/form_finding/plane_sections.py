@@ -120,6 +120,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 
 
 def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
+    """Return the triangles with nearby vertices of open borders merged, which would interrupt a section."""
     edges, count = np.unique(np.sort(_sides(rows), axis=1), axis=0, return_counts=True)
     border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
     if not border.size:
@@ -238,6 +239,10 @@ def refuse_odd_planes(planes: object) -> None:
 
 
 def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
+    """Return the section of a mesh by the plane of a frame.
+
+    Vertices in the plane count as above. If the section is longer with them below, this section is used.
+    """
     local = frame.local(mesh.vertices)
     height = np.where(np.abs(local[:, 2]) <= IN_PLANE * mesh.size, 0.0, local[:, 2])
     chains = _chained(mesh, local, height, height >= 0)

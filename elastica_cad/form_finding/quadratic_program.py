@@ -127,6 +127,7 @@ _SIDES = np.array([[1.0], [-1.0]])
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool]:
+    """Return the solution, the multipliers of the rows, and True if it converged, as the compiled version does."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     g, y_high = p.gradient * scale, p.penalty * scale

@@ -484,6 +484,7 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _stiffness_forces_length(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+        """Return K (n+1,) at the nodes, the forces (n+2, 2) before, in and after the n edges, and the length."""
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]

@@ -126,6 +126,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
+        """Return the rows of all constraints.
+
+        With one more column of derivatives, the values are those of the rod in equilibrium, to first order.
+        """
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
@@ -182,6 +186,10 @@ def pose_problem(task: NearestTask) -> RodProblem:
 
 
 def _grid(task: NearestTask) -> StripGrid:
+    """Return the grid of the rods, with gravity in units of the drawn length.
+
+    With a section, `e` is the direction of gravity, because the weight follows from the section.
+    """
     gravity, section, size = task.request.gravity, task.section, task.target.size
     e, weight = np.zeros(2), None
     if gravity is not None and section is None:
@@ -198,6 +206,10 @@ def _moment_scale(task: NearestTask) -> float:
 
 
 def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
+    """Return the bounds of the unknowns.
+
+    Equal bounds fix a kept start, and an absent force or moment at the start.
+    """
     u, target = grid.unknowns, task.target
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
     lower[u.stiffness], upper[u.stiffness] = _coefficient_bounds(task, u.coefficients)
@@ -214,6 +226,10 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
 
 
 def _lengths(task: NearestTask) -> tuple[float, float]:
+    """Return the least and the largest length of the rod, as multiples of the drawn length.
+
+    Refuse conflicts.
+    """
     target, limits = task.target, task.limits
     # default limits of the length, as multiples of the length of the drawn curve
     low, high = (0.2, 5.0) if limits.length is None else np.asarray(limits.length) / target.size
@@ -319,6 +335,10 @@ def _constraints(task: NearestTask) -> list[Constraint]:
 
 
 def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
+    """Return the constraints of the stability margin.
+
+    With a section that follows the bend, its scale is unknown.
+    """
     section, size, words = task.section, task.target.size, margin_limit(margin)
     if section is None or not task.is_scaled_freely:
         return [MarginLimit(active=words)]
@@ -331,6 +351,10 @@ def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
 
 
 def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
+    """Return the condition at the middle that makes the rod symmetric.
+
+    A load or natural curvature without this symmetry is refused.
+    """
     target = task.target
     centre, axis = symmetry_frame(target, kind)
     rest = np.broadcast_to(task.rest, (task.nodes,))

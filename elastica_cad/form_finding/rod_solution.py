@@ -78,6 +78,7 @@ def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
 
 
 def _overload_refusal(widths: PlainSection, error: OverloadError) -> InputError:
+    """Return the refusal of a load, with the needed width, or thickness of the sheet, as changes."""
     needed = rounded_up(error.needed / widths.rigidity, 4)
     changes, otherwise = [Change("max_width", needed)], ""
     if error.thickening is not None:

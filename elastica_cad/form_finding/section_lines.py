@@ -262,6 +262,7 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
 
 
 def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
+    """Return the parts of a line with x >= 0, cut at x = 0."""
     x = points[:, 0]
     if (x >= 0).all():
         return [points]
@@ -412,6 +413,10 @@ def section_curves(
 def _curve(
     line: SectionLine, tolerance: float, wavelength: float, false_turn: float
 ) -> tuple[SectionCurve, list[str]]:
+    """Return the curve fitted to a line of a section, and notes on what was changed or remains doubtful.
+
+    Lines with a positive `wavelength`, mm, are smoothed. Bends of less than `false_turn`, rad, are removed.
+    """
     # a smaller gap between the ends, as a fraction of the length, is a rounding error
     if line.is_closed or norm(line.points[-1] - line.points[0]) <= 1e-6 * line.length:
         raise InputError(
@@ -649,6 +654,10 @@ def remove_false_inflections(
 
 
 def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
+    """Return the arc lengths (k, 2), mm, of bends in which the curve turns by less than `turn`, rad.
+
+    A bend is a part between two inflections or ends.
+    """
     marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
     if marks.size == 2:
         return np.empty((0, 2))

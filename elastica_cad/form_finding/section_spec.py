@@ -114,6 +114,7 @@ def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
 
 
 def _normal_direction(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
+    """Return the unit vector of the part of a direction at right angles to the unit vector `along`."""
     v = _direction(name, value)
     part = v - (v @ along) * along
     size = float(np.linalg.norm(part))
@@ -429,6 +430,7 @@ class SectionSpec:
 
 
 def _reasons(reports: Sequence[str]) -> str:
+    """Return the first reports that name their object, or else the first reports, as sentences."""
     refusals = (report for report in reports if isinstance(report, Refusal))
     named = [report for report in refusals if "name" in report.values or report.where]
     reasons: Sequence[str] = named or reports

@@ -140,6 +140,7 @@ class _Cut:
         return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
+        """Return the least stiffness ratio of a piece; infinite if no strip can take it."""
         try:
             piece, held, tolerance = self._held(start, end)
             if piece.is_straight:
@@ -149,6 +150,7 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
+        """Return a piece with its supports, clamped at each cut, and the tolerance as a fraction of its length."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)
@@ -172,6 +174,10 @@ class _Cut:
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
+        """Return True if a strip can take the piece within the stiffness ratio.
+
+        A very short piece counts as possible.
+        """
         if end - start < self.short:
             return True
         if self.ratio is not None:
@@ -212,6 +218,10 @@ class _Cut:
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
+        """Return the last given place that a piece from `start` reaches, or `start`.
+
+        A strip reaches `near`, but does not reach `far`.
+        """
         if near == self.curve.domain[1]:
             return near
         assert self.places is not None
@@ -224,6 +234,7 @@ class _Cut:
 
 
 def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
+    """Return the parameters of the places inside the curve, in increasing order, for arc lengths in mm."""
     if places is None:
         return None
     values = as_floats(places)
@@ -266,6 +277,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
 
 
 def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
+    """Return the refused check of a curve from which no piece can start at the parameter `place`."""
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)

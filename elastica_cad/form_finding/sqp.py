@@ -618,6 +618,7 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
+        """Return a point nearer to equilibrium after a step whose prediction was not reliable, or None."""
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:
@@ -780,6 +781,10 @@ def _multipliers(
     values: Sequence[FloatArray],
     solved: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
+    """Return the multipliers of each constraint, and of the lower and upper bounds.
+
+    They are those of the last quadratic program, and 0 if there was none.
+    """
     out = [np.zeros_like(v) for v in values]
     if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)

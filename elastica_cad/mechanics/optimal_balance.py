@@ -301,9 +301,7 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
-    """Return the error of a load that needs more stiffness than `most`, with the factor for the sheet's
-    thickness.
-    """
+    """Return the error of a load that needs more stiffness than `most`, with a remedy by a thicker sheet."""
     bound = max(least, LEAST_SHARE * problem.load_stiffness)
     numbers = problem.at_compliance(1 / bound)
     needed = problem.ratio(numbers)

@@ -441,7 +441,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return the changes to try for a refused curve: noisy points are smoothed more before the curve is changed.
+    """Return the changes to try for a refused curve: for noisy points more smoothing, then the nearest curve.
 
     There is none for points with an outlier, which must be corrected first.
     """
