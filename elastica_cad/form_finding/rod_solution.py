@@ -65,6 +65,7 @@ def _stiffness_limits(widths: PlainSection) -> dict[str, float]:
 
 
 def _with_widest(rod: Rod, widths: PlainSection) -> Rod:
+    """Return the rod, with a warning if its largest width is less than the requested width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / widths.rigidity
     # do not warn of a difference below 0.1 mm
     if np.isinf(widths.largest) or widest > widths.largest - 0.1:

@@ -171,6 +171,7 @@ class _Cut:
 
     @property
     def least(self) -> float:
+        """Least parameter range of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
@@ -230,6 +231,7 @@ class _Cut:
         return float(offered[count - 1]) if count else start
 
     def turned(self, t: FloatArray) -> FloatArray:
+        """Return the parameters of the same positions on the reversed curve, in increasing order."""
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 

@@ -660,6 +660,7 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
+    """Return the active set after a step: the rows of equalities, and of inequalities with a multiplier."""
     rows = here.local.rows
     y = solution.row_multipliers[: rows.value.size]
     touched = ~rows.one_sided | (y > 1e-6 * rows.penalty)

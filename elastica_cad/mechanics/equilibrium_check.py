@@ -181,6 +181,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
+    """Yield the parameters of ends that count as unbent, but have a curvature above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * float(np.abs(excess.survey).max())].tolist()

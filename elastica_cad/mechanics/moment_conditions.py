@@ -139,6 +139,7 @@ def moment_rows(panels: Panels, units: FloatArray) -> MomentRows:
 
 
 def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
+    """Set the stiffness (N, p, m) of straight tails to its value where the bent part begins."""
     bent = np.flatnonzero(~panels.flat)
     ends = PanelFunction.through(stiffness[bent[[0, -1]]]).at(np.arange(2), np.array([-1.0, 1.0]))
     stiffness[: bent[0]], stiffness[bent[-1] + 1 :] = ends

@@ -553,6 +553,7 @@ def _fitting_scale(section: Section, stiffness: PanelFunction) -> float:
 
 
 def _weight(load: WeightedPanels, tangent: tuple[FloatArray, FloatArray], scale: float) -> Weight:
+    """Return the linearised weight along the rod, for the least bending stiffness `scale`, N mm2."""
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
     slope, fixed = (PanelFunction.through(values).at(*place) for values in tangent)

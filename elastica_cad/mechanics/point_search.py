@@ -218,6 +218,7 @@ class _Move:
 
 
 def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
+    """Return a value just above the point at which `reached` becomes True."""
     for _ in range(times):
         middle = (low + high) / 2
         low, high = (low, middle) if reached(middle) else (middle, high)

@@ -107,6 +107,10 @@ def rod_as_built(
 
 
 def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
+    """Return K at the nodes.
+
+    Near a step of the stiffness, it is the inverse of the mean compliance around the node.
+    """
     K = rod.stiffness.copy()
     half = rod.length / (rod.s.size - 1) / 2
     if rod.profile.steps:
@@ -121,6 +125,7 @@ def _cell_stations(rod: Rod) -> FloatArray:
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+    """Return the mean around each node of values at `_cell_stations`; at the ends, over half a cell."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     return np.concatenate([halves[:1], (halves[1:-1:2] + halves[2::2]) / 2, halves[-1:]])
 
@@ -274,6 +279,7 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
 
 
 def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
+    """Return the rod with its stiffness times all factors (n,), and with unchanged weight."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *factors], axis=0)
     changed_rod = built.with_stiffness(Profile.interpolate(built.s, changed))
@@ -290,6 +296,10 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
 ) -> Iterator[tuple[float, float]]:
+    """Yield the position and the added length, mm, of each slot, for unstressed corners and the narrower width.
+
+    `corner` is the factor of the corners, in depth^2 / width.
+    """
     for slot in slots:
         points, widths = slot.center_line(width)
         at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
@@ -562,6 +572,7 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
+        """Width (n,), mm, of the strip or of each ligament; None for planed or turned strips."""
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> Iterator[str]:

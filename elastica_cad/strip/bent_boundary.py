@@ -357,6 +357,11 @@ def _fit_spline(
     smooth: Mapping[float, int],
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
+    """Return knots and coefficients of a spline that approximates a function within `tolerance`.
+
+    `tolerance` has a limit for each value of the function, and `smooth` the continuity at kinks. Spans are
+    divided until the error at five places of each span is within the tolerance.
+    """
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
@@ -417,6 +422,7 @@ class BoundaryMaker:
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
 
     def _add_edges(self, region: Region) -> None:
+        """Add the vertices and edges of a region at every height, unless an adjacent region has added them."""
         shape = self.maps[region.interval]
         pieces = [piece for loop in region.loops for piece in loop]
         fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
@@ -434,7 +440,7 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the faces of a region at every height, and the edges that they need."""
+        """Add the faces at every height. Seen from above, each face is to the left of its loops."""
         self._add_edges(region)
         shape = self.maps[region.interval]
         surfaces: list[Surface]
@@ -471,6 +477,10 @@ class BoundaryMaker:
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 
     def _wall(self, piece: SegmentPart, shape: Map, low: Edge, high: Edge) -> Surface:
+        """Return the surface of the side wall between the edges at both heights.
+
+        Its parameters are u, the parameter of the piece, and v, the height.
+        """
         segment, up = piece.segment, self.heights[0]
         if isinstance(shape, BentMap) and not _is_perpendicular(segment):
             least, most = _y_limits(segment)
@@ -504,6 +514,7 @@ class BoundaryMaker:
         return SpaceSurface(knots, np.stack([low, high], axis=1), (curve.degree, 1))
 
     def _edge_through_thickness(self, corner: int, shape: Map) -> int:
+        """Return the index of the edge through the thickness at a corner, and add the edge if it is new."""
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
@@ -529,6 +540,7 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
 
 
 def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
+    """Return the edge in the plane of the flat pattern, or None on a plane face, which needs no trace."""
     if isinstance(shape, Frame):
         return None
     if not isinstance(segment, Line):
@@ -550,6 +562,7 @@ def _y_limits(segment: Segment) -> tuple[float, float]:
 
 
 def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
+    """Return the start and end corners of a piece, in the direction of increasing parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 
@@ -562,6 +575,7 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 def _curves(
     shape: Map, pieces: Sequence[SegmentPart], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
+    """Yield for each piece its curves in space, one at each height."""
     if not isinstance(shape, BentMap):
         frames = _levels(shape, heights)
         yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)

@@ -95,10 +95,13 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
 
 @dataclass(frozen=True)
 class _Ring:
+    """Indices of the remaining sides of a loop, and of the omitted sides after each remaining side."""
+
     sides: list[int]
     gaps: list[tuple[int, ...]]
 
     def without(self, short: set[int]) -> "_Ring | None":
+        """Return the ring without the `short` sides, or None if fewer than two sides remain."""
         around = list(zip(self.sides, self.gaps, strict=True))
         first = next((j for j, k in enumerate(self.sides) if k not in short), 0)
         sides: list[int] = []

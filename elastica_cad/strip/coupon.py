@@ -141,6 +141,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
 
 
 def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:
+    """Return the ticks of the scale, and numbers at long ticks: the distance, mm, from the tip at x = `free`."""
     edge = -width / 2 + EDGE_MM
     short, long = 0.12 * width, 0.24 * width
     height = min(3.0, 0.2 * width)

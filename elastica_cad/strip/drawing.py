@@ -172,6 +172,7 @@ def _check_layer(layer: str) -> None:
 
 
 def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
+    """Return the items without a second cut or engraving of the same path, as parts with a common edge have."""
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
@@ -186,6 +187,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
 
 
 def _twins(a: LayeredPath, b: LayeredPath) -> bool:
+    """Return True if two paths have the same purpose and, at samples, the same place."""
     cut = (CUT_INNER, CUT_OUTER)
     if a.layer != b.layer and not (a.layer in cut and b.layer in cut):
         return False
@@ -244,6 +246,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
 
 @lru_cache(maxsize=1)  # the same drawing is written as DXF and then as SVG
 def _compensated(drawing: Drawing, kerf: float, tolerance: float) -> Drawing:
+    """Return the drawing with its closed cuts moved by half a kerf: outlines outwards, and holes inwards."""
     sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}
     moved = []
     loops = []
@@ -391,6 +394,7 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
 
 
 def _opened(path: Path, tabs: HoldingTabs) -> list[Path]:
+    """Return the parts of a closed cut between its holding tabs, about equally spaced and clear of corners."""
     ends = np.cumsum([segment.length for segment in path.segments])
     length = float(ends[-1])
     count = max(tabs.least, int(np.ceil(length / tabs.spacing)))
@@ -435,6 +439,7 @@ def _between(segments: Sequence[Segment], ends: FloatArray, a: float, b: float) 
 
 
 def _part(segment: Segment, a: float, b: float) -> Segment:
+    """Return the part of a segment between two lengths a and b from its start, mm."""
     length = segment.length
     if a <= SAME_PLACE_MM and b >= length - SAME_PLACE_MM:
         return segment

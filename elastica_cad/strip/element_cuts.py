@@ -189,6 +189,7 @@ class _Bump:
         return np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3)
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
+        """Return the largest relative widening, with which the bump compensates the length that the cut adds."""
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
         shape = self(low + (high - low) * FRACTIONS)
 

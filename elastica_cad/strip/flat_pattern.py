@@ -276,6 +276,7 @@ class _Cutter:
     numbers: Iterator[int] = field(default_factory=count)
 
     def add(self, path: Path, *, backward: bool) -> None:
+        """Split a closed loop at the stations. `backward` reverses the loop."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
@@ -295,6 +296,7 @@ class _Cutter:
             self.chains.setdefault(interval, []).append([piece for _, piece in run])
 
     def result(self) -> CutPattern:
+        """Return the regions between the stations, with their open chains closed along the station lines."""
         points = np.array(self.points)
         upward = points[:, 1].argsort(kind="stable")
         on_seam = [upward[np.abs(points[upward, 0] - x) < ON_SEAM].tolist() for x in self.stations]
@@ -323,6 +325,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
+        """Return the interval of a piece; on a station line, the interval on its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -336,6 +339,7 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
+        """Return the loops of an interval that its chains form with seams along the station lines."""
         chains = list(self.chains.get(interval, []))
         loops: list[list[SegmentPart]] = []
         while chains:
@@ -383,6 +387,7 @@ class _Cutter:
         return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 
     def _grouped(self, loops: list[list[SegmentPart]]) -> list[list[list[SegmentPart]]]:
+        """Return each outline (an anticlockwise loop) with the holes inside it."""
         polygons = [_polygon(loop) for loop in loops]
         areas = [cross(polygon, np.roll(polygon, -1, axis=0)).sum() for polygon in polygons]
         outer = [k for k, area in enumerate(areas) if area > 0]
@@ -395,6 +400,7 @@ class _Cutter:
 
 
 def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
+    """Yield loops that visit each corner once, from a loop that may visit a corner several times."""
     walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)
@@ -405,6 +411,7 @@ def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[Seg
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:
+    """Return the parameters, without the ends, at which a segment crosses the line at x."""
     if isinstance(segment, Line):
         a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
         return [segment.length * a / (a - b)] if min(abs(a), abs(b)) > ON_SEAM and a * b < 0 else []
@@ -428,6 +435,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
 
 
 def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:
+    """Return points (n, 2) along a loop, enough to find what it encloses."""
     rows = []
     for piece in loop:
         count = 2 if isinstance(piece.segment, Line) else 33

@@ -319,6 +319,7 @@ def direction_in_drawing(angle: float) -> Refusal:
 
 
 def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
+    """Yield the weight of each hung mass as a force divided by the bending stiffness, 1/mm2."""
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
@@ -330,6 +331,10 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
 
 
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
+    """Yield the drawn lines of an element: a cord, the arrow of a load, the faces of bars, or a cross.
+
+    `half` is half the thickness of the strip, mm.
+    """
     if isinstance(held.action.element, Tie):
         yield [*held.position]
         return

@@ -165,6 +165,10 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
+    """Return the plies as rectangular layers, the full-length ply first.
+
+    A ply that reaches an end includes its tab.
+    """
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
     for leaf, name in zip(section.leaves, section.names, strict=True):
@@ -230,6 +234,10 @@ def _marks_on_leaf(
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
+    """Return engraved lines across the strip where tabs begin and where the lap of a closed strip ends.
+
+    A perforated strip needs none.
+    """
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
@@ -244,6 +252,7 @@ def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tup
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
+    """Return the label at a place clear of cuts: on the bent part or, for a perforated strip, on a tab."""
     if layout.pattern is None:
         return label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None))
     length = width.length
@@ -354,6 +363,7 @@ class LapPlates:
         return 1 / compliance
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
+        """Return the fraction (n,) of the strip around each node that a plate stiffens."""
         ends = cell_edges(s)
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

@@ -88,6 +88,7 @@ def _correct_widths(
 
 
 def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
+    """Return displacements (2 n, ...) of points (n, 2) minus the rigid motion that fits them best."""
     count = len(position)
     turned = left_of(position - position.mean(axis=0))
     rigid = np.array([np.tile([1.0, 0.0], count), np.tile([0.0, 1.0], count), turned.ravel()])
@@ -160,6 +161,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _CorrectedStrip(NamedTuple):
+    """Strip with widths corrected by `coefficients`, its rest shape, and its deviation from the design, mm."""
+
     strip: Strip
     coefficients: FloatArray
     rod: Rod
@@ -167,6 +170,7 @@ class _CorrectedStrip(NamedTuple):
 
 
 def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _CorrectedStrip | None:
+    """Return the strip with widths multiplied by exp(basis @ coefficients), or None if it has no rest shape."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -291,6 +295,7 @@ class Splice:
         return (*pieces, *plates)
 
     def _piece(self, whole: "_Whole", name: str, low: float, high: float, *, plate: bool = False) -> Piece:
+        """Return the piece, or the plate over a joint, between the arc lengths `low` and `high`, mm."""
         layer = whole.layer
         outline = clip_across(layer.outline, low, high)
         marks: list[Path] = []
@@ -323,6 +328,11 @@ class Splice:
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
+    """A layer before it is cut into pieces.
+
+    `joints` are arc lengths, mm, and `ends` are the texts engraved at both ends.
+    """
+
     name: str
     layer: Layer
     width: Profile

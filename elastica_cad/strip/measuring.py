@@ -240,6 +240,11 @@ class Measuring:
         return Row(row_label(name), text + outside)
 
     def _verdict(self, measured: Mapping[str, float], errors: Mapping[str, float]) -> list[Row]:
+        """Return the rows on the likely causes of the differences from the expected values, the likeliest first.
+
+        Each cause is fitted to the differences, in units of the `errors`. A cause is likely if it explains them
+        by an amount that is possible.
+        """
         from scipy.special import chdtri
 
         off = np.array([(measured[name] - self.expected[name]) / errors[name] for name in errors])

@@ -232,6 +232,10 @@ class Tab:
         )
 
     def _outer_edge(self, far: float) -> list[tuple[float, float]]:
+        """Return the points of the tab's outer edge, from right to left, with its T-slot.
+
+        `far` is half the width, mm.
+        """
         ends = (self.length, -far), (self.length, far)
         if self.t_slot is None:
             return list(ends)
@@ -395,6 +399,7 @@ def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
 
 
 def _parts_between_jumps(width: Profile) -> list[Profile]:
+    """Return the width as profiles that are continuous, divided where the width jumps."""
     k = width.degree
     cuts = kinks(width.knots, k, 0)
     if not cuts.size:

@@ -155,6 +155,7 @@ class DiamondPattern:
         return [side for side in sides if side is not None and side.length > 2 * self.clearance]
 
     def _apart(self, loop: Path, cut: Path) -> bool:
+        """Return True if a hole keeps the clearance, mm, from a slot or other cut."""
         low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
         if np.any(loop.bounds[0] >= high) or np.any(loop.bounds[1] <= low):
             return True
@@ -169,6 +170,10 @@ class DiamondPattern:
 
     @cached_property
     def _rows(self) -> list["_Row"]:
+        """Rows of holes.
+
+        Each extends between tips, half a bridge from a joint, and overlaps half of the next row.
+        """
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -182,6 +187,7 @@ class DiamondPattern:
 
     @property
     def _stretches(self) -> list["_Stretch"]:
+        """Parts of the pattern between tips of holes and jumps of the width, with widths as cubic splines."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
@@ -215,6 +221,8 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
+    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges."""
+
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
@@ -229,6 +237,7 @@ class _Row:
         return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
 
     def within(self, low: float, high: float) -> "_Row | None":
+        """Return the part of the row between the arc lengths `low` and `high`, mm, or None if there is none."""
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
         parts = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
@@ -260,6 +269,7 @@ class _Stretch:
     values: FloatArray
 
     def within(self, low: float, high: float) -> "_Stretch | None":
+        """Return the part of the stretch between the arc lengths `low` and `high`, mm, or None for a tiny part."""
         a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
         if b - a <= JOIN:
             return None
@@ -462,6 +472,10 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
+        """Return the bending stiffness of the strip where the relative stiffness is 1, N mm2.
+
+        If the rod has no bending stiffness, return the largest value that `max_width` allows.
+        """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise FaultError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
@@ -512,6 +526,7 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
+        """Return the sentence that the outline is too narrow somewhere, with the changes that would help."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -572,6 +587,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
+        """Return the part of a sentence on the place where the scale, N mm2, leaves too little material."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

@@ -157,6 +157,7 @@ class FlatShape:
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
+        """Return True if the loops coincide after `other` is mirrored by `signs` and moved onto this shape."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):
@@ -196,6 +197,7 @@ def _samples(path: Path) -> FloatArray:
 
 
 def _along(path: Path, points: FloatArray) -> bool:
+    """Return True if all points are on the path."""
     remaining = points
     for segment in path.segments:
         low, high = segment.bounds

@@ -265,6 +265,7 @@ class _Edge:
         self.owner = np.arange(len(self.chords)).repeat([len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
+        """Return where a slot opens at the edge, extended beyond it until both its sides meet the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
         # the sides are extended until they meet the edge
@@ -297,6 +298,7 @@ class _Edge:
         return _Opening(slot, first, second, tuple(_between([c.segment for c in chords], a, b)), points)
 
     def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
+        """Return the places on the edge and on the cut at which they cross, each once."""
         crossings: list[tuple[_Place, _Place]] = []
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
@@ -325,6 +327,7 @@ def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
 
 
 def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: str) -> None:
+    """Refuse slots that meet each other or a hole."""
     cuts = [opening.points for opening in openings]
     boxes = [box_about(cut) for cut in cuts]
     for i, opening in enumerate(openings):
@@ -357,6 +360,7 @@ TEXT_DISTANCE_MM = 0.5
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
+    """Return the corners (4, 2) of the box around a text, anticlockwise, enlarged by `distance`, mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])

@@ -47,6 +47,7 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
+    """Return the joints, and for every hole two more joints, on the "top" and "bottom" face of the strip."""
     frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -185,6 +186,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
+    """Return the solid of a round rod, or the extruded side view of a strip of varying thickness."""
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
     view = side_view(strip, bent=bent)
@@ -291,6 +293,7 @@ class BentSolid:
 
     @classmethod
     def _layers(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        """Yield the layers of a bent strip. Only the first has the joints."""
         if strip.is_closed:
             yield from cls._ring_and_lap(strip, frame)
             return
@@ -310,6 +313,7 @@ class BentSolid:
 
     @classmethod
     def _ring_and_lap(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        """Yield the ring of a closed strip, cut open by 0.01 mm, and the lap on its inner side."""
         thickness, rod = strip.sheet.thickness, strip.rod
         bare = replace(strip, ends=(Tab(0.0), Tab(0.0)))
         # CAD kernels need a gap between the ends, far larger than their tolerance
@@ -392,6 +396,7 @@ def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | P
 
 
 def _moved_apart(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
+    """Return a sheet moved by `gap` mm away from the curve; a flat sheet is moved along z."""
     if not gap or isinstance(record, PrismSolid):
         return record
     if isinstance(record, BentSolid):

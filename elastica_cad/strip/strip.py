@@ -341,6 +341,7 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 
 
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
+    """Yield warnings if the strain is too large for linear creep, and if the strip snaps after creep."""
     if strained.largest > LINEAR_CREEP_FRACTION * strained.limit:
         yield note(
             "The strain of {strain:.2f} % is more than {share:.0f} % of the limit of the material, so creep there "
@@ -755,6 +756,10 @@ class Strip:
 
     @cached_property
     def _unloaded(self) -> "Rod | ElasticaError | None":
+        """Rest shape without the loads, or the error of its computation; None for a strip without loads.
+
+        Strips of the same rod and sections share it.
+        """
         if not self.rod.has_loads:
             return None
         known = _unloaded.setdefault(self.rod, {})

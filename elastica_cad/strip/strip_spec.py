@@ -96,6 +96,7 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
+    """Return the weight for `optimal_rod`. `share` is the fraction that acts in the plane of the curve."""
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -104,6 +105,7 @@ def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight 
 
 
 def _direction(direction: object) -> tuple[float, ...]:
+    """Return the components of a direction of gravity in the drawing (2) or in space (3)."""
     row: tuple[Any, ...] = ()
     if isinstance(direction, Sequence | np.ndarray) and is_series(direction):
         row = tuple(direction)
@@ -147,6 +149,10 @@ def _check_section(
     sized: bool,
     compensate: bool,
 ) -> None:
+    """Refuse options that conflict with a section, and another sheet.
+
+    `sized` is True if a width is given.
+    """
     shaped = bool(slots) or compensate or any(tab != tab.plain for tab in ends)
     shaped = shaped and section.quantity != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -177,6 +183,7 @@ NEAREST_OFF, NO_ELEMENTS = Change("nearest", False), Change("elements", ())
 
 
 def _check_conflicts(spec: RodSpec) -> None:
+    """Refuse options that cannot be combined, such as limits with a number of samples."""
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
             "with {gravity}, a laminate can only be made for the drawn curve itself and from flat sheets. "
@@ -254,6 +261,7 @@ def _limits_with_sheet_and_widths(
 
 
 def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
+    """Return the largest stiffness ratio of a strip between these widths that can be cut from the sheet."""
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
@@ -799,6 +807,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _makeable_limits(self) -> Limits:
+        """Limits that include those of the sheet, the widths and the workshop, unless `ignore_limits` is set."""
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
@@ -904,6 +913,7 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
+        """Return the layers for the rod of a laminate. Gravity must act fully in the plane of the curve."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "the weight of a laminate is computed from its sheets and for a vertical plane of the curve, "

@@ -273,6 +273,7 @@ def _require_width_within(
 
 
 def _laid_out_by_section(rod: Rod, section: Section, sheet: Sheet) -> Layout:
+    """Return the flat pattern of a strip with a section, which determines width, thickness or diameter."""
     profile, B = rod.profile, rod.bending_stiffness or 1.0
     if section.stack is not None:
         size = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)

@@ -345,6 +345,7 @@ def _moved_points(spec: StripSpec) -> Iterator[Change]:
 
 
 def _support(spec: StripSpec) -> Iterator[Change]:
+    """Yield the change that adds a rail, pin or tie with which the curve becomes possible, if there is one."""
     with suppress(ElasticaError):
         curve = spec.rod_spec.curve_to_bend
         if len(spec.rod_spec.check.zeros) > MOST_INFLECTIONS:
@@ -370,6 +371,7 @@ def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
 
 
 def _requests(spec: StripSpec, change: Change, sheet_size: tuple[float, float] | None) -> Sequence[StripSpec]:
+    """Return the requests with a change: several for a split curve, none if the change does not apply."""
     match change.field, change.value:
         case "point", (index, place):
             points = spec.curve.control_points.copy()
@@ -414,6 +416,10 @@ def try_change(
 def _tested(
     spec: StripSpec, change: Change, width: Change | None, sheet_size: tuple[float, float] | None
 ) -> Suggestion | None:
+    """Return the suggestion if all its strips can be made, are stable and withstand their strain, or None.
+
+    `width` is a change of the width to be made with it.
+    """
     away, used, strips = [0.0], [0], []
     widened = spec if width is None else spec.changed(max_width=width.value)
     requests = tuple(_requests(widened, change, sheet_size))

@@ -103,6 +103,7 @@ def strip_rows(
 
 
 def _slow_rows(strip: Strip) -> Iterator[Row]:
+    """Yield the rows that take long to compute: mounting, accuracy and creep."""
     yield from _mounting_rows(strip)
     with suppress(ElasticaError):
         yield not_computed_row(strip) or accuracy_row(strip.held())
@@ -386,6 +387,7 @@ def needs_exact_pin(strip: Strip) -> bool:
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
+    """Yield the rows on the movement of the strip by errors in mounting rails, pins and ties."""
     texts = []
     for action, moved in zip(strip.rod.between, _mounting_moves(strip.rod), strict=True):
         if isinstance(moved, SparePiece):

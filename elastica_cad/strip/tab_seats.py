@@ -172,7 +172,7 @@ class TabSeat:
         return bool(left - right > 2 * ROCKING_RAD)
 
     def _stop(self, sense: int) -> float:
-        # `sense` is 1 for turns to the left and -1 for turns to the right
+        """Return the angle, rad, by which the tab can turn to the left (`sense` 1) or right (-1) until it stops."""
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
@@ -426,6 +426,7 @@ class _ContactProblem:
         return float(part[0]), float(part[1]) / self.design.length
 
     def bent(self, q: FloatArray, near: Rod) -> Rod:
+        """Return the rest shape of the strip with its ends displaced by q. `near` is the initial guess."""
         design = self.design
         places = [*design.position[[0, -1]]]
         angles = design.angle[[0, -1]].tolist()
@@ -437,6 +438,7 @@ class _ContactProblem:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
+        """Return the results of `SeatedEnd.load` for all ends, 1/mm2."""
         return np.ravel([end.load(rod, self.design) for end in self.seated])
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
@@ -456,6 +458,10 @@ class _ContactProblem:
         )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
+        """Return the sum of the second derivatives of the gaps times the contact forces, 1/mm3.
+
+        `pushes` (k,) are the contact forces divided by the bending stiffness B.
+        """
         blocks, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
         for end, part in self.parts(q):
             bends = end.seat.bends(*self.pose(part), end.way) * np.outer(scale, scale)
@@ -464,6 +470,10 @@ class _ContactProblem:
         return _block_diagonal(blocks)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the derivatives (k, n) of all gaps with respect to q, and the gaps (k,), mm.
+
+        Overlaps are negative.
+        """
         rows, room = zip(*(end.walls(part, self.design.length) for end, part in self.parts(q)), strict=True)
         return _block_diagonal(rows), np.concatenate(room)
 
@@ -476,6 +486,7 @@ class _ContactProblem:
         penalty: float = OVERLAP_PENALTY,
         reach: float = np.inf,
     ) -> QuadraticSolution:
+        """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
         length = self.design.length
         # H is the Hessian of the energy of the tabs, 1/mm3; the Hessian of the rod is added below
         H = _block_diagonal(

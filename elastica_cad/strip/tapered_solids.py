@@ -84,6 +84,10 @@ def places_of_ends(strip: Strip, *, bent: bool) -> tuple[FloatArray, FloatArray]
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
+    """Return the upper (`side` 1) or lower (-1) face of a bent strip in its side view.
+
+    It is half the thickness (`size`) from the curve.
+    """
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
@@ -197,6 +201,7 @@ class _RoundBoundary:
         z = frame.z_axis
 
         def control_net(rows: FloatArray, sign: float) -> FloatArray:
+            """Return the control points (n, m, 3) of a half surface: n around the axis and m along the axis."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up)
@@ -230,6 +235,7 @@ class _RoundBoundary:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
+        """Add the plane face at one end, between its outer ring and, for a tube, its inner ring."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):

@@ -205,6 +205,7 @@ def _distance(point: FloatArray, segments: Iterable[Segment]) -> float:
 
 
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
+    """Return the indices of chords that face another chord across less than `least` mm of material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
     opposed = dot(inward[i], inward[j]) < 1 - 2 * LEAST_FACING_COSINE**2
@@ -240,6 +241,7 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
+    """Return the indices of places narrower than all other places within `least` mm."""
     # a long narrow part has very many places, so only the narrowest place of each small cell is compared
     cells = (middle - middle.min(axis=0, initial=np.inf)) // (0.25 * least)
     row, column = cells.astype(np.int64).T
@@ -270,6 +272,10 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
+        """Return the chords of loops, divided so that they deviate by at most `flat` mm.
+
+        Chords of length 0 are left out.
+        """
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
@@ -296,6 +302,7 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
+        """Return True (m,) where the chord in the same row of `others` is within `least` mm across the material."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead, aside = dot(ends, normals), cross(ends, normals)
@@ -523,6 +530,10 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
+    """Yield faults of a layer of a strip: narrow necks, narrow tabs, and webs beside holes.
+
+    `least` is the least width and `web` the least web, mm; `noisy` is True for a curve from noisy points.
+    """
     # ligaments have another limit: see `find_strip_faults`
     holes = layer.holes if strip.layout.pattern is None else ()
     places = find_thin_places([layer.outline], holes, least)
@@ -559,6 +570,10 @@ def _thin_strip(
 def _suggestions_for_necks(
     strip: Strip, times: float, least: float, noisy: bool
 ) -> tuple[str, tuple[Change, ...]]:
+    """Return the remedy for narrow necks, and the changes to try.
+
+    The necks need `times` their width.
+    """
     wider, nearest = _change_of_width(strip, times), change_to_nearest(strip.rod)
     field = outline_field(strip.style)
     # a strip that is wider than long is no remedy, and its places take long to compare
@@ -612,6 +627,7 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 
 def _thin_web(name: str, place: ThinPlace, strip: Strip, layer: Layer, least: float) -> Fault:
+    """Return the fault of a hole too near to the edge or to another hole."""
     wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
     between_holes = 0 not in place.loops
     what = note(
@@ -666,6 +682,10 @@ def _faults_at(
     of_hole: bool = False,
     strip: Strip | None = None,
 ) -> Iterator[Fault]:
+    """Yield a fault for each thin place.
+
+    `loops` are the names of the loops; those of holes have their position.
+    """
     # list equal widths once, such as those between the slots around a ring
     alike: dict[str, list[ThinPlace]] = {}
     for place in places:
@@ -701,6 +721,7 @@ def _faults_at(
 def _too_large(
     name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float], style: object = PLAIN
 ) -> Iterator[Fault]:
+    """Yield the fault of a strip larger than the stock."""
     long, short = max(length, width), min(length, width)
     if long > stock[0] * (1 + SEEN_APART) or short > stock[1] * (1 + SEEN_APART):
         (its_long, long_side), (its_short, short_side) = (
