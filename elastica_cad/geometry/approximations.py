@@ -57,6 +57,10 @@ def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> 
 
 
 def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
+    """Return the segment as a cubic within `tolerance`, mm.
+
+    Splines of degree 3 or less stay, with their weights only if `rational`.
+    """
     if not isinstance(segment, Spline):
         return segment
     curve = segment.curve
@@ -92,6 +96,7 @@ def as_beziers(path: Path) -> Path:
 
 
 def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
+    """Return the curve as cubic Bezier pieces, each knot repeated so that pieces may meet with a corner."""
     edges, pieces = curve.bezier_table
     while pieces.shape[1] < 4:
         pieces = raise_degree(pieces.swapaxes(1, 2)).swapaxes(1, 2)
@@ -143,6 +148,10 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Return knots and coefficients of the cubic spline within `tolerance` of a motion, with its end tangents.
+
+    Spans are halved until the spline is near enough at probes between its knots.
+    """
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -216,6 +225,10 @@ def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
 
 
 def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
+    """Return a chain of arcs within `tolerance` of a spline. Each biarc is as long as possible.
+
+    If the rest is shorter than half of the last biarc, both get the same length.
+    """
     t0, t1 = spline.curve.domain
     pieces: list[Segment] = []
     for stretch in smooth_stretches(spline.curve, 1):
@@ -235,6 +248,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
+    """Return the end parameter and the segments of the longest biarc within the tolerance."""
     allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -261,6 +275,7 @@ def _longest_biarc(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
+    """Return the biarc from `start` to parameter b, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]

@@ -146,6 +146,10 @@ def _straight_pieces(bezier: FloatArray) -> BoolArray:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
+    """Return Bezier pieces in homogeneous coordinates, moved to the origin and scaled to the size 1.
+
+    Their largest weight becomes 1.
+    """
     points = project(bezier)
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)

@@ -435,6 +435,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
+    """Remove the corners that disappear if ends of handles move by at most `reach`, mm."""
     # the vector between two points has an error of up to 2 sqrt(2) times that of a coordinate
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / (2 * np.sqrt(2.0))

@@ -409,6 +409,7 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
+    """Refuse a curve whose speed is 0 somewhere, because it has no tangent there."""
     size = np.ptp(control_points, axis=0).max()
     if size == 0:
         raise InputError("all control points coincide, so the curve has no length: draw the curve again")
@@ -514,6 +515,7 @@ class NurbsCurve:
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
+        """Return a part or a moved copy of this curve without checks."""
         curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:

@@ -78,6 +78,7 @@ class _Element:
 
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
+    """Return the moved segments of a path in order, with an arc at each corner that opens on this side."""
     segments = [part for segment in path.segments for part in _split_at_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []
@@ -100,6 +101,7 @@ def _split_at_corners(segment: Segment) -> list[Segment]:
 
 
 def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment | None:
+    """Return a segment moved to its left, mm, or None for an arc that vanishes."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -112,6 +114,7 @@ def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment 
 
 
 def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
+    """Return a spline moved to its left, mm, within `tolerance`. A curvature radius below this is refused."""
     curve = spline.curve
     stretches = smooth_stretches(curve, 2)
     probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])
@@ -136,6 +139,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 
 
 def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
+    """Return the arc between the offsets of two segments, or None at an inner corner."""
     along = before.tangent_at(1.0)
     turn = float(turn_between(along, after.tangent_at(0.0)))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -190,6 +194,7 @@ def _lost_element(
 
 
 def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
+    """Return the parameters (0 to 1) at which a meets b, nearest to the end of a and the start of b, or None."""
     if norm(b.start - a.end) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)
@@ -199,6 +204,7 @@ def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
 
 
 def _refuse_collisions(path: Path, moved: Path, distance: float, tolerance: float) -> None:
+    """Refuse an offset that is too near to another part of the path, or crosses itself."""
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
     worst = near.argmin()

@@ -520,6 +520,7 @@ def _kind(segment: Segment) -> Hashable:
 
 
 def _motion(segments: Sequence[Segment]) -> _Motion:
+    """Return a function that evaluates segments of one kind together, at different parameters."""
     arcs = [segment for segment in segments if isinstance(segment, Arc)]
     if arcs:
         return _on_circles(arcs)
@@ -539,6 +540,7 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
 
 
 def _on_circles(arcs: Sequence[Arc]) -> _Motion:
+    """Return the motion of arcs: points or derivatives of the arcs `which` at parameters u from 0 to 1."""
     centers = np.array([arc.center for arc in arcs])
     radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
 

@@ -107,6 +107,10 @@ def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
 
 
 def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) -> FloatArray | None:
+    """Return the first crossing of chords i of a line p and j of a line q, or None.
+
+    Chords on one line cross in the middle of the first.
+    """
     a, b, c, d = p[i], p[i + 1], q[j], q[j + 1]
     hit = (_side(a, b, c) * _side(a, b, d) <= 0) & (_side(c, d, a) * _side(c, d, b) <= 0)
     first = np.flatnonzero(hit)[:1]
@@ -118,6 +122,7 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
+    """Return the index pairs of chords whose bounding boxes overlap, in order."""
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
     while True:
@@ -181,6 +186,7 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
+    """Return the parameters (0 to 1) of a crossing of two segments by Newton's method from u and v, or None."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = (
@@ -206,6 +212,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 
 def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float, float]:
+    """Return x, y and their derivatives by the parameter (0 to 1) of a segment."""
     if isinstance(segment, Spline):  # one evaluation of the curve for both
         t0, t1 = segment.curve.domain
         position, velocity = segment.curve.derivatives(segment.parameter([u]), 1)

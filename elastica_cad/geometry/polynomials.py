@@ -291,6 +291,10 @@ def _merged(events: list[_Event]) -> list[_Event]:
 
 
 def _classified(c: FloatArray, events: list[_Event]) -> list[Root]:
+    """Return a root for each event, with True if the polynomial changes its sign there.
+
+    An interval of rounding errors has a multiple root, which is a crossing if the signs on both sides differ.
+    """
     zeros = []
     for k, (piece, a, b, sharp) in enumerate(events):
         if sharp:

@@ -138,6 +138,10 @@ def map_spline(
 def _positive_pieces(
     bezier: FloatArray, edges: FloatArray, back: FloatArray
 ) -> list[tuple[float, FloatArray]]:
+    """Return Bezier pieces with positive weights, and the parameter at which each begins.
+
+    Pieces are halved where the map could send a point to infinity. `back` is the inverse map.
+    """
     sign = np.sign(bezier[0, 0, 2])
     todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], bezier, strict=True)][
         ::-1

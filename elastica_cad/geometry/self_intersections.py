@@ -82,6 +82,7 @@ def find_self_intersections(
 def _halved(
     part: FloatArray, low: FloatArray, high: FloatArray, first: IntArray, second: IntArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, IntArray, IntArray]:
+    """Return the halves of the parts in pairs, with their parameters `low` and `high`, and the new pairs."""
     used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
     first, second = index[: first.size], index[first.size :]
     halves = np.stack(subdivide_pieces(part[used]), axis=1).reshape(-1, *part.shape[1:])
@@ -123,6 +124,7 @@ def _polished(
 
 
 def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
+    """Return each self-intersection once, in order, without the two ends of a closed curve."""
     close = 1e-7 * (edges[-1] - edges[0])
     distinct: list[FloatArray] = []
     for pair in pairs[np.lexsort(pairs.T[::-1])]:

@@ -292,6 +292,7 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return the coefficients, local coordinates and widths of the pieces that contain x."""
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
         after = x.shape + (1,) * (self.coefficients.ndim - 1)
@@ -709,6 +710,8 @@ def closed_spline(
 
 
 class _Problem:
+    """Least-squares problem for the control points of a spline with given knots."""
+
     def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
         self.knots = knots
         self.spans = bezier_spans(knots, degree)
@@ -870,6 +873,10 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
+    """Return a knot to add in each span with an error above the tolerance.
+
+    It is in the middle of the span or, if the span has few data, in the middle of the data.
+    """
     span = (edges.searchsorted(t, side="right") - 1).clip(0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

@@ -141,6 +141,7 @@ def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, Fl
 
 
 def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, rounding: float) -> Turn:
+    """Return the turn at a node, and the largest turn that rounding of its handles (`rounding`, mm) can cause."""
     into, out, _, _ = _handles(points, node, degree)
     lengths = np.array([norm(into), norm(out)])
     angle = abs(float(turn_between(into, out)))
